@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+
+#include "app/help.h"
+#include "app/output.h"
+#include "app/progress.h"
+#include "app/stats.h"
+#include "app/world_report.h"
+#include "base/parallel.h"
+#include "evaluate/evaluate.h"
+#include "picture/file.h"
+#include "render/render.h"
+#include "scene/dump.h"
+#include "syntax/dump.h"
+#include "syntax/lexer.h"
+#include "syntax/parser.h"
+#include "text/excerpt.h"
+#include "text/harmless.h"
+#include "text/loader.h"
+#include "text/message.h"
+#include "world/compile.h"
+
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One run over one scene: what the steps share.
+class Run {
+public:
+    Run(const Options& options, const Console& console, Diagnostics& diagnostics)
+        : options_(options), console_(console), diagnostics_(diagnostics) {}
+
+    int execute() {
+        const Output output = output_of(options_, diagnostics_);
+        if (say_diagnostics()) return exit_status::usage;
+        if (!destinations_work(output)) return exit_status::file;
+        const std::optional<SourceId> main = read_scene();
+        if (say_diagnostics() || !main) return exit_status::file;
+        return dispatch(*main, output);
+    }
+
+private:
+    bool is_check() const { return options_.task == Task::check || options_.task == Task::check_syntax; }
+
+    /// Prints what is new; true when there are errors.
+    bool say_diagnostics() {
+        const auto& all = diagnostics_.all();
+        for (; said_ < all.size(); ++said_)
+            if (options_.verbose || all[said_].severity != Severity::note)
+                console_.err(format(all[said_], sources_, console_.coloured));
+        if (diagnostics_.full()) console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
+        return diagnostics_.failed();
+    }
+
+    /// Long work should not end at a missing folder.
+    bool destinations_work(const Output& output) {
+        const bool renders = options_.task == Task::render;
+        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(), options_.stats_file}) {
+            if (path.empty()) continue;
+            std::error_code none;
+            std::string problem = problem_with_destination(path);
+            if (fs::equivalent(path, *options_.scene, none)) problem = message("`", harmless(path), "` is the scene itself");
+            if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
+        }
+        return !say_diagnostics();
+    }
+
+    std::optional<SourceId> read_scene() {
+        std::string path = *options_.scene;
+        if (path == "-") return sources_.add("standard input", {std::istreambuf_iterator<char>(std::cin), {}});
+        const Reader read = disk_reader();
+        std::optional<std::string> text = read(path);
+        if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
+        if (!text) {
+            const std::string name = harmless(*options_.scene);
+            diagnostics_.add(error(Fault::io, {}, message("there is no scene `", name, "` that can be read")));
+            return std::nullopt;
+        }
+        scene_folder_ = directory_of(path);
+        return sources_.add(path, std::move(*text));
+    }
+
+    std::vector<std::string> library_paths() {
+        std::vector<std::string> paths;
+        for (std::string path : options_.library_paths) {
+            while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+            std::error_code none;
+            if (!fs::is_directory(path, none))
+                diagnostics_.add(warning(Fault::option, {}, message("there is no folder `", harmless(path), "` to look for files in")));
+            paths.push_back(std::move(path));
+        }
+        if (!console_.library.empty()) paths.push_back(console_.library);
+        return paths;
+    }
+
+    int dispatch(SourceId main, const Output& output) {
+        if (options_.task == Task::dump_tokens) return say(dump_tokens(main, sources_, names_, diagnostics_));
+        if (options_.task == Task::dump_tree || options_.task == Task::check_syntax) {
+            const Tree tree = parse(main, sources_, names_, diagnostics_);
+            return say(is_check() ? "" : dump(tree, names_));
+        }
+        statistics_.parse = time_now();
+        const Scene scene = evaluate_scene(main);
+        statistics_.parse = time_now() - statistics_.parse;
+        if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
+        if (say_diagnostics()) return exit_status::scene;
+        statistics_.compile = time_now();
+        const World world = compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);
+        statistics_.compile = time_now() - statistics_.compile;
+        if (options_.task == Task::dump_world) return say(report(world));
+        if (say_diagnostics()) return exit_status::scene;
+        if (is_check()) return finish(world);
+        Output fitting = output;
+        fitting.format.gamma = scene.settings.assumed_gamma;
+        fitting.format.encoded = scene.gamma_handling;
+        return render_picture(world, fitting);
+    }
+
+    /// The result of a check or a dump, and what is wrong.
+    int say(const std::string& text) {
+        console_.out(text);
+        if (say_diagnostics()) return exit_status::scene;
+        if (is_check()) say_correct();
+        return exit_status::done;
+    }
+
+    void say_correct() {
+        if (options_.verbose) console_.err(message(harmless(*options_.scene), ": no errors\n"));
+    }
+
+    Scene evaluate_scene(SourceId main) {
+        const Loader loader(disk_reader(), scene_folder_, library_paths());
+        EvaluateOptions options;
+        options.declares = options_.declares;
+        options.facts.image_width = options_.render.width;
+        options.facts.image_height = options_.render.height;
+        options.facts.clock = options_.clock.value_or(0);
+        options.facts.clock_given = options_.clock.has_value();
+        if (options_.verbose) options.print = console_.err;
+        return evaluate(sources_, loader, main, options, diagnostics_);
+    }
+
+    int render_picture(const World& world, const Output& output) {
+        using enum Progress::Style;
+        Progress progress(!options_.verbose ? silent : console_.terminal ? terminal : lines, [] { return time_now().seconds; },
+                          console_.err);
+        statistics_.render = time_now();
+        const Rendering rendering = render(world, options_.render, {[&](double done) { progress.update(done); }, {}});
+        statistics_.render = time_now() - statistics_.render;
+        statistics_.rays = rendering.rays;
+        progress.finish();
+        if (options_.to_file) write_picture(rendering.image, output.path, output.format, diagnostics_);
+        if (say_diagnostics()) return exit_status::file;
+        const int status = finish(world);
+        if (options_.verbose && status == exit_status::done)
+            console_.err(message(options_.to_file ? harmless(output.path) : "no file", ": ", summary(statistics_), "\n"));
+        return status;
+    }
+
+    /// The statistics, which a check has, too.
+    int finish(const World& world) {
+        statistics_.total = time_now() - start_;
+        complete_statistics(world);
+        if (is_check()) say_correct();
+        if (options_.stats_file == "-") console_.out(to_json(statistics_));
+        else if (!options_.stats_file.empty()) write_file(options_.stats_file, to_json(statistics_), diagnostics_);
+        return say_diagnostics() ? exit_status::file : exit_status::done;
+    }
+
+    void complete_statistics(const World& world) {
+        statistics_.objects = world.objects;
+        statistics_.primitives = world.material_of.size();
+        statistics_.luminaires = world.luminaires.size();
+        statistics_.light_sources = world.lights.size();
+        statistics_.kdtree = ::statistics(world.tree);
+        statistics_.peak_memory_bytes = peak_memory_bytes();
+        statistics_.light_sampler_bytes = std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
+        const LightSampler& sampler = world.settings.light_sampler;
+        statistics_.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
+        if (std::holds_alternative<LightOctree>(sampler)) statistics_.light_octree_bytes = statistics_.light_sampler_bytes;
+        const RenderSettings& settings = options_.render;
+        statistics_.seed = settings.seed;
+        statistics_.threads = settings.threads > 0 ? settings.threads : core_count();
+        statistics_.width = settings.width;
+        statistics_.height = settings.height;
+        statistics_.samples = settings.samples;
+        statistics_.shadow_rays = settings.shadow_rays;
+    }
+
+    const Options& options_;
+    const Console& console_;
+    Diagnostics& diagnostics_;
+    SourceStore sources_;
+    Names names_;
+    std::string scene_folder_;
+    std::size_t said_ = 0;
+    Phase start_ = time_now();
+    RunStatistics statistics_;
+};
+
+std::string explanation(const Options& options, Diagnostics& diagnostics) {
+    if (options.task == Task::version) return version_text();
+    if (options.task == Task::help) return help_text(options.topic, diagnostics);
+    return description(options.topic, options.form, diagnostics);
+}
+
+int usage_errors(const Console& console, const Diagnostics& diagnostics) {
+    for (const Diagnostic& each : diagnostics.all()) console.err(format(each, SourceStore(), console.coloured));
+    return exit_status::usage;
+}
+
+}  // namespace
+
+int run(std::span<const std::string_view> arguments, const Console& console) {
+    Diagnostics diagnostics;
+    const Options options = read_options(arguments, diagnostics);
+    if (diagnostics.failed()) return usage_errors(console, diagnostics);
+    if (options.task == Task::help || options.task == Task::version || options.task == Task::describe) {
+        console.out(explanation(options, diagnostics));
+        return diagnostics.failed() ? usage_errors(console, diagnostics) : exit_status::done;
+    }
+    if (!options.scene) {
+        console.err(short_usage());
+        return exit_status::usage;
+    }
+    return Run(options, console, diagnostics).execute();
+}

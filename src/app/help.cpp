@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/help.h"
+
+#include "app/option_table.h"
+#include "evaluate/functions.h"
+#include "scene/catalogue.h"
+#include "text/harmless.h"
+#include "text/message.h"
+#include "text/nearest.h"
+#include "vocabulary/words.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<ManualEntry> entries(bool offered) {
+    std::vector<ManualEntry> result;
+    for (const OptionRow& row : option_table()) {
+        if ((row.unoffered == Unoffered::no) != offered) continue;
+        ManualEntry entry = manual_entry(row);
+        const std::string reason = entry.help.empty() ? "" : ": " + entry.help;
+        if (row.unoffered == Unoffered::ignored) entry.help = "ignored with a warning" + reason;
+        if (row.unoffered == Unoffered::refused) entry.help = "refused with an error" + reason;
+        result.push_back(std::move(entry));
+    }
+    return result;
+}
+
+std::string overview() {
+    return message(short_usage(), "\n", manual(entries(true), ManualForm::text),
+                   "\nSwitches start with + or - (on or off) and are read in any case of letters; of two the later counts.\n"
+                   "Keyword=value is the same in words. -- ends the options; what follows is a file name.\n"
+                   "Exit status: 0 done, 1 error in the scene, 2 in the command line, 3 a file cannot be read or written.\n"
+                   "\n--help compatibility lists POV-Ray's other options; --help with a word explains it:\n",
+                   "  sphere, finish, light_octree, +A, --samples, shapes, light samplers ...\n");
+}
+
+bool same_topic(std::string_view name, std::string_view topic) {
+    std::string spaced(topic);
+    std::ranges::replace(spaced, '_', ' ');
+    return same_letters(name, topic) || same_letters(name, spaced);
+}
+
+/// Groups and items with that name, together.
+std::string item_help(std::string_view topic) {
+    std::string text;
+    for (const ItemGroup& group : catalogue()) {
+        if (same_topic(group.name, topic)) return manual(std::span(&group, 1), ManualForm::text);
+        for (const ItemInfo* item : group.items)
+            if (same_letters(item->name, topic)) text += message(text.empty() ? "" : "\n", manual(*item, group.block));
+    }
+    return text;
+}
+
+std::string option_help(std::string_view topic) {
+    std::string_view bare = topic;
+    bare.remove_prefix(std::min(bare.find_first_not_of("+-"), bare.size()));
+    bare = bare.substr(0, bare.find('='));
+    for (const OptionRow& row : option_table())
+        if (!bare.empty() && (same_letters(row.letters, bare) || same_letters(row.keyword, bare) || same_letters(row.word, bare)))
+            return manual(std::array{manual_entry(row)}, ManualForm::text);
+    return {};
+}
+
+std::vector<std::string_view> topics() {
+    std::vector<std::string_view> names = {"options", "compatibility"};
+    for (const ItemGroup& group : catalogue()) {
+        names.push_back(group.name);
+        for (const ItemInfo* item : group.items) names.push_back(item->name);
+    }
+    for (const FunctionInfo& each : functions()) names.push_back(each.name);
+    for (const OptionRow& row : option_table()) {
+        if (!row.keyword.empty()) names.push_back(row.keyword);
+        if (!row.word.empty()) names.push_back(row.word);
+    }
+    return names;
+}
+
+std::vector<ManualEntry> function_entries() {
+    std::vector<ManualEntry> result;
+    for (const FunctionInfo& each : functions())
+        result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help)});
+    return result;
+}
+
+Json json_options(bool offered) {
+    Json all = Json::array();
+    for (const ManualEntry& entry : entries(offered)) all.push_back({{"option", entry.term}, {"help", entry.help}});
+    return all;
+}
+
+std::string_view class_name(WordClass word_class) {
+    switch (word_class) {
+        case WordClass::name: return "name";
+        case WordClass::layer:
+        case WordClass::word: return "word";
+        case WordClass::unary_function:
+        case WordClass::function: return "function";
+        case WordClass::constant: return "constant";
+        case WordClass::colour:
+        case WordClass::colour_prefix: return "colour";
+        case WordClass::channel: return "channel";
+        case WordClass::array: return "array";
+        case WordClass::function_literal: return "function_literal";
+        case WordClass::directive: return "directive";
+    }
+    return {};
+}
+
+/// The reserved words by class.
+Json json_words() {
+    Json all = Json::object();
+    for (const Word& word : reserved_words()) all[std::string(class_name(word.word_class))].push_back(word.spelling);
+    return all;
+}
+
+std::string words(ManualForm form) {
+    const Json all = json_words();
+    if (form == ManualForm::json) return all.dump(2) + "\n";
+    std::vector<ManualEntry> list;
+    for (const auto& [name, spellings] : all.items()) {
+        std::string text;
+        for (const auto& spelling : spellings) text += message(text.empty() ? "" : " ", spelling.get<std::string>());
+        list.push_back({name, text});
+    }
+    return manual(list, form);
+}
+
+}  // namespace
+
+std::string version_text() {
+    return "Candelabra " CANDELABRA_VERSION "\n";
+}
+
+std::string short_usage() {
+    return "usage: candelabra [option ...] scene.pov\n"
+           "Renders a scene in the manner of POV-Ray's language, lit by any number of luminaires.\n"
+           "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
+}
+
+std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
+    if (topic.empty() || same_letters(topic, "options")) return overview();
+    if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
+    std::string text = item_help(topic);
+    for (const FunctionInfo& each : functions())
+        if (same_letters(each.name, topic)) text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
+    const std::string option = option_help(topic);
+    if (!text.empty() && !option.empty()) text += "\n";
+    text += option;
+    if (text.empty()) {
+        const std::string meant = nearest(topic, topics());
+        diagnostics.add(error(Fault::option, {}, message("there is no help on `", harmless(topic), "`"))
+                            .with_help(meant.empty() ? "--help lists the options" : message("did you mean `", meant, "`?")));
+    }
+    return text;
+}
+
+std::string description(std::string_view part, ManualForm form, Diagnostics& diagnostics) {
+    if (part == "items") return manual(catalogue(), form);
+    if (part == "options") return manual(entries(true), form);
+    if (part == "compatibility") return manual(entries(false), form);
+    if (part == "functions") return manual(function_entries(), form);
+    if (part == "words") return words(form);
+    if (!part.empty()) {
+        diagnostics.add(error(Fault::option, {}, message("there is nothing called `", harmless(part), "` to describe"))
+                            .with_help("items, functions, options, compatibility or words"));
+        return {};
+    }
+    if (form != ManualForm::json) return manual(catalogue(), form);
+    Json all = {{"program", "candelabra"}, {"version", CANDELABRA_VERSION}, {"options", json_options(true)}, {"words", json_words()}};
+    all["functions"] = Json::parse(manual(function_entries(), form));
+    all["groups"] = Json::parse(manual(catalogue(), form));
+    return all.dump(2) + "\n";
+}

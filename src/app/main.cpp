@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program: arguments in, exit status out.
+#include "app/commands.h"
+#include "app/library.h"
+#include "text/message.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+/// As https://no-color.org has it.
+bool colours_wanted(bool terminal) {
+    const char* none = std::getenv("NO_COLOR");
+    const char* kind = std::getenv("TERM");
+    return terminal && !(none && *none) && !(kind && std::string_view(kind) == "dumb");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
+    Console console;
+    console.out = [](std::string_view text) { std::cout << text << std::flush; };
+    console.err = [](std::string_view text) { std::cerr << text << std::flush; };
+    console.terminal = ::isatty(STDERR_FILENO) != 0;
+    console.coloured = colours_wanted(console.terminal);
+    console.library = standard_library(own_path(), std::getenv("CANDELABRA_STDLIB")).value_or("");
+    try {
+        const int status = run(words, console);
+        if (std::cout.good()) return status;
+        console.err("error: cannot write to standard output\n");
+        return status == exit_status::done ? exit_status::file : status;
+    } catch (const std::bad_alloc&) {
+        console.err("error: there is not enough memory for this scene and picture\n");
+        return exit_status::file;
+    }
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of the value of an option: a check and a place in Options. The table of options (app/option_table.h) names
+// these functions; nothing else calls them.
+#pragma once
+
+#include "app/options.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// An option as it was met on the command line.
+struct Given {
+    std::string_view argument;         ///< as it was written, for messages
+    bool on = true;                    ///< `-X`, `Keyword=off`: false
+    std::optional<std::string> value;
+};
+
+/// A decimal number, all of the text; nothing for anything else.
+std::optional<double> number(std::string_view text);
+
+/// on, true, yes, 1 and off, false, no, 0, in any case of letters.
+std::optional<bool> truth(std::string_view text);
+
+/// Whether the texts are the same but for the case of ASCII letters.
+bool same_letters(std::string_view a, std::string_view b);
+
+/// Reports what is wrong with an option.
+void refuse(const Given&, Diagnostics&, const std::string& rule, const std::string& help = {});
+
+/// The place of a field of RenderSettings among its fields.
+std::size_t settings_field(std::string_view name);
+
+namespace store {
+
+/// A number, into the field of RenderSettings with that name.
+void field(std::string_view name, Options&, const Given&, Diagnostics&);
+
+void scene(Options&, const Given&, Diagnostics&);
+void output(Options&, const Given&, Diagnostics&);
+void to_file(Options&, const Given&, Diagnostics&);
+void type(Options&, const Given&, Diagnostics&);
+void bits(Options&, const Given&, Diagnostics&);
+void antialias(Options&, const Given&, Diagnostics&);
+void sampler(Options&, const Given&, Diagnostics&);
+void library(Options&, const Given&, Diagnostics&);
+void declare(Options&, const Given&, Diagnostics&);
+void clock(Options&, const Given&, Diagnostics&);
+void verbose(Options&, const Given&, Diagnostics&);
+void check(Options&, const Given&, Diagnostics&);
+void dump(Options&, const Given&, Diagnostics&);
+void stats(Options&, const Given&, Diagnostics&);
+void help(Options&, const Given&, Diagnostics&);
+void version(Options&, const Given&, Diagnostics&);
+void describe(Options&, const Given&, Diagnostics&);
+void quality(Options&, const Given&, Diagnostics&);
+void gamma(Options&, const Given&, Diagnostics&);
+
+}  // namespace store

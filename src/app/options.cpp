@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/options.h"
+
+#include "app/option_table.h"
+#include "text/harmless.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+#include <algorithm>
+
+namespace {
+
+bool starts_with_letters(std::string_view text, std::string_view letters) {
+    return same_letters(text.substr(0, letters.size()), letters);
+}
+
+/// The switch that the text behind the sign begins with; of several the longest. Null when there is none.
+const OptionRow* find_switch(std::string_view text) {
+    const OptionRow* best = nullptr;
+    for (const OptionRow& row : option_table())
+        if (!row.letters.empty() && starts_with_letters(text, row.letters) && (!best || row.letters.size() > best->letters.size()))
+            best = &row;
+    return best;
+}
+
+const OptionRow* find_named(std::string_view OptionRow::*name, std::string_view text) {
+    for (const OptionRow& row : option_table())
+        if (!(row.*name).empty() && same_letters(row.*name, text)) return &row;
+    return nullptr;
+}
+
+bool keyword_form(std::string_view argument) {
+    const std::size_t equals = argument.find('=');
+    if (equals == std::string_view::npos || equals == 0) return false;
+    return std::ranges::all_of(argument.substr(0, equals), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+bool names_a_scene(std::string_view argument) {
+    return argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".pov");
+}
+
+/// All that an argument could have been meant as, in its own form: "--seed", "+WT", "Width=".
+std::string meant(std::string_view argument) {
+    std::vector<std::string> texts;
+    for (const OptionRow& row : option_table()) {
+        if (row.unoffered != Unoffered::no) continue;
+        if (!row.letters.empty() && argument.size() < 5) texts.push_back(message(argument.substr(0, 1), row.letters));
+        if (!row.word.empty()) texts.push_back(message("--", row.word));
+        if (!row.keyword.empty()) texts.push_back(message(row.keyword, "="));
+    }
+    std::string_view word = argument.substr(0, argument.find('='));
+    const std::string with_equals = message(word, "=");
+    const std::vector<std::string_view> names(texts.begin(), texts.end());
+    const std::string found = nearest(argument.size() > word.size() && !argument.starts_with('-') ? with_equals : word, names);
+    return found.empty() ? "" : message("did you mean `", found, "`?");
+}
+
+class Reader {
+public:
+    Reader(std::span<const std::string_view> arguments, Diagnostics& diagnostics)
+        : arguments_(arguments), diagnostics_(diagnostics) {}
+
+    Options read() {
+        // POV-Ray's shortest way to ask for help
+        if (arguments_.size() == 1 && (same_letters(arguments_[0], "-h") || same_letters(arguments_[0], "+h"))) {
+            options_.task = Task::help;
+            return options_;
+        }
+        while (next_ < arguments_.size()) read_one(arguments_[next_++]);
+        return std::move(options_);
+    }
+
+private:
+    void fail(std::string_view argument, const std::string& rule, const std::string& help = {}) {
+        refuse({argument, true, {}}, diagnostics_, rule, help);
+    }
+
+    void read_one(std::string_view argument) {
+        if (only_files_) return read_scene(argument);
+        if (argument == "--") only_files_ = true;
+        else if (argument.starts_with("--")) read_long(argument);
+        else if (argument.size() > 1 && (argument[0] == '+' || argument[0] == '-')) read_switch(argument);
+        else if (keyword_form(argument)) read_keyword(argument);
+        else read_scene(argument);
+    }
+
+    void read_scene(std::string_view argument) {
+        if (argument.empty()) return fail(argument, "a file name cannot be empty");
+        if (!only_files_ && argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".ini"))
+            return fail(argument, "INI files are not read", "give its settings here, each as one argument: Width=640");
+        if (bare_scene_)
+            return fail(argument, message("only one scene can be rendered at a time, and there is already `", harmless(*options_.scene), "`"));
+        bare_scene_ = true;
+        options_.scene = argument;
+    }
+
+    void read_switch(std::string_view argument) {
+        const std::string_view text = argument.substr(1);
+        const OptionRow* row = find_switch(text);
+        if (find_named(&OptionRow::word, text) || !row) return fail(argument, "there is no such option", help_for(argument));
+        std::optional<std::string> value;
+        if (text.size() > row->letters.size()) value = text.substr(row->letters.size());
+        if (row->takes == Takes::sign && value) return fail(argument, "there is no such option", help_for(argument));
+        if (row->takes == Takes::value && !value)
+            return fail(argument, message("needs a value directly behind it: `", argument, row->parameter, "`"));
+        apply(*row, options_, {argument, argument[0] == '+' || row->takes == Takes::value, value}, diagnostics_);
+    }
+
+    std::string help_for(std::string_view argument) {
+        if (find_named(&OptionRow::word, argument.substr(1))) return message("did you mean `--", argument.substr(1), "`?");
+        return meant(argument);
+    }
+
+    void read_keyword(std::string_view argument) {
+        const std::size_t equals = argument.find('=');
+        const OptionRow* row = find_named(&OptionRow::keyword, argument.substr(0, equals));
+        if (!row && names_a_scene(argument)) return read_scene(argument);
+        if (!row) {
+            const std::string near = meant(argument);
+            return fail(argument, "there is no such keyword", near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
+        }
+        const std::string text(argument.substr(equals + 1));
+        if (row->takes == Takes::value) {
+            if (text.empty()) return fail(argument, "needs a value");
+            return apply(*row, options_, {argument, true, text}, diagnostics_);
+        }
+        const std::optional<bool> on = truth(text);
+        if (!on) return fail(argument, "the value must be on or off");
+        apply(*row, options_, {argument, *on, {}}, diagnostics_);
+    }
+
+    void read_long(std::string_view argument) {
+        const std::size_t equals = argument.find('=');
+        const OptionRow* row = find_named(&OptionRow::word, argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
+        if (!row) return fail(argument, "there is no such option", meant(argument));
+        Given given{argument, true, {}};
+        if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
+        if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
+        if (!given.value && row->takes == Takes::value && next_ < arguments_.size()) given.value = arguments_[next_++];
+        if (!given.value && row->takes == Takes::maybe_words) given.value = following_words();
+        if (row->takes == Takes::value && (!given.value || given.value->empty()))
+            return fail(argument, message("needs a value: `--", row->word, " ", row->parameter, "`"));
+        apply(*row, options_, given, diagnostics_);
+    }
+
+    /// The arguments up to the next option, with blanks between them.
+    std::optional<std::string> following_words() {
+        std::string words;
+        for (; next_ < arguments_.size(); ++next_) {
+            const std::string_view word = arguments_[next_];
+            if (word.starts_with('-') || word.starts_with('+')) break;
+            words += message(words.empty() ? "" : " ", word);
+        }
+        return words.empty() ? std::nullopt : std::optional(words);
+    }
+
+    std::span<const std::string_view> arguments_;
+    Diagnostics& diagnostics_;
+    Options options_;
+    std::size_t next_ = 0;
+    bool only_files_ = false;
+    bool bare_scene_ = false;
+};
+
+}  // namespace
+
+Options read_options(std::span<const std::string_view> arguments, Diagnostics& diagnostics) {
+    return Reader(arguments, diagnostics).read();
+}

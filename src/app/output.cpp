@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output.h"
+
+#include "text/message.h"
+
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string scene_stem(const Options& options) {
+    const std::string scene = options.scene.value_or("-");
+    return scene == "-" ? "stdin" : fs::path(scene).stem().string();
+}
+
+bool is_folder(const std::string& path) {
+    std::error_code none;
+    return path.ends_with('/') || fs::is_directory(path, none);
+}
+
+bool is_device_or_pipe(const std::string& path) {
+    std::error_code none;
+    const fs::file_status status = fs::status(path, none);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+std::string path_of(const Options& options, PictureType type) {
+    const std::string& given = options.output;
+    const std::string ending = message('.', extension(type));
+    if (given.empty()) return scene_stem(options) + ending;
+    if (given == "-" || is_device_or_pipe(given)) return given;
+    if (is_folder(given)) return (fs::path(given) / (scene_stem(options) + ending)).string();
+    return type_of_name(given) == type ? given : given + ending;
+}
+
+}  // namespace
+
+Output output_of(const Options& options, Diagnostics& diagnostics) {
+    Output output;
+    output.format.type = options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
+    output.format.bits = options.bits.value_or(8);
+    output.format.compressed = options.compressed;
+    output.path = path_of(options, output.format.type);
+    if (output.format.bits == 16 && output.format.type != PictureType::png)
+        diagnostics.add(error(Fault::option, {}, message("a file of format ", extension(output.format.type), " cannot have 16 bits a channel"))
+                            .with_help("png can (+FN16); OpenEXR has 32 (+FE)"));
+    return output;
+}

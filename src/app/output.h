@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which file the picture goes to, and in which format, by POV-Ray's rules for +O and +F.
+#pragma once
+
+#include "app/options.h"
+
+struct Output {
+    std::string path;  ///< "-": standard output
+    PictureFormat format;
+};
+
+/// The format is that of +F, or else of the ending of +O, or else png. A name without the format's ending gets it. Without a
+/// name it is the scene's, in the current folder or the folder of +O. Devices and pipes are taken by the name that they have.
+/// Reports what does not fit together.
+Output output_of(const Options&, Diagnostics&);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/progress.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
+constexpr double line_interval = 10;       ///< seconds after which a line is due even without a tenth of progress
+constexpr double shortest_interval = 1;    ///< lines of a quick rendering would be noise
+
+std::string two_digits(long number) {
+    return message(number < 10 ? "0" : "", number);
+}
+
+}  // namespace
+
+Progress::Progress(Style style, Seconds clock, Output output)
+    : style_(style), clock_(std::move(clock)), output_(std::move(output)), start_(clock_()), shown_at_(start_) {}
+
+bool Progress::worth_showing(double now) const {
+    const double passed = now - shown_at_;
+    if (style_ == Style::terminal) return passed >= terminal_interval;
+    return passed >= line_interval || (passed >= shortest_interval && std::floor(fraction_ * 10) > std::floor(shown_ * 10));
+}
+
+void Progress::update(double fraction) {
+    if (style_ == Style::silent) return;
+    const std::lock_guard lock(mutex_);
+    const double now = clock_();
+    if (!(fraction >= fraction_)) return;
+    fraction_ = std::min(fraction, 1.0);
+    if (!worth_showing(now)) return;
+    shown_at_ = now;
+    shown_ = fraction_;
+    std::string text = progress_text(fraction_, now - start_);
+    if (style_ == Style::lines) return output_(text + "\n");
+    const std::size_t length = text.size();
+    if (length < width_) text.resize(width_, ' ');
+    width_ = length;
+    output_(message("\r", text));
+}
+
+void Progress::finish() {
+    const std::lock_guard lock(mutex_);
+    if (style_ == Style::terminal && width_ > 0) output_(message("\r", std::string(width_, ' '), "\r"));
+    width_ = 0;
+}
+
+std::string progress_text(double fraction, double elapsed) {
+    const long tenths = std::lround(std::floor(fraction * 1000));
+    std::string text = message(tenths / 10, '.', tenths % 10, " %, ", duration(elapsed), " so far");
+    if (fraction > 0) text += message(", about ", duration(elapsed * (1 - fraction) / fraction), " left");
+    return text;
+}
+
+std::string duration(double seconds) {
+    if (!(seconds > 0)) seconds = 0;
+    if (seconds < 9.95) {
+        const long tenths = std::lround(seconds * 10);
+        return message(tenths / 10, '.', tenths % 10, " s");
+    }
+    const double most = 1e9;
+    const long whole = std::lround(std::min(seconds, most));
+    if (whole < 100) return message(whole, " s");
+    if (whole < 3600) return message(whole / 60, " min ", two_digits(whole % 60), " s");
+    return message(whole / 3600, " h ", two_digits(whole / 60 % 60), " min");
+}

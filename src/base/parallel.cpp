@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/parallel.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
+
+void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job) {
+    if (threads <= 0) threads = core_count();
+    using Control = oneapi::tbb::global_control;
+    const Control allowed(Control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    oneapi::tbb::task_arena arena(threads);
+    arena.execute([&] {
+        oneapi::tbb::parallel_for(std::size_t{0}, count, job, oneapi::tbb::simple_partitioner());
+    });
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points, directions and other small tuples of doubles. The one include of GLM; everyone else says Vec3.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <cmath>
+#include <utility>
+
+using Vec2 = glm::dvec2;
+using Vec3 = glm::dvec3;
+using glm::cross;
+using glm::dot;
+
+/// Euclidean length.
+inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
+
+/// v scaled to length 1; the zero vector stays zero.
+inline Vec3 unit(const Vec3& v) {
+    const double l = length(v);
+    return l > 0 ? v / l : Vec3(0);
+}
+
+inline double max_component(const Vec3& v) { return std::fmax(v.x, std::fmax(v.y, v.z)); }
+inline double min_component(const Vec3& v) { return std::fmin(v.x, std::fmin(v.y, v.z)); }
+inline double max_abs_component(const Vec3& v) { return max_component(glm::abs(v)); }
+
+/// Two unit vectors that make a right-handed orthonormal frame with the unit vector n.
+/// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017: no branch, no bad direction.
+inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y)};
+}

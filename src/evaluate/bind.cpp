@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/bind.h"
+
+#include "evaluate/lists.h"
+#include "text/message.h"
+#include "vocabulary/manual.h"
+
+#include <cassert>
+
+namespace {
+
+/// Anything but a part of a scene, which belongs to other readers.
+bool may_be_parameter(const Value& value) {
+    return value.numbers() || value.text() || value.array();
+}
+
+}  // namespace
+
+ItemReader::ItemReader(OpenBlock& block, const ItemInfo& info, void* item) : block_(block) {
+    rebind(info, item);
+}
+
+void ItemReader::rebind(const ItemInfo& info, void* item) {
+    assert(info.fields.size() <= 64 && !waiting());
+    info_ = &info;
+    item_ = item;
+    next_ = positional_ = 0;
+    given_ = 0;
+    while (positional_ < static_cast<int>(info.fields.size()) &&
+           info.fields[positional_].place == Placement::positional)
+        ++positional_;
+}
+
+void ItemReader::alone(std::string_view word, double value) {
+    alone_ = find(word);
+    alone_value_ = value;
+}
+
+bool ItemReader::given(std::string_view field) const {
+    const int i = find(field);
+    return i >= 0 && (given_ >> i & 1) != 0;
+}
+
+bool ItemReader::required_missing() const {
+    return next_ < positional_ && !info_->fields[next_].may_be_left_out;
+}
+
+void ItemReader::add_words(WordList& words) const {
+    for (std::size_t i = positional_; i < info_->fields.size(); ++i)
+        words.push_back(info_->fields[i].name);
+}
+
+int ItemReader::find(std::string_view word) const {
+    for (std::size_t i = positional_; i < info_->fields.size(); ++i)
+        if (info_->fields[i].name == word) return static_cast<int>(i);
+    return -1;
+}
+
+int ItemReader::find(NameId word) const {
+    if (word == no_name || positional_ == static_cast<int>(info_->fields.size())) return -1;
+    return find(block_.spelling(word));
+}
+
+bool ItemReader::take(const Element& element) {
+    stored_ = -1;
+    switch (element.kind) {
+        case Element::Kind::value:
+            return take_value(element);
+        case Element::Kind::word:
+            return take_word(element);
+        case Element::Kind::block:
+            return take_block(element);
+        case Element::Kind::list:
+            return take_list(element);
+        case Element::Kind::entry:
+        case Element::Kind::braces:
+            break;
+    }
+    if (word_ >= 0) missing_value();
+    end_switch();
+    return false;
+}
+
+/// More numbers than any value has.
+bool ItemReader::take_list(const Element& element) {
+    end_switch();
+    if (word_ < 0 && next_ >= positional_) return false;
+    const int field = word_ >= 0 ? std::exchange(word_, -1) : next_++;
+    block_.report(error(Fault::wrong_count, element.span,
+                        message(of_block(field), " must be ", kind_name(info_->fields[field].type),
+                                ", but this has ", element.list.size(), " numbers"))
+                      .with_help(help(field)));
+    return true;
+}
+
+bool ItemReader::take_value(const Element& element) {
+    if (element.value.is(Absence::nothing)) return word_ >= 0 || next_ < positional_;
+    const bool scalar = element.value.numbers() && element.value.numbers()->is_scalar();
+    if (word_ >= 0 && word_ == alone_ && !scalar && !element.value.broken()) missing_value();
+    if (word_ >= 0) {
+        store(std::exchange(word_, -1), element);
+        return true;
+    }
+    // A name that the scene has declared, and that is a word here: the word is meant, because no
+    // value is expected.
+    if (switch_ < 0 && !required_missing() && element.word != no_name &&
+        !block_.binder.evaluator.names().reserved(element.word)) {
+        const int field = find(element.word);
+        if (field >= 0) {
+            begin(field, element.span);
+            return true;
+        }
+    }
+    if (switch_ >= 0 && scalar && !required_missing()) {
+        store(std::exchange(switch_, -1), element);
+        return true;
+    }
+    end_switch();
+    if (next_ >= positional_ || !(may_be_parameter(element.value) || element.value.broken()))
+        return false;
+    store(next_++, element);
+    return true;
+}
+
+bool ItemReader::take_word(const Element& element) {
+    end_switch();
+    const int field = find(element.word);
+    if (word_ >= 0) {
+        const bool reserved = block_.binder.evaluator.names().reserved(element.word);
+        if (field < 0 && !reserved && word_ != alone_) return false;
+        if (field < 0 && reserved && word_ != alone_ &&
+            !OpenBlock::available(block_.spelling(element.word)))
+            word_ = -1;
+        else
+            missing_value();
+    }
+    if (field < 0) return false;
+    begin(field, element.span);
+    return true;
+}
+
+bool ItemReader::take_block(const Element& element) {
+    end_switch();
+    if (word_ >= 0) missing_value();
+    const int field = find(element.word);
+    if (field < 0 || info_->fields[field].place != Placement::list) return false;
+    word_span_ = element.word_span;
+    read_list(field, element);
+    return true;
+}
+
+/// A word of the vocabulary has come.
+void ItemReader::begin(int field, Span word) {
+    if (word_ >= 0) missing_value();
+    word_span_ = word;
+    if (info_->fields[field].place != Placement::flag) {
+        word_ = field;
+        return;
+    }
+    set(field, 1.0, word);
+    switch_ = field;
+}
+
+void ItemReader::store(int field, const Element& element) {
+    if (element.value.broken()) {
+        block_.broken = true;
+        return;
+    }
+    const FieldInfo& info = info_->fields[field];
+    if (element.value.numbers() && info.type == FieldType::boolean)
+        given_ &= ~(std::uint64_t{1} << field);
+    const std::optional<FieldValue> value = converted(
+        block_, element, info.type, {[&] { return of_block(field); }, [&] { return help(field); }});
+    if (value && in_range(field, *value, element.span)) set(field, *value, element.span);
+}
+
+void ItemReader::set(int field, const FieldValue& value, Span) {
+    const std::uint64_t bit = std::uint64_t{1} << field;
+    if ((given_ & bit) != 0 && !repeatable_)
+        block_.report(warning(Fault::duplicate, word_span_,
+                              message(of_block(field), " is given again; this one counts")));
+    given_ |= bit;
+    info_->set(item_, static_cast<std::size_t>(field), value);
+    stored_ = field;
+}
+
+bool ItemReader::in_range(int field, const FieldValue& value, Span span) {
+    const double* wrong = offender(info_->fields[field].range, value);
+    if (!wrong) return true;
+    block_.report(error(Fault::out_of_range, span,
+                        message(of_block(field), " must be ", rule(info_->fields[field].range),
+                                ", but it is ", *wrong))
+                      .with_label(message("this is ", *wrong))
+                      .with_help(help(field)));
+    return false;
+}
+
+void ItemReader::missing_value() {
+    const int field = std::exchange(word_, -1);
+    if (field == alone_) {
+        set(field, alone_value_, word_span_);
+        return;
+    }
+    block_.report(error(Fault::missing, word_span_,
+                        message(of_block(field), " needs ", kind_name(info_->fields[field].type)))
+                      .with_help(help(field)));
+}
+
+void ItemReader::finish() {
+    if (word_ >= 0) missing_value();
+    if (block_.broken || !required_missing()) return;
+    std::string names;
+    for (int i = next_; i < positional_ && !info_->fields[i].may_be_left_out; ++i) {
+        const bool last = i + 1 == positional_ || info_->fields[i + 1].may_be_left_out;
+        names += message(names.empty() ? ""
+                         : last        ? " and "
+                                       : ", ",
+                         '`', info_->fields[i].name, '`');
+    }
+    block_.report(error(Fault::missing, block_.span, message(block_.quoted(), " needs ", names))
+                      .with_help(block_.help()));
+}
+
+void ItemReader::read_list(int field, const Element& element) {
+    const FieldInfo& info = info_->fields[field];
+    OpenBlock inner(block_.binder, info.name, element.word_span);
+    inner.form = info.type == FieldType::faces ? "{ count, <a, b, c>, <d, e, f>, ... }"
+                                               : "{ count, <x, y, z>, <x, y, z>, ... }";
+    std::optional<FieldValue> list = read_counted_list(inner, element.body, info.type);
+    block_.broken |= inner.broken;
+    if (list) set(field, *list, element.word_span);
+}
+
+std::string ItemReader::of_block(int field) const {
+    return message('`', info_->fields[field].name, "` of ", block_.quoted());
+}
+
+std::string ItemReader::help(int field) const {
+    const FieldInfo& info = info_->fields[field];
+    const std::string values = ::values(*info_, static_cast<std::size_t>(field));
+    if (info.place == Placement::positional)
+        return message(block_.help(), "   ", info.name, ": ", values);
+    return message(block_.name, " { ... ", info.name, ' ',
+                   info.type == FieldType::number || info.type == FieldType::integer ? "n" : "v",
+                   " ... }   ", info.name, ": ", values);
+}

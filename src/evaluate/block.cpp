@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/block.h"
+
+#include "scene/catalogue.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+/// Words that no item's vocabulary has, or that have a place in a block besides; and that block, if
+/// it is only one.
+struct Structure {
+    std::string_view word, home;
+};
+constexpr std::array structure = {
+    Structure{"union", ""},
+    Structure{"object", ""},
+    Structure{"camera", ""},
+    Structure{"background", ""},
+    Structure{"texture", "object"},
+    Structure{"pigment", "texture"},
+    Structure{"finish", "texture"},
+    Structure{"interior", "object"},
+    Structure{"reflection", "finish"},
+    Structure{"transform", "object"},
+    Structure{"translate", "object"},
+    Structure{"rotate", "object"},
+    Structure{"scale", "object"},
+    Structure{"matrix", "object"},
+    Structure{"inverse", "object"},
+    Structure{"color_map", "pigment"},
+    Structure{"colour_map", "pigment"},
+    Structure{"no_shadow", "object"},
+    Structure{"no_image", "object"},
+    Structure{"no_reflection", "object"},
+    Structure{"hollow", "object"},
+    Structure{"double_illuminate", "object"},
+};
+
+/// Words that mean something in POV-Ray in a block where they mean nothing here, though they do in
+/// another block.
+struct Elsewhere {
+    std::string_view block, word;
+};
+constexpr std::array unavailable_here = {
+    Elsewhere{"interior", "fade_distance"},
+    Elsewhere{"interior", "fade_power"},
+    Elsewhere{"finish", "ior"},
+    Elsewhere{"texture", "checker"},
+    Elsewhere{"texture", "gradient"},
+    Elsewhere{"light_source", "falloff"},
+};
+
+/// Words that follow a word without effect, and need not be spoken of.
+constexpr std::string_view values_of_charset = "utf8 ascii sys";
+
+bool contains(std::string_view list, std::string_view word) {
+    for (std::size_t at = list.find(word); at != std::string_view::npos;
+         at = list.find(word, at + 1)) {
+        const bool starts = at == 0 || list[at - 1] == ' ';
+        const std::size_t last = at + word.size();
+        if (starts && (last == list.size() || list[last] == ' ')) return true;
+    }
+    return false;
+}
+
+/// Blocks that the word belongs in; none for a word that is a block of a scene.
+std::vector<std::string_view> homes(std::string_view word) {
+    std::vector<std::string_view> result;
+    const auto add = [&](std::string_view home) {
+        if (!home.empty() && std::ranges::find(result, home) == result.end())
+            result.push_back(home);
+    };
+    for (const Structure& known : structure)
+        if (known.word == word) add(known.home);
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items) {
+            const std::string_view home = group.block.empty() ? item->name : group.block;
+            const auto is_word = [&](const FieldInfo& field) {
+                return field.place != Placement::positional && field.name == word;
+            };
+            if (std::ranges::any_of(item->fields, is_word)) add(home);
+            if (item->name == word) add(group.block);
+        }
+    return result;
+}
+
+bool is_item(std::string_view word) {
+    return std::ranges::any_of(catalogue(), [&](const ItemGroup& group) {
+        return std::ranges::any_of(group.items,
+                                   [&](const ItemInfo* item) { return item->name == word; });
+    });
+}
+
+}  // namespace
+
+bool OpenBlock::available(std::string_view word) {
+    const bool structural =
+        std::ranges::any_of(structure, [&](const Structure& known) { return known.word == word; });
+    return structural || is_item(word) || !homes(word).empty();
+}
+
+std::string OpenBlock::quoted() const { return name.empty() ? "a scene" : message('`', name, '`'); }
+
+std::string OpenBlock::help() const {
+    if (!form.empty()) return message(name, ' ', form);
+    return item ? usage(*item, item->name == name ? std::string_view() : name) : std::string();
+}
+
+void OpenBlock::report(Diagnostic diagnostic) {
+    broken |= diagnostic.severity == Severity::error;
+    binder.evaluator.report(std::move(diagnostic));
+}
+
+bool OpenBlock::passes_over(const Element& element) {
+    const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::list;
+    if (value && passing_over_) return true;
+    passing_over_ = false;
+    return false;
+}
+
+void OpenBlock::refuse(const Element& element, const WordList& words) {
+    if (!passes_over(element)) reject(element, words, element.kind == Element::Kind::word);
+}
+
+bool OpenBlock::reject(const Element& element, const WordList& words, bool wanted) {
+    switch (element.kind) {
+        case Element::Kind::value:
+            reject_value(element);
+            return false;
+        case Element::Kind::word:
+        case Element::Kind::block:
+            return reject_word(element, words, wanted);
+        case Element::Kind::entry:
+            reject_form(element, "an entry in brackets has");
+            return false;
+        case Element::Kind::braces:
+            reject_form(element, "braces without a word before them have");
+            return false;
+        case Element::Kind::list:
+            reject_form(element, "a list of numbers has");
+            return false;
+    }
+    return false;
+}
+
+void OpenBlock::reject_form(const Element& element, std::string_view what) {
+    if (!broken)
+        report(error(Fault::misplaced, element.span, message(what, " no place in ", quoted()))
+                   .with_help(help()));
+}
+
+bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
+    const std::string_view word = spelling(element.word);
+    passing_over_ = true;
+    if (binder.evaluator.names().reserved(element.word)) {
+        reject_reserved(element, word);
+        return false;
+    }
+    const std::string near = nearest(word, words);
+    if (!near.empty()) {
+        report(error(Fault::unknown_word, element.word_span,
+                     message(quoted(), " has no word `", word, "`"))
+                   .with_help(message("did you mean `", near, "`?")));
+        return false;
+    }
+    const bool block = element.kind == Element::Kind::block;
+    const std::string declared = nearest(word, binder.evaluator.declared_names());
+    if (block || (!wanted && declared.empty())) {
+        report(error(Fault::unknown_word, element.word_span,
+                     message(quoted(), " has no word `", word, "`"))
+                   .with_help(help()));
+        return false;
+    }
+    Diagnostic unknown =
+        error(Fault::unknown_name, element.span, message("nothing is declared as `", word, "`"));
+    unknown.with_help(declared.empty() ? message("declare it first: #declare ", word, " = ...")
+                                       : message("did you mean `", declared, "`?"));
+    report(std::move(unknown));
+    passing_over_ = false;
+    return true;
+}
+
+void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
+    if (contains(effectless, word)) {
+        if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
+            report(warning(Fault::not_implemented, element.word_span,
+                           message('`', word, "` has no effect in this version")));
+        return;
+    }
+    const bool elsewhere = std::ranges::none_of(
+        unavailable_here, [&](const Elsewhere& e) { return e.block == name && e.word == word; });
+    if (elsewhere && available(word)) {
+        Diagnostic misplaced = error(Fault::misplaced, element.word_span,
+                                     message('`', word, "` has no place in ", quoted()));
+        std::string places;
+        for (const std::string_view home : homes(word))
+            places += message(places.empty() ? "" : ", ", '`', home, '`');
+        if (!places.empty()) misplaced.with_note(message("it belongs in ", places));
+        report(std::move(misplaced.with_help(help())));
+        return;
+    }
+    if (!told_unavailable_)
+        report(error(Fault::not_implemented, element.word_span,
+                     message('`', word, "` is not available in this version")));
+    told_unavailable_ = !name.empty();
+    broken = true;
+}
+
+void OpenBlock::reject_value(const Element& element) {
+    if (element.value.broken()) broken = true;
+    if (element.value.absent() || broken) return;
+    const std::string_view kind = kind_name(element.value);
+    const bool number = element.value.numbers() != nullptr;
+    if (number && item && !item->fields.empty() &&
+        item->fields.front().place == Placement::positional) {
+        const auto most = std::ranges::count_if(
+            item->fields, [](const FieldInfo& f) { return f.place == Placement::positional; });
+        report(error(Fault::wrong_count, element.span,
+                     message(quoted(), " takes ", most, most == 1 ? " value" : " values",
+                             ", but here is one more"))
+                   .with_help(help()));
+        return;
+    }
+    Diagnostic stray =
+        error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()));
+    const std::string_view bare = kind.substr(kind.find(' ') + 1);
+    if (!number && element.word != no_name && available(bare) && bare != name)
+        stray.with_help(message("did you mean `", bare, " { ", spelling(element.word), " }`?"));
+    else
+        stray.with_help(help());
+    report(std::move(stray));
+}

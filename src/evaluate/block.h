@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One block while it is read. Several readers share its elements: one that waits for a value is
+// asked first, then each in turn; what none of them takes is reported here, once, and whatever
+// belongs to it is passed over. A reader has
+//     bool waiting() const;               the next element may be for it, before all others
+//     bool wants() const;                 it misses something: a name nobody knows would have been
+//     that bool take(const Element&);          true: the element was its own, and has been dealt
+//     with void finish();                      the block has ended void add_words(WordList&) const;
+//     the words that it takes, for "did you mean"
+#pragma once
+
+#include "evaluate/binder.h"
+#include "vocabulary/schema.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+using WordList = std::vector<std::string_view>;
+
+class OpenBlock {
+public:
+    /// `name` is the word in front of the brace, and lives as long as this.
+    OpenBlock(Binder& binder, std::string_view name, Span span)
+        : binder(binder), name(name), span(span) {}
+
+    Binder& binder;
+    std::string_view name;
+    Span span;  ///< of the block's word: where what is missing is reported
+    std::string_view form =
+        {};  ///< what follows the name, braces and all; empty: by the item's vocabulary
+    const ItemInfo* item = nullptr;    ///< what the block describes
+    std::string_view effectless = {};  ///< words of POV-Ray that may stand here and change nothing
+    bool broken = false;  ///< something has been reported: do not speak of what follows from it
+    int taken = 0;        ///< elements that readers took
+
+    template <class... Readers>
+    void read(Body, Readers&...);
+
+    /// For an element outside of all readers.
+    void refuse(const Element&, const WordList& words);
+
+    /// As the evaluator does; an error makes the block broken.
+    void report(Diagnostic);
+    /// The help line that shows how the block is written.
+    std::string help() const;
+    std::string quoted() const;
+    /// Whether the language here knows the word at all: other reserved words are POV-Ray's, and not
+    /// available.
+    static bool available(std::string_view word);
+    std::string_view spelling(NameId word) const { return binder.evaluator.spelling(word); }
+
+private:
+    /// Whether the element belongs to something that has been reported.
+    bool passes_over(const Element&);
+    /// Says why the element has no place here. True: it may have been meant as a value, so its
+    /// place is a hole.
+    bool reject(const Element&, const WordList& words, bool wanted);
+    bool reject_word(const Element&, const WordList& words, bool wanted);
+    void reject_reserved(const Element&, std::string_view word);
+    void reject_value(const Element&);
+    void reject_form(const Element&, std::string_view what);
+
+    bool passing_over_ = false;  ///< values until the next word
+    bool told_unavailable_ = false;
+};
+
+/// What has no words and never waits: a start for readers that need little.
+struct SimpleReader {
+    bool waiting() const { return false; }
+    bool wants() const { return false; }
+    void finish() {}
+    void add_words(WordList&) const {}
+};
+
+/// `Name` of a declared T as the first element of a block: it starts from a copy.
+template <class T, class Use>
+class NamedReader : public SimpleReader {
+public:
+    NamedReader(OpenBlock& block, Use use) : block_(block), use_(std::move(use)) {}
+
+    bool wants() const { return block_.taken == 0; }
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::value) return false;
+        const Handle<T> part = element.value.handle<T>();
+        if (!part) return false;
+        if (block_.taken > 0)
+            block_.report(error(
+                Fault::misplaced, element.span,
+                "what is declared must come first: it would replace all that is before it in " +
+                    block_.quoted()));
+        use_(part);
+        return true;
+    }
+
+private:
+    OpenBlock& block_;
+    Use use_;
+};
+template <class T, class Use>
+NamedReader<T, Use> named(OpenBlock& block, Use use) {
+    return NamedReader<T, Use>(block, std::move(use));
+}
+
+template <class... Readers>
+void OpenBlock::read(Body body, Readers&... readers) {
+    const auto offer = [&](const Element& element) {
+        return ((readers.waiting() && readers.take(element)) || ...) ||
+               (readers.take(element) || ...);
+    };
+    binder.evaluator.walk(body, [&](const Element& element) {
+        if (passes_over(element)) return;
+        if (offer(element)) {
+            ++taken;
+            return;
+        }
+        WordList words;
+        (readers.add_words(words), ...);
+        if (!reject(element, words, (readers.wants() || ...))) return;
+        Element hole = element;
+        hole.kind = Element::Kind::value;
+        hole.value = Absence::broken;
+        offer(hole);
+    });
+    if (!binder.evaluator.stopped()) (readers.finish(), ...);
+}

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Directives: control of the walk, messages, versions, includes. Declarations are in declare.cpp.
+#include "evaluate/state.h"
+#include "syntax/parser.h"
+#include "text/message.h"
+
+#include <cmath>
+
+namespace {
+
+constexpr double tolerance = 1e-10;
+
+}  // namespace
+
+Flow Evaluator::State::directive(const Tree& tree, NodeId id, Take take) {
+    const NodeContent& content = tree[id].content;
+    const auto not_yet = [&](std::string_view name) {
+        broken(Fault::not_implemented, tree.span(id),
+               message("`#", name, "` is known but not implemented"));
+        return Flow::end;
+    };
+    switch (content.index()) {
+        case kind<node::Declare>:
+            declare(tree, *std::get_if<node::Declare>(&content), id);
+            break;
+        case kind<node::Deprecated>:
+            declare(tree, tree.get<node::Declare>(std::get_if<node::Deprecated>(&content)->declare),
+                    id);
+            break;
+        case kind<node::Undef>:
+            undefine(tree, std::get_if<node::Undef>(&content)->target);
+            break;
+        case kind<node::If>:
+            return branch(tree, *std::get_if<node::If>(&content), take);
+        case kind<node::While>:
+            return loop_while(tree, *std::get_if<node::While>(&content), take);
+        case kind<node::For>:
+            return loop_for(tree, *std::get_if<node::For>(&content), id, take);
+        case kind<node::Switch>:
+            return choose(tree, *std::get_if<node::Switch>(&content), take);
+        case kind<node::Break>:
+            last_break = tree.span(id);
+            return Flow::broken;
+        case kind<node::Macro>:
+            define_macro(tree, *std::get_if<node::Macro>(&content), id);
+            break;
+        case kind<node::Include>:
+            return include(tree, *std::get_if<node::Include>(&content), id, take);
+        case kind<node::Default>:
+            walk(tree, std::get_if<node::Default>(&content)->body,
+                 [&](const Element& element) { meaning.set_default(element); });
+            break;
+        case kind<node::Message>:
+            speak(tree, *std::get_if<node::Message>(&content), id);
+            break;
+        case kind<node::Version>:
+            set_version(tree, *std::get_if<node::Version>(&content), id);
+            break;
+        case kind<node::Open>:
+            return not_yet("fopen");
+        case kind<node::Close>:
+            return not_yet("fclose");
+        case kind<node::Read>:
+            return not_yet("read");
+        case kind<node::Write>:
+            return not_yet("write");
+        default:
+            break;
+    }
+    return stopped_ ? Flow::stopped : Flow::end;
+}
+
+bool Evaluator::State::condition(const Tree& tree, NodeId id) {
+    if (const auto* test = tree.get_if<node::Defined>(id))
+        return defined(tree, test->target) != test->negated;
+    const std::optional<double> value = number(tree, id, "a condition");
+    return value && std::abs(*value) > tolerance;
+}
+
+Flow Evaluator::State::branch(const Tree& tree, const node::If& node, Take take) {
+    for (NodeId id = node.branches; id != no_node; id = tree[id].next) {
+        const auto& branch = tree.get<node::Branch>(id);
+        if (branch.condition == no_node || condition(tree, branch.condition))
+            return walk(tree, branch.body, take);
+        if (stopped_) return Flow::stopped;
+    }
+    return Flow::end;
+}
+
+bool Evaluator::State::too_many_passes(std::uint64_t passes, Span span) {
+    if (passes < limits.loop_passes) return false;
+    if (!stopped_)
+        report(error(Fault::loop_limit, span,
+                     message("this loop has not ended after ", limits.loop_passes,
+                             " passes, which is the limit"))
+                   .with_help("something in its body must make its condition false, or #break"));
+    stopped_ = true;
+    return true;
+}
+
+Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, Take take) {
+    for (std::uint64_t passes = 0; condition(tree, node.condition) && !stopped_; ++passes) {
+        if (too_many_passes(passes, tree.span(node.condition))) return Flow::stopped;
+        const Flow flow = walk(tree, node.body, take);
+        if (flow == Flow::stopped) return flow;
+        if (flow == Flow::broken) break;
+    }
+    return stopped_ ? Flow::stopped : Flow::end;
+}
+
+Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId id, Take take) {
+    const auto* target = tree.get_if<node::Name>(node.target);
+    if (!target) {
+        broken(Fault::wrong_type, tree.span(node.target), "a #for counts with a plain name");
+        return Flow::end;
+    }
+    std::array<double, 3> range = {0, 0, 1};
+    std::size_t count = 0;
+    for (NodeId value = node.range; value != no_node; value = tree[value].next, ++count) {
+        if (count == range.size()) break;
+        const std::optional<double> found = number(tree, value,
+                                                   count == 0   ? "the start of a #for"
+                                                   : count == 1 ? "the end of a #for"
+                                                                : "the step of a #for");
+        if (!found) return Flow::end;
+        range[count] = *found;
+    }
+    const auto [start, end, step] = range;
+    if (count < 2) {
+        broken(Fault::wrong_count, tree.span(id),
+               "a #for needs a name, a start and an end: #for(i, 1, 10)");
+        return Flow::end;
+    }
+    if (!(std::abs(step) >= tolerance)) {
+        broken(Fault::out_of_range, tree.span(id),
+               message("the step of this #for is ", step, ", so it would not end"));
+        return Flow::end;
+    }
+    const NameId name = target->name;
+    const auto inside = [&](double i) {
+        return step > 0 ? i <= end + tolerance : i >= end - tolerance;
+    };
+    scope.declare_local(name, start);
+    if (!(step > 0 ? start < end + tolerance : start > end - tolerance)) return Flow::end;
+    double i = start;
+    for (std::uint64_t passes = 0; inside(i); ++passes) {
+        if (too_many_passes(passes, tree.span(id))) return Flow::stopped;
+        const Flow flow = walk(tree, node.body, take);
+        if (flow == Flow::stopped) return flow;
+        if (flow == Flow::broken) break;
+        // The body may have changed the counter.
+        const Value* now = scope.find(name);
+        const Numbers* number = now ? now->numbers() : nullptr;
+        if (!number || !number->is_scalar()) {
+            broken(Fault::wrong_type, tree.span(node.target),
+                   message("the counter `", names.spelling(name), "` is no number any more"));
+            break;
+        }
+        i = number->at[0] + step;
+        scope.declare_local(name, i);
+    }
+    return stopped_ ? Flow::stopped : Flow::end;
+}
+
+Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, Take take) {
+    const std::optional<double> subject = number(tree, node.subject, "what #switch looks at");
+    if (!subject) return stopped_ ? Flow::stopped : Flow::end;
+    Flow flow = walk(tree, node.opening, take);
+    bool matched = false;  // from then on all bodies are walked, until #break
+    for (NodeId id = node.cases; id != no_node && flow == Flow::end; id = tree[id].next) {
+        const auto* part = tree.get_if<node::Case>(id);
+        if (!part) continue;
+        if (!matched) {
+            const NodeId first = part->values;
+            const NodeId second = first == no_node ? no_node : tree[first].next;
+            const std::optional<double> low =
+                first == no_node ? std::nullopt : number(tree, first, "a case");
+            const std::optional<double> high =
+                second == no_node ? std::nullopt : number(tree, second, "the end of a range");
+            if (first == no_node)
+                matched = true;
+            else if (second == no_node)
+                matched = low && std::abs(*low - *subject) < tolerance;
+            else
+                matched = low && high && *low <= *subject && *subject <= *high;
+        }
+        if (matched) flow = walk(tree, part->body, take);
+    }
+    return flow == Flow::stopped || stopped_ ? Flow::stopped : Flow::end;
+}
+
+Flow Evaluator::State::include(const Tree& tree, const node::Include& node, NodeId id, Take take) {
+    const Value file = evaluate(tree, node.file);
+    const Span span = tree.span(node.file);
+    if (!file.text()) {
+        if (!file.broken())
+            broken(Fault::wrong_type, span,
+                   message("#include takes the name of a file, but this is ", kind_name(file)));
+        return stopped_ ? Flow::stopped : Flow::end;
+    }
+    if (include_depth >= limits.include_depth) {
+        broken(Fault::recursion_limit, tree.span(id),
+               message("files include each other ", limits.include_depth,
+                       " deep, which is the limit"));
+        stopped_ = true;
+        return Flow::stopped;
+    }
+    const Tree* included = load(*file.text(), span);
+    if (!included) return stopped_ ? Flow::stopped : Flow::end;
+    ++include_depth;
+    scope.enter();
+    frames.push({Frame::include, no_name, sources.name(included->source), span});
+    const Flow flow = walk(*included, included->first, take);
+    frames.pop();
+    scope.leave();
+    --include_depth;
+    return flow;
+}
+
+const Tree* Evaluator::State::load(const std::string& name, Span span) {
+    const std::string directory = directory_of(sources.name(span.source));
+    const std::optional<Found> found = loader.load(name, directory);
+    if (!found) {
+        report(error(Fault::include_not_found, span, message("there is no file `", name, "`"))
+                   .with_note(loader.searched_note(name, directory)));
+        // What the file would have declared is missing from here on: more messages would follow
+        // from this one.
+        stopped_ = true;
+        return nullptr;
+    }
+    const Tree*& known = loaded[found->path];
+    if (!known) {
+        const std::size_t errors = diagnostics.error_count();
+        known = &trees.emplace_back(
+            parse(sources.add(found->path, found->text, span), sources, names, diagnostics));
+        if (diagnostics.error_count() > errors) stopped_ = true;
+    }
+    return stopped_ ? nullptr : known;
+}
+
+void Evaluator::State::speak(const Tree& tree, const node::Message& node, NodeId id) {
+    const Value value = evaluate(tree, node.text);
+    if (!value.text()) {
+        if (!value.broken())
+            report(
+                error(Fault::wrong_type, tree.span(node.text),
+                      message("a message is a string, but this is ", kind_name(value)))
+                    .with_help("str(x, 0, 3) and vstr(3, v, \",\", 0, 3) make strings of numbers"));
+        return;
+    }
+    std::string text = *value.text();
+    if (node.kind != MessageKind::error && node.kind != MessageKind::warning)
+        return meaning.print(text);
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+    if (node.kind == MessageKind::warning)
+        return report(warning(Fault::user_warning, tree.span(id), text));
+    report(error(Fault::user_error, tree.span(id), text));
+    stopped_ = true;
+}
+
+void Evaluator::State::set_version(const Tree& tree, const node::Version& node, NodeId id) {
+    const std::optional<double> value = number(tree, node.value, "a version");
+    if (!value) return;
+    constexpr double newest = 3.8;
+    const double rounded = std::floor(100 * *value + 0.5) / 100;
+    if (!(rounded >= 1 && rounded <= newest)) {
+        report(error(
+            Fault::out_of_range, tree.span(id),
+            message("the language has versions 1 to ", newest, ", but this asks for ", *value)));
+        return;
+    }
+    version = rounded;
+    version_given = true;
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/evaluate.h"
+
+#include "evaluate/cameras.h"
+#include "evaluate/lights.h"
+#include "evaluate/object_draft.h"
+#include "evaluate/objects.h"
+#include "evaluate/settings.h"
+#include "evaluate/transforms.h"
+#include "text/message.h"
+
+namespace {
+
+class SceneReader {
+public:
+    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {}
+
+    void take(const Element& element) {
+        if (element.kind == Element::Kind::block) return take_block(element);
+        if (element.kind == Element::Kind::value) {
+            if (const auto object = element.value.handle<Object>()) return add(another(object));
+            if (const auto light = element.value.handle<PlacedLight>())
+                return scene_.lights.push_back({light->light, element.span});
+        }
+        stray(element);
+    }
+
+    Value value(std::span<const Element> elements) {
+        const Element& first = elements.front();
+        const std::string_view word = spelling(first);
+        if (word == "texture") return textures(elements);
+        if (elements.size() > 1) {
+            binder_.evaluator.report(error(Fault::wrong_count, elements[1].span,
+                                           "one value is wanted here, and this is a second"));
+            return Absence::broken;
+        }
+        return one(first, word);
+    }
+
+    void set_default(const Element& element) {
+        const std::string_view word =
+            element.kind == Element::Kind::block ? spelling(element) : std::string_view();
+        if (word == "camera") {
+            read_camera(binder_, element, binder_.default_camera);
+            return;
+        }
+        TextureDraft draft(binder_.default_texture);
+        bool good = true;
+        if (word == "texture")
+            good = read_texture(binder_, element, draft);
+        else if (word == "pigment")
+            good = read_pigment(binder_, element, draft.edit().pigment);
+        else if (word == "finish")
+            good = read_finish(binder_, element, draft.edit().finish);
+        else
+            return stray_default(element);
+        if (good) binder_.default_texture = draft.shared(binder_.textures);
+    }
+
+    /// After the last element.
+    void finish(bool version_given) {
+        scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
+        scene_.gamma_handling = gamma_given_ || scene_.language_version >= 3.7;
+        if (!camera_given_) scene_.camera = binder_.default_camera;
+    }
+
+private:
+    std::string_view spelling(const Element& element) const {
+        return binder_.evaluator.spelling(element.word);
+    }
+
+    void take_block(const Element& element) {
+        const std::string_view word = spelling(element);
+        if (word == "light_source") {
+            if (auto light = read_light(binder_, element))
+                scene_.lights.push_back(std::move(*light));
+        } else if (makes_object(word)) {
+            if (auto object = read_object(binder_, element)) add(std::move(*object));
+        } else if (word == "camera") {
+            take_camera(element);
+        } else if (word == "background") {
+            read_background(binder_, element, scene_.background);
+        } else if (word == "global_settings") {
+            read_global_settings(binder_, element, scene_.settings, gamma_given_);
+        } else {
+            stray(element);
+        }
+    }
+
+    /// The default texture is the one in force at the end of the object's statement.
+    void add(Object object) {
+        append_lights(object, scene_.lights);
+        const auto* together = std::get_if<Union>(&object.form);
+        if (together && together->children.empty()) return;
+        if (!object.texture) object.texture = binder_.default_texture;
+        scene_.objects.push_back(std::make_shared<const Object>(std::move(object)));
+    }
+
+    void take_camera(const Element& element) {
+        Camera camera = binder_.default_camera;
+        if (!read_camera(binder_, element, camera)) return;
+        if (camera_given_)
+            binder_.evaluator.report(
+                warning(Fault::duplicate, element.word_span,
+                        "there is a camera before this one; the last one counts"));
+        scene_.camera = camera;
+        camera_given_ = true;
+    }
+
+    Value textures(std::span<const Element> elements) {
+        OpenBlock block(binder_, "texture", elements.front().word_span);
+        TextureDraft result(binder_.default_texture);
+        for (const Element& element : elements) {
+            TextureDraft draft(binder_.default_texture);
+            if (!read_texture(binder_, element, draft)) return Absence::broken;
+            Handle<Texture> made = draft.shared(binder_.textures);
+            if (&element == &elements.front())
+                result.replace(std::move(made));
+            else if (!cover(block, element.word_span, result, std::move(made)))
+                return Absence::broken;
+        }
+        return result.shared(binder_.textures);
+    }
+
+    Value one(const Element& element, std::string_view word) {
+        if (word == "light_source") return handle(read_light(binder_, element));
+        if (makes_object(word)) return handle(read_object(binder_, element));
+        if (word == "transform") return handle(read_transform(binder_, element));
+        if (word == "pigment")
+            return read_part(element, binder_.default_texture->pigment, read_pigment);
+        if (word == "finish")
+            return read_part(element, binder_.default_texture->finish, read_finish);
+        if (word == "interior") return read_part(element, Interior{}, read_interior);
+        if (word == "color_map" || word == "colour_map")
+            return read_part(element, ColourMap{}, read_colour_map);
+        if (word == "camera") {
+            DeclaredCamera declared{binder_.default_camera};
+            return read_camera(binder_, element, declared.camera) ? handle(std::optional(declared))
+                                                                  : Value(Absence::broken);
+        }
+        OpenBlock block(binder_, {}, element.word_span);
+        block.refuse(element, {"sphere", "union", "object", "texture", "pigment", "finish",
+                               "interior", "transform", "camera", "color_map", "light_source"});
+        return Absence::broken;
+    }
+
+    template <class T>
+    static Value handle(std::optional<T> made) {
+        return made ? Value(Handle<T>(std::make_shared<const T>(std::move(*made))))
+                    : Value(Absence::broken);
+    }
+
+    template <class T>
+    Value read_part(const Element& element, T part, bool (*read)(Binder&, const Element&, T&)) {
+        return read(binder_, element, part) ? handle(std::optional<T>(std::move(part)))
+                                            : Value(Absence::broken);
+    }
+
+    /// What is neither an object nor anything else that makes a scene.
+    void stray(const Element& element) {
+        WordList words = {"union",      "object",          "camera",
+                          "background", "global_settings", "light_source"};
+        for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
+        top_.refuse(element, words);
+        top_.broken = false;
+    }
+
+    void stray_default(const Element& element) {
+        OpenBlock block(binder_, "#default", element.word_span);
+        block.form = "{ texture { ... } }, or pigment, finish, camera";
+        block.refuse(element, {"texture", "pigment", "finish", "camera"});
+    }
+
+    Binder binder_;
+    Scene& scene_;
+    OpenBlock top_{binder_, {}, {}};
+    bool gamma_given_ = false;
+    bool camera_given_ = false;
+};
+
+}  // namespace
+
+Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
+               const EvaluateOptions& options, Diagnostics& diagnostics) {
+    Scene scene;
+    Names names;
+    Evaluator evaluator(sources, loader, names, diagnostics, options.facts);
+    evaluator.set_limits(options.limits);
+    SceneReader reader(evaluator, scene);
+    Meaning meaning;
+    meaning.top = [&](const Element& element) { reader.take(element); };
+    meaning.value = [&](std::span<const Element> elements) { return reader.value(elements); };
+    meaning.set_default = [&](const Element& element) { reader.set_default(element); };
+    meaning.print = [&](std::string_view text) {
+        if (options.print) options.print(text);
+    };
+    evaluator.set_meaning(std::move(meaning));
+    for (const auto& [name, value] : options.declares)
+        std::visit([&](const auto& content) { evaluator.declare(name, Value(content)); }, value);
+    evaluator.run(main);
+    reader.finish(evaluator.version_given());
+    return scene;
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/evaluator.h"
+
+#include "evaluate/deep_stack.h"
+#include "evaluate/state.h"
+#include "syntax/parser.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+Evaluator::Evaluator(SourceStore& sources, const Loader& loader, Names& names,
+                     Diagnostics& diagnostics, const RunFacts& facts)
+    : state_(std::make_unique<State>(*this, sources, loader, names, diagnostics, facts)) {}
+
+Evaluator::~Evaluator() = default;
+
+void Evaluator::set_meaning(Meaning meaning) { state_->meaning = std::move(meaning); }
+void Evaluator::set_limits(const Limits& limits) { state_->limits = limits; }
+void Evaluator::declare(std::string_view name, Value value) {
+    state_->scope.declare(state_->names.intern(name), std::move(value));
+}
+void Evaluator::walk(Body body, Take take) { state_->walk_whole(*body.tree, body.first, take); }
+Value Evaluator::value_of(const Element& element) {
+    return state_->one_value({&element, 1}, element.span);
+}
+double Evaluator::version() const { return state_->version; }
+bool Evaluator::version_given() const { return state_->version_given; }
+void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
+bool Evaluator::stopped() const { return state_->stopped(); }
+std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
+Names& Evaluator::names() { return state_->names; }
+Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
+
+std::vector<std::string_view> Evaluator::declared_names() const {
+    std::vector<std::string_view> result;
+    for (const NameId name : state_->scope.names()) result.push_back(state_->names.spelling(name));
+    return result;
+}
+
+void Evaluator::run(SourceId main) {
+    State& state = *state_;
+    state.diagnostics.set_frames([&state] { return state.frames.list(state.names); });
+    on_deep_stack(state.limits.stack_bytes, [&](std::size_t bytes) {
+        const char here = 0;
+        // What runs between two checks, the binder included, fits into the margin.
+        const std::size_t margin = std::size_t{1} << 20;
+        state.stack_end = &here - (bytes - margin);
+        state.run(main);
+    });
+    state.stack_end = nullptr;
+    state.diagnostics.set_frames({});
+}
+
+Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader& loader,
+                        Names& names, Diagnostics& diagnostics, const RunFacts& facts)
+    : evaluator(evaluator),
+      sources(sources),
+      loader(loader),
+      names(names),
+      diagnostics(diagnostics),
+      facts(facts) {
+    meaning.top = [](const Element&) {};
+    meaning.value = [](std::span<const Element>) { return Value(Absence::broken); };
+    meaning.set_default = [](const Element&) {};
+    meaning.print = [](std::string_view) {};
+    world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };
+    world.file_exists = [this](const std::string& name) {
+        return this->loader.load(name, {}, FileKind::data).has_value();
+    };
+    functions.resize(reserved_words().size());
+    for (const FunctionInfo& function : ::functions())
+        functions[static_cast<std::size_t>(names.find(function.name))] = &function;
+    const auto number = [&](std::string_view name, double value) {
+        scope.declare(names.intern(name), value);
+    };
+    number("image_width", facts.image_width);
+    number("image_height", facts.image_height);
+    for (const std::string_view name : {"frame_number", "initial_frame", "final_frame",
+                                        "initial_clock", "final_clock", "clock_delta"})
+        number(name, 0);
+}
+
+void Evaluator::State::run(SourceId main) {
+    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics));
+    // A tree with holes would only give errors that follow from the first ones.
+    if (diagnostics.failed()) stopped_ = true;
+    if (!stopped_)
+        walk_whole(tree, tree.first, [&](const Element& element) { meaning.top(element); });
+}
+
+void Evaluator::State::walk_whole(const Tree& tree, NodeId first, Take take) {
+    if (walk(tree, first, take) == Flow::broken)
+        report(error(Fault::misplaced, last_break,
+                     "this #break is in no loop, #switch or macro that it could leave"));
+}
+
+bool Evaluator::State::room(const Tree& tree, NodeId node) {
+    const char here = 0;
+    if (!stack_end || &here > stack_end) return true;
+    if (!stopped_) broken(Fault::recursion_limit, tree.span(node), "this is nested too deeply");
+    stopped_ = true;
+    return false;
+}
+
+Value Evaluator::State::broken(Fault fault, Span span, std::string message) {
+    report(error(fault, span, std::move(message)));
+    if (diagnostics.full()) stopped_ = true;
+    return Absence::broken;
+}
+
+Value Evaluator::State::unknown_name(NameId name, Span span) {
+    Diagnostic problem = error(Fault::unknown_name, span,
+                               message("nothing is declared as `", names.spelling(name), "`"));
+    std::vector<std::string_view> known = evaluator.declared_names();
+    for (const Word& word : reserved_words())
+        if (word.word_class == WordClass::constant) known.push_back(word.spelling);
+    if (const std::string guess = nearest(names.spelling(name), known); !guess.empty())
+        problem.with_help(message("did you mean `", guess, "`?"));
+    else
+        problem.with_help(message("declare it first: #declare ", names.spelling(name), " = ...;"));
+    report(problem);
+    if (diagnostics.full()) stopped_ = true;
+    return Absence::broken;
+}
+
+Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
+    const auto& block = tree.get<node::Block>(id);
+    Element element;
+    element.kind = Element::Kind::block;
+    element.word = block.word;
+    element.body = {&tree, block.body};
+    element.span = tree.span(id);
+    const auto length = static_cast<std::uint32_t>(names.spelling(block.word).size());
+    element.word_span = {tree.source, element.span.first, element.span.first + length};
+    return element;
+}
+
+Value Evaluator::State::one_value(std::span<const Element> elements, Span span) {
+    if (stopped_) return Absence::broken;
+    if (elements.empty())
+        return broken(Fault::missing, span, "a value is wanted here, and this gives none");
+    const bool blocks = std::all_of(elements.begin(), elements.end(), [](const Element& e) {
+        return e.kind == Element::Kind::block;
+    });
+    if (blocks) return meaning.value(elements);
+    for (const Element& element : elements)
+        if (element.kind == Element::Kind::value && element.value.broken()) return Absence::broken;
+    if (elements.size() > 1)
+        return broken(Fault::wrong_count, span,
+                      message("one value is wanted here, and this gives ", elements.size()));
+    const Element& element = elements.front();
+    switch (element.kind) {
+        case Element::Kind::value:
+            return element.value;
+        case Element::Kind::word:
+            if (!names.reserved(element.word)) return unknown_name(element.word, element.span);
+            return broken(Fault::wrong_type, element.span,
+                          message("a value is wanted here, and `", names.spelling(element.word),
+                                  "` is none"));
+        default:
+            return broken(Fault::wrong_type, element.span, "a value is wanted here");
+    }
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Walks trees: expands directives, macros, loops and includes, computes expressions, and hands the
+// elements that remain to whoever gives them a meaning (the binder). It knows the language and no
+// item of a scene. Evaluation takes place in the order of the text; a block is handed over
+// unevaluated and its content is walked when the binder asks for it, so variables then have the
+// values they have at that place.
+#pragma once
+
+#include "base/function_ref.h"
+#include "evaluate/limits.h"
+#include "evaluate/value.h"
+#include "syntax/tree.h"
+#include "text/diagnostic.h"
+#include "text/loader.h"
+#include "text/source.h"
+#include "vocabulary/words.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+/// One element of a body, after all directives are gone.
+struct Element {
+    enum class Kind {
+        value,   ///< numbers, a string, an array, or a declared part of a scene; `word` is its name
+                 ///< when it was a lone name
+        word,    ///< a word of the language, or a name that nothing has declared: switches, items,
+                 ///< kinds
+        block,   ///< `word { body }`
+        entry,   ///< `[ body ]`
+        braces,  ///< `{ body }`
+        list,    ///< `< ... >` with six numbers or more: a matrix, coefficients
+    };
+
+    Kind kind = Kind::word;
+    NameId word = no_name;
+    Value value = Absence::nothing;
+    Body body;
+    std::span<const double> list;  ///< valid while the element is taken
+    Span span;                     ///< of the whole element
+    Span word_span;                ///< of the word of a block; otherwise the same as span
+};
+
+/// What the scene can know about its run.
+struct RunFacts {
+    double clock = 0;
+    bool clock_given = false;
+    int image_width = 320;
+    int image_height = 240;
+};
+
+/// What blocks mean: the binder's side. All may walk and evaluate; they may be called while others
+/// of them run.
+struct Meaning {
+    /// An element of the scene itself.
+    std::function<void(const Element&)> top;
+    /// A block, or several in a row (layers of a texture), where a value is wanted: what #declare
+    /// stores.
+    std::function<Value(std::span<const Element>)> value;
+    /// `#default { ... }`: each element of its body.
+    std::function<void(const Element&)> set_default;
+    /// `#debug` and its relatives that are not diagnostics; the text comes as it is, without a line
+    /// end added.
+    std::function<void(std::string_view)> print;
+};
+
+class Evaluator {
+public:
+    using Take = FunctionRef<void(const Element&)>;
+
+    /// All arguments outlive the evaluator.
+    Evaluator(SourceStore&, const Loader&, Names&, Diagnostics&, const RunFacts& = {});
+    ~Evaluator();
+    Evaluator(const Evaluator&) = delete;
+    Evaluator& operator=(const Evaluator&) = delete;
+
+    /// Set once, before run(): the meaning usually refers to the evaluator.
+    void set_meaning(Meaning);
+
+    /// Before run(); otherwise the default limits hold.
+    void set_limits(const Limits&);
+
+    /// A global name from outside: `Declare=Depth=5`.
+    void declare(std::string_view name, Value);
+
+    /// Parses and walks the main file, on a stack of its own that is deep enough for any recursion
+    /// within the limits.
+    void run(SourceId main);
+
+    /// Calls `take` for each element, in order, after all directives are gone. Names that are not
+    /// declared and reserved words come as words; a value that could not be computed has been
+    /// reported and comes as a broken value.
+    void walk(Body, Take);
+
+    /// The element as a value: a block becomes one by the meaning; a word that is no value is
+    /// reported.
+    Value value_of(const Element&);
+
+    /// The value of `#version`.
+    double version() const;
+    /// Whether `#version` has occurred.
+    bool version_given() const;
+
+    /// Adds the frames that lead here.
+    void report(Diagnostic);
+    /// After #error or too many errors nothing more is evaluated; walk() returns early.
+    bool stopped() const;
+
+    std::string_view spelling(NameId) const;
+    Names& names();
+    Diagnostics& diagnostics();
+
+    /// Names that are declared now, for "did you mean".
+    std::vector<std::string_view> declared_names() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Expressions: numbers of one to five components with POV-Ray's rules of promotion, strings, and
+// colours.
+#include "evaluate/state.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+constexpr double tolerance = 1e-10;
+
+bool is_true(double value) { return std::abs(value) > tolerance; }
+
+double apply(Operator sign, double a, double b) {
+    switch (sign) {
+        case Operator::add:
+            return a + b;
+        case Operator::subtract:
+            return a - b;
+        case Operator::multiply:
+            return a * b;
+        case Operator::divide:
+            return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
+        case Operator::less:
+            return a < b;
+        case Operator::less_equal:
+            return a <= b || std::abs(a - b) <= tolerance;
+        case Operator::equal:
+            return a == b || std::abs(a - b) <= tolerance;
+        case Operator::not_equal:
+            return !(a == b || std::abs(a - b) <= tolerance);
+        case Operator::greater_equal:
+            return a >= b || std::abs(a - b) <= tolerance;
+        case Operator::greater:
+            return a > b;
+        case Operator::both:
+            return is_true(a) && is_true(b);
+        case Operator::either:
+            return is_true(a) || is_true(b);
+        default:
+            return 0;
+    }
+}
+
+bool is_comparison(Operator sign) { return sign >= Operator::less && sign <= Operator::greater; }
+
+}  // namespace
+
+Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
+    if (!room(tree, id)) return Absence::broken;
+    const NodeContent& content = tree[id].content;
+    switch (content.index()) {
+        case kind<node::Number>:
+            return tree.numbers[std::get_if<node::Number>(&content)->number];
+        case kind<node::Literal>: {
+            const auto& literal = *std::get_if<node::Literal>(&content);
+            Numbers numbers;
+            numbers.count = static_cast<int>(literal.count);
+            std::copy_n(tree.numbers.begin() + literal.first_number, literal.count,
+                        numbers.at.begin());
+            return numbers;
+        }
+        case kind<node::Text>:
+            return tree.texts[std::get_if<node::Text>(&content)->text];
+        case kind<node::Name>: {
+            const NameId name = std::get_if<node::Name>(&content)->name;
+            const Value* found = scope.find(name);
+            if (!found) return unknown_name(name, tree.span(id));
+            if (found->handle<MacroData>())
+                return broken(
+                    Fault::wrong_type, tree.span(id),
+                    message("`", names.spelling(name), "` is a macro: its call needs parentheses"));
+            if (found->is(Absence::uninitialised))
+                return broken(Fault::uninitialised, tree.span(id),
+                              message("`", names.spelling(name), "` has no value"));
+            return *found;
+        }
+        case kind<node::Index>: {
+            const auto& index = *std::get_if<node::Index>(&content);
+            const std::optional<Indices> places = indices(tree, index.indices);
+            if (!places) return Absence::broken;
+            const Value* array = scope.find(index.name);
+            if (!array) return unknown_name(index.name, tree.span(id));
+            const Value* found = element(*array, *places, tree.span(id));
+            if (!found) return Absence::broken;
+            if (found->is(Absence::uninitialised))
+                return broken(Fault::uninitialised, tree.span(id),
+                              "this element of the array was never set");
+            return *found;
+        }
+        case kind<node::Constant>:
+            return constant(std::get_if<node::Constant>(&content)->word);
+        case kind<node::Unary>:
+            return unary(tree, *std::get_if<node::Unary>(&content), id);
+        case kind<node::Binary>:
+            return binary(tree, *std::get_if<node::Binary>(&content), id);
+        case kind<node::Choice>:
+            return choice(tree, *std::get_if<node::Choice>(&content));
+        case kind<node::Group>:
+            return group(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
+        case kind<node::Vector>:
+            return vector(tree, *std::get_if<node::Vector>(&content), id);
+        case kind<node::Member>:
+            return member(tree, *std::get_if<node::Member>(&content), id);
+        case kind<node::Call>:
+            return call(tree, *std::get_if<node::Call>(&content), id);
+        case kind<node::Prefixed>:
+            return prefixed(tree, *std::get_if<node::Prefixed>(&content), id);
+        case kind<node::Colour>:
+            return colour(tree, *std::get_if<node::Colour>(&content), id);
+        case kind<node::Array>:
+            return array(tree, *std::get_if<node::Array>(&content), id);
+        case kind<node::Function>:
+            return broken(Fault::not_implemented, tree.span(id),
+                          "`function { ... }` is known but not implemented");
+        case kind<node::Tuple>:
+            return broken(Fault::wrong_count, tree.span(id), "one value is wanted here");
+        case kind<node::Broken>:
+            return Absence::broken;
+        default:
+            return right_side(tree, id);
+    }
+}
+
+std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
+                                               NameId word) {
+    const Value value = evaluate(tree, id);
+    if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
+    const std::string named =
+        word == no_name ? std::string() : message(" `", names.spelling(word), "`");
+    if (!value.broken())
+        broken(Fault::wrong_type, tree.span(id),
+               message(what, named, " must be a number, but it is ", kind_name(value)));
+    return std::nullopt;
+}
+
+Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId id) {
+    Value value = evaluate(tree, node.operand);
+    if (value.broken()) return value;
+    Numbers* numbers = value.edit_numbers();
+    if (!numbers)
+        return broken(
+            Fault::wrong_type, tree.span(id),
+            message("`", ::spelling(node.sign), "` takes numbers, but this is ", kind_name(value)));
+    for (int i = 0; i < numbers->count && node.sign != Operator::plus; ++i) {
+        double& x = numbers->at[static_cast<std::size_t>(i)];
+        x = node.sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
+    }
+    return value;
+}
+
+Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeId id) {
+    Value left = evaluate(tree, node.left);
+    Value right = evaluate(tree, node.right);
+    if (left.broken() || right.broken()) return Absence::broken;
+    Numbers* a = left.edit_numbers();
+    Numbers* b = right.edit_numbers();
+    if (!a || !b) return truth(left, right, node.sign, tree.span(id));
+    const int count = std::max(a->count, b->count);
+    if (a->count < count) *a = a->promoted(count);
+    if (b->count < count) *b = b->promoted(count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        if (node.sign == Operator::divide && b->at[i] == 0)
+            report(warning(Fault::division_by_zero, tree.span(node.right),
+                           "division by zero; the result is infinite")
+                       .with_label("this is 0"));
+        a->at[i] = apply(node.sign, a->at[i], b->at[i]);
+    }
+    return left;
+}
+
+/// Operators whose operands are not numbers: strings can be compared.
+Value Evaluator::State::truth(const Value& left, const Value& right, Operator sign, Span span) {
+    if (left.text() && right.text() && is_comparison(sign)) {
+        const int order = left.text()->compare(*right.text());
+        return apply(sign, order, 0);
+    }
+    Diagnostic problem = error(Fault::wrong_type, span,
+                               message("`", ::spelling(sign), "` cannot join ", kind_name(left),
+                                       " and ", kind_name(right)));
+    if (left.text() && right.text() && sign == Operator::add)
+        problem.with_help("strings are joined by concat(a, b)");
+    report(problem);
+    if (diagnostics.full()) stopped_ = true;
+    return Absence::broken;
+}
+
+Value Evaluator::State::choice(const Tree& tree, const node::Choice& node) {
+    const std::optional<double> condition = number(tree, node.condition, "the condition of `? :`");
+    if (!condition) return Absence::broken;
+    return evaluate(tree, is_true(*condition) ? node.yes : node.no);
+}
+
+Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
+    // Nearly always there is nothing but the value.
+    if (content != no_node && tree[content].next == no_node && !tree.get_if<node::If>(content))
+        return evaluate(tree, content);
+    std::vector<Element> elements;
+    walk(tree, content, [&](const Element& element) { elements.push_back(element); });
+    return one_value(elements, span);
+}
+
+bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<double>& result) {
+    for (NodeId id = first; id != no_node; id = tree[id].next) {
+        const auto add = [&](const Value& value, Span span) {
+            const Numbers* numbers = value.numbers();
+            if (numbers && numbers->is_scalar()) {
+                result.push_back(numbers->at[0]);
+                return true;
+            }
+            if (!value.broken())
+                broken(
+                    Fault::wrong_type, span,
+                    message("a component of a vector is a number, but this is ", kind_name(value)));
+            return false;
+        };
+        const auto* call = tree.get_if<node::Call>(id);
+        if ((call && !names.reserved(call->name)) || tree.get_if<node::If>(id)) {
+            // A macro or a branch may give several components.
+            bool good = true;
+            const auto take = [&](const Element& element) {
+                good = good && add(evaluator.value_of(element), element.span);
+            };
+            if (call)
+                call_macro(tree, *call, id, take);
+            else
+                branch(tree, tree.get<node::If>(id), take);
+            if (!good || stopped_) return false;
+        } else if (!add(evaluate(tree, id), tree.span(id))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Value Evaluator::State::vector(const Tree& tree, const node::Vector& node, NodeId id) {
+    std::vector<double> numbers;
+    if (!components(tree, node.components, numbers)) return Absence::broken;
+    return vector_of(numbers, tree.span(id));
+}
+
+Value Evaluator::State::vector_of(const std::vector<double>& numbers, Span span) {
+    if (numbers.size() < 2 || numbers.size() > 5)
+        return broken(Fault::wrong_count, span,
+                      message("a vector has 2 to 5 components, but this has ", numbers.size()));
+    Numbers result;
+    result.count = static_cast<int>(numbers.size());
+    std::copy(numbers.begin(), numbers.end(), result.at.begin());
+    return result;
+}
+
+Value Evaluator::State::constant(NameId word) {
+    const std::string_view name = names.spelling(word);
+    if (name == "x") return Numbers{{1, 0, 0}, 3};
+    if (name == "y") return Numbers{{0, 1, 0}, 3};
+    if (name == "z") return Numbers{{0, 0, 1}, 3};
+    if (name == "u") return Numbers{{1, 0}, 2};
+    if (name == "v") return Numbers{{0, 1}, 2};
+    if (name == "t") return Numbers{{0, 0, 0, 1}, 4};
+    if (name == "pi") return std::numbers::pi;
+    if (name == "true" || name == "yes" || name == "on") return 1.0;
+    if (name == "false" || name == "no" || name == "off") return 0.0;
+    if (name == "clock") return facts.clock;
+    if (name == "clock_on") return facts.clock_given ? 1.0 : 0.0;
+    if (name == "version") return version;
+    // now: days since the year 2000 began, in UTC
+    using namespace std::chrono;
+    return duration<double, std::ratio<86400>>(system_clock::now() - sys_days(year(2000) / 1 / 1))
+        .count();
+}

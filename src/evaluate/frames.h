@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The macro calls and include files that are open, for diagnostics: how the evaluation came to
+// where it is.
+#pragma once
+
+#include "text/diagnostic.h"
+#include "vocabulary/words.h"
+
+#include <string>
+#include <vector>
+
+class Frames {
+public:
+    struct Open {
+        Frame::Kind kind;
+        NameId macro;      ///< of a macro
+        std::string file;  ///< of an include
+        Span called_at;
+    };
+
+    void push(Open frame) { open_.push_back(std::move(frame)); }
+    void pop() { open_.pop_back(); }
+    std::size_t depth() const { return open_.size(); }
+
+    /// The innermost first. Of very many only the ends are told apart by whoever prints them.
+    std::vector<Frame> list(const Names& names) const {
+        std::vector<Frame> result;
+        for (std::size_t i = open_.size(); i-- > 0;) {
+            const Open& open = open_[i];
+            result.push_back(
+                {open.kind,
+                 open.kind == Frame::macro ? std::string(names.spelling(open.macro)) : open.file,
+                 open.called_at});
+        }
+        return result;
+    }
+
+private:
+    std::vector<Open> open_;
+};

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions that expressions can call: one table with name, number of arguments, help and code.
+// Those that are about names rather than values (defined) are with the expressions.
+#pragma once
+
+#include "base/function_ref.h"
+#include "evaluate/value.h"
+#include "text/diagnostic.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// POV-Ray's random numbers: seed() opens a stream, rand() advances one.
+class RandomStreams {
+public:
+    /// The number of the new stream.
+    std::size_t open(double seed);
+    bool known(double stream) const {
+        return stream >= 0 && stream < static_cast<double>(states_.size());
+    }
+    /// The next number of a known stream, from 0 to 1, both included.
+    double next(std::size_t stream);
+
+private:
+    std::vector<std::uint32_t> states_;
+};
+
+/// What functions can see and change beside their arguments.
+struct FunctionWorld {
+    RandomStreams random;
+    std::function<bool(const std::string&)> file_exists;
+    std::function<void(Diagnostic)> report;
+};
+
+/// A call with its arguments computed. The accessors report an argument of the wrong kind once; the
+/// result of the call is then thrown away, so what they return in that case does not matter.
+class FunctionCall {
+public:
+    FunctionCall(std::string_view name, std::span<const Value> arguments,
+                 std::span<const Span> places, Span span, FunctionWorld& world)
+        : world(world), name_(name), arguments_(arguments), places_(places), span_(span) {}
+
+    std::size_t count() const { return arguments_.size(); }
+    double number(std::size_t i);
+    std::int64_t integer(
+        std::size_t i);  ///< towards zero; what does not fit becomes the nearest that does
+    Vec3 vector(std::size_t i);
+    const Numbers& numbers(std::size_t i);
+    const std::string& text(std::size_t i);
+    const ArrayData* array(std::size_t i);
+
+    Value fail(Fault, std::size_t argument, std::string message);
+    void warn(Fault, std::size_t argument, std::string message);
+    bool failed() const { return failed_; }
+
+    FunctionWorld& world;
+
+private:
+    Value wrong_kind(std::size_t i, std::string_view wanted);
+
+    std::string_view name_;
+    std::span<const Value> arguments_;
+    std::span<const Span> places_;
+    Span span_;
+    bool failed_ = false;
+};
+
+struct FunctionInfo {
+    using Unary = double (*)(double);
+    using General = Value (*)(FunctionCall&);
+    static constexpr int any = 1000;
+
+    std::string_view name;
+    int least, most;  ///< how many arguments
+    std::string_view arguments;
+    std::string_view help;
+    std::variant<Unary, General> code;
+};
+
+/// All functions, by name in order.
+std::span<const FunctionInfo> functions();

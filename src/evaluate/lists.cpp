@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/lists.h"
+
+#include "evaluate/bind.h"
+#include "text/message.h"
+
+namespace {
+
+class ListReader : public SimpleReader {
+public:
+    ListReader(OpenBlock& block, FieldType type) : block_(block), type_(type) {}
+
+    bool wants() const { return true; }
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::value) return false;
+        if (element.value.broken())
+            block_.broken = true;
+        else if (element.value.is(Absence::nothing))
+            return true;
+        else if (!count_)
+            take_count(element);
+        else if (type_ == FieldType::faces)
+            take_face(element);
+        else
+            take_vector(element);
+        return true;
+    }
+
+    void finish() {
+        if (block_.broken) return;
+        const std::size_t found = type_ == FieldType::faces ? faces.size() : vectors.size();
+        if (!count_)
+            block_.report(
+                error(Fault::missing, block_.span, message(block_.quoted(), " needs a count"))
+                    .with_help(block_.help()));
+        else if (*count_ != static_cast<double>(found))
+            block_.report(
+                error(Fault::wrong_count, block_.span,
+                      message(block_.quoted(), " has ", found, found == 1 ? " entry" : " entries",
+                              ", but its count is ", *count_))
+                    .pointing(count_span_, message("says ", *count_)));
+    }
+
+    std::vector<Vec3> vectors;
+    std::vector<Face> faces;
+
+private:
+    std::optional<FieldValue> converted_as(const Element& element, FieldType type,
+                                           std::string_view what) {
+        return converted(
+            block_, element, type,
+            {[&] { return message(what, block_.quoted()); }, [&] { return block_.help(); }});
+    }
+
+    void take_count(const Element& element) {
+        count_ = 0;
+        const auto value = converted_as(element, FieldType::integer, "the count of ");
+        if (value) count_ = std::get<double>(*value);
+        count_span_ = element.span;
+    }
+
+    void take_vector(const Element& element) {
+        const auto value = converted_as(element, FieldType::vector3, "an entry of ");
+        if (value) vectors.push_back(std::get<Vec3>(*value));
+    }
+
+    void take_face(const Element& element) {
+        if (element.value.numbers() && element.value.numbers()->is_scalar()) {
+            if (!block_.broken)
+                block_.report(error(Fault::not_implemented, element.span,
+                                    "textures of single faces are not available in this version"));
+            return;
+        }
+        const auto value = converted_as(element, FieldType::vector3, "an entry of ");
+        if (!value) return;
+        const Vec3& v = std::get<Vec3>(*value);
+        if (max_abs_component(v) > 2147483647.0 || glm::floor(v) != v) {
+            block_.report(
+                error(Fault::bad_index, element.span,
+                      message("an entry of ", block_.quoted(), " must be three whole numbers"))
+                    .with_help(block_.help()));
+            return;
+        }
+        faces.push_back({static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)});
+    }
+
+    OpenBlock& block_;
+    FieldType type_;
+    std::optional<double> count_;
+    Span count_span_;
+};
+
+}  // namespace
+
+std::optional<FieldValue> read_counted_list(OpenBlock& block, Body body, FieldType type) {
+    ListReader reader(block, type);
+    block.read(body, reader);
+    if (block.broken) return std::nullopt;
+    if (type == FieldType::faces) return std::move(reader.faces);
+    return std::move(reader.vectors);
+}

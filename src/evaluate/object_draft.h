@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An object while its block is read: what it is made of, how it looks, what has happened to it
+// since. Called by the readers of objects; a declared object that is only moved shares all that it
+// holds with the one that was declared.
+#pragma once
+
+#include "evaluate/textures.h"
+
+/// What can be switched on an object.
+struct Switches {
+    bool no_shadow = false;
+    bool no_image = false;
+    bool no_reflection = false;
+    bool hollow = false;
+    bool inverse = false;
+    bool double_illuminate = false;
+
+    static consteval auto vocabulary();
+    friend bool operator==(const Switches&, const Switches&) = default;
+};
+
+consteval auto Switches::vocabulary() {
+    using F = Field<Switches>;
+    return schema<Switches>(
+        "object", "What can be switched on an object.",
+        F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
+        F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
+        F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
+        F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
+        F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
+        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"});
+}
+
+/// What an object is made of and how it looks, while its block is read.
+struct ObjectDraft {
+    explicit ObjectDraft(Binder& binder) : texture(binder.default_texture) {}
+
+    Object object;  ///< its form; the rest is put in by finished()
+    ObjectHandle
+        declared;  ///< what a declared name stands for; its form is not copied before it has to be
+    Switches switches;
+    Switches declared_switches;
+    TextureDraft texture;
+    bool textured = false;    ///< there is a texture that is the object's own
+    bool retextured = false;  ///< and this block has given or changed it
+    bool furnished = false;   ///< this block has given or changed the interior
+    Transform movement;       ///< since the form came
+    bool moved = false;
+    bool has_form = false;
+    bool modified = false;
+
+    /// The form has come: a copy of an object, or an object that is nobody else's.
+    void take(const Object&);
+    /// What comes before is moved, what comes after is not.
+    void move(const Transform&);
+    /// The object as it is now. The draft is used up.
+    Object finished(TextureStore&, Span);
+
+private:
+    /// Only moved: so a union need not be copied, and a million of them cost little.
+    bool only_moved() const { return !retextured && !furnished && switches == declared_switches; }
+};
+
+/// All lights inside, in the space around the object.
+void append_lights(const Object&, std::vector<PlacedLight>&);
+
+/// A declared object as an object of its own, which shares what the declared one holds.
+Object another(const ObjectHandle&);
+
+/// A light source as an object.
+Object as_object(PlacedLight);

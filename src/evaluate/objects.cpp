@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/objects.h"
+
+#include "evaluate/lights.h"
+#include "evaluate/object_draft.h"
+#include "evaluate/transforms.h"
+#include "text/message.h"
+
+namespace {
+
+/// Objects inside each other: deeper ones would need more stack than tracing and freeing them can
+/// have.
+constexpr int deepest_nesting = 4000;
+
+constexpr std::string_view effectless_words =
+    "sturm hierarchy bounded_by photons radiosity no_radiosity split_union dtag color colour";
+
+/// texture, pigment, finish and interior of an object.
+class LookReader : public SimpleReader {
+public:
+    LookReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block) return false;
+        const std::string_view word = block_.spelling(element.word);
+        bool good = true;
+        if (word == "pigment")
+            good = read_pigment(block_.binder, element, own().edit().pigment);
+        else if (word == "finish")
+            good = read_finish(block_.binder, element, own().edit().finish);
+        else if (word == "texture")
+            good = take_texture(element);
+        else if (word == "interior")
+            good = take_interior(element);
+        else
+            return false;
+        draft_.modified = true;
+        block_.broken |= !good;
+        return true;
+    }
+
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"texture", "pigment", "finish", "interior"});
+    }
+
+private:
+    TextureDraft& own() {
+        draft_.textured = draft_.retextured = true;
+        return draft_.texture;
+    }
+
+    bool take_texture(const Element& element) {
+        TextureDraft made(block_.binder.default_texture);
+        if (!read_texture(block_.binder, element, made)) return false;
+        Handle<Texture> texture = made.shared(block_.binder.textures);
+        if (draft_.textured && !cover(block_, element.word_span, draft_.texture, texture))
+            return false;
+        own().replace(std::move(texture));
+        return true;
+    }
+
+    bool take_interior(const Element& element) {
+        Interior interior = draft_.object.interior ? *draft_.object.interior : Interior{};
+        draft_.furnished = true;
+        if (!read_interior(block_.binder, element, interior)) return false;
+        draft_.object.interior = std::make_shared<const Interior>(interior);
+        return true;
+    }
+
+    OpenBlock& block_;
+    ObjectDraft& draft_;
+};
+
+/// Objects and lights in a union; the one object in `object`; a declared object in the place of a
+/// shape's values.
+class ContentReader : public SimpleReader {
+public:
+    enum class Kind { shape, object, together };
+
+    ContentReader(OpenBlock& block, ObjectDraft& draft, Kind kind)
+        : block_(block), draft_(draft), kind_(kind) {}
+
+    bool wants() const { return kind_ == Kind::together ? !draft_.modified : block_.taken == 0; }
+
+    bool take(const Element& element) {
+        if (element.kind == Element::Kind::value) return take_declared(element);
+        if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
+        if (!makes_object(block_.spelling(element.word))) return false;
+        std::optional<Object> made = read_object(block_.binder, element);
+        if (!made) {
+            block_.broken = true;
+            draft_.has_form = true;
+        } else if (welcome(element.span)) {
+            add(std::move(*made));
+        }
+        return true;
+    }
+
+    void finish() {
+        if (kind_ == Kind::object && !draft_.has_form && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`object` needs an object")
+                              .with_help(block_.help()));
+    }
+
+    void add_words(WordList& words) const {
+        if (kind_ == Kind::shape) return;
+        for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
+        words.insert(words.end(), {"union", "object", "light_source"});
+    }
+
+private:
+    bool take_declared(const Element& element) {
+        const Handle<Object> object = element.value.handle<Object>();
+        const Handle<PlacedLight> light = element.value.handle<PlacedLight>();
+        if (!object && !(light && kind_ != Kind::shape)) return false;
+        if (!welcome(element.span)) return true;
+        if (!object) {
+            add(as_object({light->light, element.span}));
+        } else if (kind_ == Kind::together) {
+            auto& together = std::get<Union>(draft_.object.form);
+            append_lights(*object, together.lights);
+            together.children.push_back(object);
+        } else {
+            draft_.declared = object;
+            draft_.take(*object);
+        }
+        return true;
+    }
+
+    /// The object is new and nobody else's.
+    void add(Object made) {
+        if (kind_ == Kind::together) {
+            auto& together = std::get<Union>(draft_.object.form);
+            append_lights(made, together.lights);
+            together.children.push_back(std::make_shared<const Object>(std::move(made)));
+            return;
+        }
+        draft_.take(made);
+        draft_.object = std::move(made);
+    }
+
+    /// Whether an object may stand here; reports when not.
+    bool welcome(Span span) {
+        if (block_.broken) return kind_ == Kind::together || !draft_.has_form;
+        std::string why;
+        if (kind_ == Kind::together && draft_.modified)
+            why = "the objects of a `union` come before what changes the whole";
+        else if (kind_ == Kind::object && draft_.has_form)
+            why = "`object` holds one object, and this is a second";
+        else if (kind_ == Kind::object && draft_.modified)
+            why = "in `object` the object comes before what changes it";
+        else if (kind_ == Kind::shape && block_.taken > 0)
+            why = message("a declared object comes first in ", block_.quoted(),
+                          ", in the place of its values");
+        if (why.empty()) return true;
+        Diagnostic wrong = error(Fault::misplaced, span, why);
+        if (kind_ == Kind::object) wrong.with_help("union { ... } holds several objects");
+        block_.report(std::move(wrong));
+        return false;
+    }
+
+    OpenBlock& block_;
+    ObjectDraft& draft_;
+    Kind kind_;
+};
+
+class ObjectReader {
+public:
+    ObjectReader(Binder& binder, const Element& element)
+        : element_(element),
+          block_(binder, binder.evaluator.spelling(element.word), element.word_span),
+          draft_(binder) {
+        block_.effectless = effectless_words;
+    }
+
+    std::optional<Object> read() {
+        const std::size_t kind = Kinds<Shape>::find(block_.name);
+        if (kind != Kinds<Shape>::count)
+            read_shape(kind);
+        else
+            read_content(block_.name == "union" ? ContentReader::Kind::together
+                                                : ContentReader::Kind::object);
+        if (block_.broken) return std::nullopt;
+        return draft_.finished(block_.binder.textures, element_.span);
+    }
+
+private:
+    template <class... Fields>
+    void read_with(ContentReader& content, Fields&... fields) {
+        const auto apply = [&](const Transform& transform) { draft_.move(transform); };
+        TransformReader moves(block_, apply);
+        LookReader look(block_, draft_);
+        ItemReader switches(block_, item_info<Switches>(), &draft_.switches);
+        switches.repeatable();
+        block_.read(element_.body, fields..., content, look, moves, switches);
+    }
+
+    void read_shape(std::size_t kind) {
+        const ItemInfo& info = *Kinds<Shape>::infos[kind];
+        block_.item = &info;
+        Shape shape = Kinds<Shape>::make(kind);
+        ItemReader fields(block_, info, Kinds<Shape>::address(shape));
+        ContentReader content(block_, draft_, ContentReader::Kind::shape);
+        const auto declared = [&] { return draft_.declared != nullptr; };
+        ShapeReader reader{fields, declared};
+        read_with(content, reader);
+        if (block_.broken || draft_.declared) return;
+        place(std::move(shape));
+    }
+
+    /// The fields of a shape, which a declared object stands for as well.
+    struct ShapeReader {
+        ItemReader& fields;
+        FunctionRef<bool()> declared;
+
+        bool waiting() const { return fields.waiting(); }
+        bool wants() const { return fields.wants(); }
+        bool take(const Element& element) { return fields.take(element); }
+        void finish() {
+            if (declared()) fields.complete();
+            fields.finish();
+        }
+        void add_words(WordList& words) const { fields.add_words(words); }
+    };
+
+    void read_content(ContentReader::Kind kind) {
+        const bool together = kind == ContentReader::Kind::together;
+        block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
+        if (together) draft_.object.form = Union{};
+        ContentReader content(block_, draft_, kind);
+        read_with(content);
+    }
+
+    void place(Shape shape) {
+        const std::string wrong = problem(shape);
+        if (wrong.empty()) {
+            draft_.object.form = std::move(shape);
+            return;
+        }
+        const bool triangle = std::holds_alternative<Shared<Triangle>>(shape) ||
+                              std::holds_alternative<Shared<SmoothTriangle>>(shape);
+        if (triangle) {
+            // As in POV-Ray: modellers write such triangles, and they are of no area.
+            block_.report(warning(Fault::degenerate, element_.word_span,
+                                  message("this ", block_.quoted(), " is left out: ", wrong)));
+            draft_.object.form = Union{};
+            return;
+        }
+        block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
+    }
+
+    const Element& element_;
+    OpenBlock block_;
+    ObjectDraft draft_;
+};
+
+}  // namespace
+
+bool makes_object(std::string_view word) {
+    return word == "union" || word == "object" || word == "light_source" ||
+           Kinds<Shape>::find(word) != Kinds<Shape>::count;
+}
+
+std::optional<Object> read_object(Binder& binder, const Element& element) {
+    if (binder.evaluator.spelling(element.word) == "light_source") {
+        std::optional<PlacedLight> light = read_light(binder, element);
+        return light ? std::optional(as_object(std::move(*light))) : std::nullopt;
+    }
+    if (binder.nesting >= deepest_nesting) {
+        binder.evaluator.report(
+            error(Fault::recursion_limit, element.word_span,
+                  message("objects are nested more than ", deepest_nesting, " deep"))
+                .with_help("give the parts to one `union` instead of wrapping each in the next"));
+        return std::nullopt;
+    }
+    ++binder.nesting;
+    std::optional<Object> made = ObjectReader(binder, element).read();
+    --binder.nesting;
+    return made;
+}

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Objects: every shape, union, object, and light sources inside of them, with all that changes an
+// object. Called for the elements of a scene, for #declare, and for objects in objects.
+#pragma once
+
+#include "evaluate/bind.h"
+
+/// Whether a block with this word makes an object.
+bool makes_object(std::string_view word);
+
+/// The object of such a block, as a part: without a texture when the text gives none. Nothing after
+/// a report.
+std::optional<Object> read_object(Binder&, const Element& block);

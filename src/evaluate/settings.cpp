@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/settings.h"
+
+#include "text/message.h"
+
+namespace {
+
+struct BackgroundColour {
+    Colour colour;
+
+    static consteval auto vocabulary() {
+        return schema<BackgroundColour>(
+            "background", "What rays see that meet nothing.",
+            Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
+                                    "the colour in all directions"});
+    }
+};
+
+constexpr std::string_view sampler_form =
+    "{ light_octree [threshold n] ... }, or one of: every_light, constant_alpha, linear_alpha, "
+    "light_bvh";
+
+/// The name of a sampler, alone, with its parameters behind it or in braces.
+class SamplerReader {
+public:
+    SamplerReader(OpenBlock& block, LightSampler& sampler)
+        : block_(block), sampler_(sampler), fields_(block, item_info<EveryLight>(), &sampler) {}
+
+    bool waiting() const { return fields_.waiting(); }
+    bool wants() const { return fields_.wants(); }
+
+    bool take(const Element& element) {
+        const bool named =
+            element.kind == Element::Kind::word || element.kind == Element::Kind::block;
+        const std::size_t kind = !fields_.waiting() && element.word != no_name
+                                     ? Kinds<LightSampler>::find(block_.spelling(element.word))
+                                     : Kinds<LightSampler>::count;
+        if (kind == Kinds<LightSampler>::count) return chosen_ && fields_.take(element);
+        // A name that the scene has declared as something else arrives as its value.
+        if (!named && element.kind != Element::Kind::value) return false;
+        if (chosen_) {
+            block_.report(error(Fault::duplicate, element.word_span,
+                                "`light_sampler` has one strategy, and this is a second")
+                              .with_help(block_.help()));
+            return true;
+        }
+        chosen_ = true;
+        sampler_ = Kinds<LightSampler>::make(kind);
+        fields_.rebind(*Kinds<LightSampler>::infos[kind], Kinds<LightSampler>::address(sampler_));
+        if (element.kind == Element::Kind::block)
+            read_parameters(element, *Kinds<LightSampler>::infos[kind]);
+        return true;
+    }
+
+    void finish() {
+        fields_.finish();
+        if (!chosen_ && !block_.broken)
+            block_.report(
+                error(Fault::missing, block_.span, "`light_sampler` needs the name of a strategy")
+                    .with_help(block_.help()));
+    }
+
+    void add_words(WordList& words) const {
+        for (const ItemInfo* info : Kinds<LightSampler>::infos) words.push_back(info->name);
+        fields_.add_words(words);
+    }
+
+private:
+    void read_parameters(const Element& element, const ItemInfo& info) {
+        OpenBlock inner(block_.binder, info.name, element.word_span);
+        inner.item = &info;
+        ItemReader fields(inner, info, Kinds<LightSampler>::address(sampler_));
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+    }
+
+    OpenBlock& block_;
+    LightSampler& sampler_;
+    ItemReader fields_;
+    bool chosen_ = false;
+};
+
+/// light_sampler { ... } in global_settings.
+class SamplerBlock : public SimpleReader {
+public:
+    SamplerBlock(OpenBlock& block, LightSampler& sampler) : block_(block), sampler_(sampler) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block ||
+            block_.spelling(element.word) != "light_sampler")
+            return false;
+        OpenBlock inner(block_.binder, "light_sampler", element.word_span);
+        inner.form = sampler_form;
+        SamplerReader reader(inner, sampler_);
+        inner.read(element.body, reader);
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("light_sampler"); }
+
+private:
+    OpenBlock& block_;
+    LightSampler& sampler_;
+};
+
+}  // namespace
+
+void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
+                          bool& gamma_given) {
+    OpenBlock block(binder, "global_settings", element.word_span);
+    block.item = &item_info<GlobalSettings>();
+    block.effectless =
+        "charset utf8 ascii sys hf_gray_16 max_intersections number_of_waves noise_generator "
+        "irid_wavelength mm_per_unit "
+        "radiosity photons subsurface";
+    const double gamma = settings.assumed_gamma;
+    ItemReader fields(block, *block.item, &settings);
+    SamplerBlock sampler(block, settings.light_sampler);
+    block.read(element.body, fields, sampler);
+    if (!fields.given("assumed_gamma")) return;
+    if (gamma_given) {
+        block.report(warning(Fault::duplicate, element.word_span,
+                             "`assumed_gamma` has been given before; the first one counts"));
+        settings.assumed_gamma = gamma;
+    }
+    gamma_given = true;
+}
+
+void read_background(Binder& binder, const Element& element, Background& background) {
+    OpenBlock block(binder, "background", element.word_span);
+    block.item = &item_info<BackgroundColour>();
+    BackgroundColour made;
+    ItemReader fields(block, *block.item, &made);
+    block.read(element.body, fields);
+    if (!block.broken) background.colour = made.colour;
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/string_functions.h"
+
+#include "text/message.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+namespace {
+
+using Call = FunctionCall&;
+
+/// C's %f, or what POV-Ray makes of its two numbers.
+std::string formatted(double value, double length, double digits) {
+    const auto limited = [](double x) {
+        return static_cast<int>(std::fmax(-1000, std::fmin(1000, std::isnan(x) ? 0 : x)));
+    };
+    const int width = limited(length);
+    const int precision = digits < 0 ? 6 : limited(digits);
+    const char* const format = width < 0 ? "%0*.*f" : "%*.*f";
+    const int size = std::snprintf(nullptr, 0, format, std::abs(width), precision, value);
+    std::string text(static_cast<std::size_t>(size), ' ');
+    std::snprintf(text.data(), text.size() + 1, format, std::abs(width), precision, value);
+    return text;
+}
+
+/// The number of a character's bytes that begins so. Strings are UTF-8; a stray byte counts as a
+/// character.
+std::size_t character_size(std::string_view text, std::size_t at) {
+    const auto lead = static_cast<unsigned char>(text[at]);
+    std::size_t size = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
+    for (std::size_t i = 1; i < size; ++i)
+        if (at + i >= text.size() || (static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80)
+            return 1;
+    return size;
+}
+
+std::size_t character_count(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < text.size(); i += character_size(text, i)) ++count;
+    return count;
+}
+
+double character_code(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) {
+        return static_cast<unsigned>(static_cast<unsigned char>(text[at + i]));
+    };
+    switch (character_size(text, at)) {
+        case 2:
+            return (byte(0) & 0x1F) << 6 | (byte(1) & 0x3F);
+        case 3:
+            return (byte(0) & 0x0F) << 12 | (byte(1) & 0x3F) << 6 | (byte(2) & 0x3F);
+        case 4:
+            return (byte(0) & 0x07) << 18 | (byte(1) & 0x3F) << 12 | (byte(2) & 0x3F) << 6 |
+                   (byte(3) & 0x3F);
+        default:
+            return byte(0);
+    }
+}
+
+}  // namespace
+
+Value number_text(Call call) {
+    const double value = call.number(0);
+    return formatted(value, call.number(1), call.number(2));
+}
+
+Value vector_text(Call call) {
+    const int n = static_cast<int>(std::fmax(2, std::fmin(5, call.number(0))));
+    const Numbers& v = call.numbers(1);
+    const std::string& separator = call.text(2);
+    const double length = call.number(3), digits = call.number(4);
+    std::string text;
+    for (int i = 0; i < n; ++i)
+        text += (i > 0 ? separator : std::string()) +
+                formatted(i < v.count ? v.at[static_cast<std::size_t>(i)] : 0, length, digits);
+    return text;
+}
+
+Value character(Call call) {
+    const double value = call.number(0);
+    if (!(value >= 0 && value < 65536))
+        return call.fail(Fault::out_of_range, 0,
+                         message("a character's code is from 0 to 65535, but this is ", value));
+    const auto code = static_cast<unsigned>(value);
+    std::string text;
+    if (code < 0x80)
+        text = {static_cast<char>(code)};
+    else if (code < 0x800)
+        text = {static_cast<char>(0xC0 | code >> 6), static_cast<char>(0x80 | (code & 0x3F))};
+    else
+        text = {static_cast<char>(0xE0 | code >> 12), static_cast<char>(0x80 | (code >> 6 & 0x3F)),
+                static_cast<char>(0x80 | (code & 0x3F))};
+    return text;
+}
+
+Value substring(Call call) {
+    const std::string& text = call.text(0);
+    const std::int64_t start = call.integer(1), length = call.integer(2);
+    const auto size = static_cast<std::int64_t>(character_count(text));
+    if (call.failed()) return Absence::broken;
+    if (start < 1 || start > size + 1)
+        return call.fail(Fault::out_of_range, 1,
+                         message("the string has characters 1 to ", size, ", and this is ", start));
+    if (length < 0 || length > size - start + 1)
+        return call.fail(Fault::out_of_range, 2,
+                         message("from ", start, " on the string has ", size - start + 1,
+                                 " characters, and this asks for ", length));
+    std::size_t first = 0;
+    for (std::int64_t i = 1; i < start; ++i) first += character_size(text, first);
+    std::size_t last = first;
+    for (std::int64_t i = 0; i < length; ++i) last += character_size(text, last);
+    return text.substr(first, last - first);
+}
+
+Value compare(Call call) {
+    const std::string &a = call.text(0), &b = call.text(1);
+    std::size_t i = 0, j = 0;
+    while (i < a.size() && j < b.size()) {
+        const double difference = character_code(a, i) - character_code(b, j);
+        if (difference != 0) return difference;
+        i += character_size(a, i);
+        j += character_size(b, j);
+    }
+    return (i < a.size() ? character_code(a, i) : 0) - (j < b.size() ? character_code(b, j) : 0);
+}
+
+Value concatenated(Call call) {
+    std::string text = call.text(0);
+    for (std::size_t i = 1; i < call.count(); ++i) text += call.text(i);
+    return text;
+}
+
+Value number_in(Call call) { return std::strtod(call.text(0).c_str(), nullptr); }
+
+Value lower_case(Call call) {
+    std::string text = call.text(0);
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return text;
+}
+
+Value upper_case(Call call) {
+    std::string text = call.text(0);
+    for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return text;
+}
+
+Value first_code(Call call) {
+    const std::string& text = call.text(0);
+    return text.empty() ? 0.0 : character_code(text, 0);
+}
+
+Value character_number(Call call) { return static_cast<double>(character_count(call.text(0))); }
+
+Value date_text(Call call) {
+    // Days since the year 2000 began, in UTC.
+    const double seconds = call.number(0) * 86400 + 946684800;
+    const std::string format = call.count() > 1 ? call.text(1) : "%Y-%m-%d %H:%M:%SZ";
+    if (call.failed()) return Absence::broken;
+    if (!(std::abs(seconds) < 1e15)) return call.fail(Fault::domain, 0, "this is no date");
+    const auto time = static_cast<std::time_t>(std::floor(seconds));
+    std::tm parts{};
+    std::array<char, 1024> buffer;
+    if (!gmtime_r(&time, &parts)) return call.fail(Fault::domain, 0, "this is no date");
+    return std::string(buffer.data(),
+                       std::strftime(buffer.data(), buffer.size(), format.c_str(), &parts));
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// translate, rotate, scale, matrix and transform, wherever they may stand: each is applied the
+// moment it is complete, in the order of the text. Called by the readers of objects, pigments,
+// textures, cameras and lights.
+#pragma once
+
+#include "base/transform.h"
+#include "evaluate/bind.h"
+
+/// The movements that take one vector.
+struct Moves {
+    Vec3 translate = Vec3(0);
+    Vec3 rotate = Vec3(0);
+    Vec3 scale = Vec3(1);
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Moves::vocabulary() {
+    using F = Field<Moves>;
+    return schema<Moves>(
+        "transform", "Moves, turns and stretches, in the order of the text.",
+        F{"translate", &Moves::translate, item, "moves along a vector"},
+        F{"rotate", &Moves::rotate, item, "turns about x, then y, then z, by degrees"},
+        F{"scale", &Moves::scale, item, "stretches along the axes; 0 counts as 1"});
+}
+
+class TransformReader {
+public:
+    using Apply = FunctionRef<void(const Transform&)>;
+
+    /// What `apply` refers to outlives the reader.
+    TransformReader(OpenBlock&, Apply);
+    TransformReader(const TransformReader&) = delete;
+
+    bool waiting() const { return awaited_ != Awaited::nothing || moves_.waiting(); }
+    bool wants() const { return waiting(); }
+    bool take(const Element&);
+    void finish() {
+        give_up();
+        moves_.finish();
+    }
+    void add_words(WordList&) const;
+
+private:
+    enum class Awaited : std::uint8_t { nothing, matrix, transform };
+
+    bool take_awaited(const Element&);
+    void apply_matrix(Span);
+    void apply_move();
+    void give_up();
+
+    OpenBlock& block_;
+    Apply apply_;
+    Moves moved_;
+    ItemReader moves_;
+    Awaited awaited_ = Awaited::nothing;
+    Span word_span_;
+    std::array<double, 12> matrix_{};
+    std::size_t count_ = 0;  ///< of the numbers of the matrix that have come
+};
+
+/// `transform { ... }`; nothing after a report.
+std::optional<Transform> read_transform(Binder&, const Element& block);

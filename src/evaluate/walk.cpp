@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walk over lists of elements: values are computed, directives done, and what remains handed
+// on.
+#include "evaluate/state.h"
+#include "text/message.h"
+
+namespace {
+
+Element value_element(Value value, Span span) {
+    Element element;
+    element.kind = Element::Kind::value;
+    element.value = std::move(value);
+    element.span = element.word_span = span;
+    return element;
+}
+
+}  // namespace
+
+bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
+    return tree[id].content.index() >= kind<node::Declare>;
+}
+
+Flow Evaluator::State::walk(const Tree& tree, NodeId first, Take take) {
+    for (NodeId id = first; id != no_node;) {
+        if (stopped_) return Flow::stopped;
+        const std::size_t kind_here = tree[id].content.index();
+        if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant>) {
+            const Flow flow = walk_one(tree, id, take);
+            if (flow != Flow::end) return flow;
+            id = tree[id].next;
+        } else {
+            id = take_value(tree, id, take);
+        }
+    }
+    return stopped_ ? Flow::stopped : Flow::end;
+}
+
+Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, Take take) {
+    const NodeContent& content = tree[id].content;
+    const auto body_element = [&](Element::Kind kind, NodeId body) {
+        Element element;
+        element.kind = kind;
+        element.body = {&tree, body};
+        element.span = element.word_span = tree.span(id);
+        take(element);
+        return Flow::end;
+    };
+    switch (content.index()) {
+        case kind<node::Word>: {
+            Element element;
+            element.word = std::get_if<node::Word>(&content)->word;
+            element.span = element.word_span = tree.span(id);
+            take(element);
+            return Flow::end;
+        }
+        case kind<node::Block>:
+            take(block_element(tree, id));
+            return Flow::end;
+        case kind<node::Layers>:
+            for (NodeId block = std::get_if<node::Layers>(&content)->blocks; block != no_node;
+                 block = tree[block].next)
+                take(block_element(tree, block));
+            return Flow::end;
+        case kind<node::Entry>:
+            return body_element(Element::Kind::entry, std::get_if<node::Entry>(&content)->body);
+        case kind<node::Braces>:
+            return body_element(Element::Kind::braces, std::get_if<node::Braces>(&content)->body);
+        case kind<node::Call>: {
+            const auto& call = *std::get_if<node::Call>(&content);
+            if (!names.reserved(call.name)) return call_macro(tree, call, id, take);
+            take(value_element(evaluate(tree, id), tree.span(id)));
+            return Flow::end;
+        }
+        case kind<node::Vector>:
+            return take_vector(tree, id, take);
+        default:
+            if (is_directive(tree, id)) return directive(tree, id, take);
+            take(value_element(evaluate(tree, id), tree.span(id)));
+            return Flow::end;
+    }
+}
+
+/// A list in `< >`: with six numbers or more it is no value, but an element of its own kind.
+Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, Take take) {
+    std::vector<double> numbers;
+    if (!components(tree, tree.get<node::Vector>(id).components, numbers)) {
+        take(value_element(Absence::broken, tree.span(id)));
+        return stopped_ ? Flow::stopped : Flow::end;
+    }
+    Element element = value_element(Absence::nothing, tree.span(id));
+    if (numbers.size() > 5) {
+        element.kind = Element::Kind::list;
+        element.list = numbers;
+    } else {
+        element.value = vector_of(numbers, tree.span(id));
+    }
+    take(element);
+    return Flow::end;
+}
+
+NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, Take take) {
+    Span span = tree.span(id);
+    NodeId next = tree[id].next;
+    Element element = value_element(Absence::nothing, span);
+    Numbers channels;
+    channels.count = 5;
+    if (const auto* name = tree.get_if<node::Name>(id)) {
+        element.word = name->name;
+        if (!scope.find(name->name)) {
+            // Perhaps a word that only the block around it knows.
+            element.kind = Element::Kind::word;
+            take(element);
+            return next;
+        }
+        element.value = evaluate(tree, id);
+    } else if (const auto* channel = tree.get_if<node::Channel>(id)) {
+        if (set_channel(tree, *channel, channels))
+            element.value = channels;
+        else
+            element.value = Absence::broken;
+    } else {
+        element.value = evaluate(tree, id);
+    }
+    // Channels change the colour that they follow.
+    for (; tree.get_if<node::Channel>(next); next = tree[next].next) {
+        Numbers* colour = element.value.edit_numbers();
+        if (!colour || !colour->is_colour()) break;
+        if (!set_channel(tree, tree.get<node::Channel>(next), *colour))
+            element.value = Absence::broken;
+        span = join(span, tree.span(next));
+        element.word = no_name;
+    }
+    element.span = element.word_span = span;
+    take(element);
+    return next;
+}

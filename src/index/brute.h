@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The obvious index: every ray visits every item. The oracle that tests and benchmarks hold the
+// kd-tree against; it takes the kd-tree's place wherever that is a template parameter.
+#pragma once
+
+#include "base/ray.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+class BruteForce {
+public:
+    BruteForce() = default;
+    explicit BruteForce(std::size_t count) : items_(count) {
+        std::iota(items_.begin(), items_.end(), 0u);
+    }
+
+    /// As KdTree::traverse, with one leaf for everything.
+    template <class Visit>
+    bool traverse(const Ray&, Interval range, Visit&& visit) const {
+        return !items_.empty() && visit(std::span<const std::uint32_t>(items_), range);
+    }
+
+private:
+    std::vector<std::uint32_t> items_;
+};

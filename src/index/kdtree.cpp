@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "index/kdtree.h"
+
+#include "index/split.h"
+
+#include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace {
+
+/// Cells with more fragments than this have their halves built side by side.
+constexpr std::size_t fork_limit = 4096;
+
+struct Task {
+    const ClipItem& clip_item;
+    KdTreeSettings settings;
+    double slack;
+};
+
+Box grown(const Box& box, double by) { return {box.low - Vec3(by), box.high + Vec3(by)}; }
+
+/// How far a cell may still be divided.
+struct Allowance {
+    int depth;
+    double duplication;  ///< factor by which the number of fragments may still grow
+};
+
+/// Builds one subtree. Its root is node 0, alone; then come pairs of children, each before the
+/// pairs below it. Fragments wait on a stack: those of the cell in hand are on top, below them
+/// those of the upper halves still to do.
+class Subtree {
+public:
+    Subtree(const Task& task, std::vector<Fragment> fragments, const Box& cell, Allowance allowance)
+        : task_(task),
+          fragments_(std::move(fragments)),
+          finder_({task.settings.traversal_cost, task.settings.intersection_cost,
+                   task.settings.empty_bonus},
+                  task.slack) {
+        nodes_.push_back(KdNode::leaf(0, 0));
+        build(0, 0, cell, allowance);
+    }
+
+    std::vector<KdNode> take_nodes() { return std::move(nodes_); }
+    std::vector<std::uint32_t> take_items() { return std::move(items_); }
+
+private:
+    void build(std::size_t node, std::size_t first, const Box& cell, Allowance);
+    void make_leaf(std::size_t node, std::size_t first);
+    std::size_t divide(std::size_t first, const std::pair<Box, Box>& cells, const Split&);
+    void fork(std::uint32_t children, std::size_t lower_first, const std::pair<Box, Box>& cells,
+              Allowance);
+    void adopt(std::size_t node, const Subtree&);
+
+    const Task& task_;
+    std::vector<Fragment> fragments_;
+    std::vector<KdNode> nodes_;
+    std::vector<std::uint32_t> items_;
+    SplitFinder finder_;
+};
+
+std::pair<Box, Box> halves(const Box& cell, const Split& split) {
+    std::pair<Box, Box> result{cell, cell};
+    result.first.high[split.axis] = split.position;
+    result.second.low[split.axis] = split.position;
+    return result;
+}
+
+/// Builds the cell whose fragments are those from `first` on, and takes them off the stack.
+void Subtree::build(std::size_t node, std::size_t first, const Box& cell, Allowance allowance) {
+    const std::size_t count = fragments_.size() - first;
+    const auto leaf_size = static_cast<std::size_t>(std::max(task_.settings.leaf_size, 0));
+    if (count <= leaf_size || allowance.depth == 0 || allowance.duplication < 1)
+        return make_leaf(node, first);
+    const Split split = finder_.find(std::span(fragments_).subspan(first), cell);
+    if (!split.found()) return make_leaf(node, first);
+
+    const auto cells = halves(cell, split);
+    const std::size_t lower_first = divide(first, cells, split);
+    --allowance.depth;
+    allowance.duplication *=
+        static_cast<double>(count) / static_cast<double>(fragments_.size() - first);
+    const auto children = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node] = KdNode::inner(split.axis, split.position, children);
+    nodes_.insert(nodes_.end(), 2, KdNode::leaf(0, 0));
+    if (count > fork_limit) return fork(children, lower_first, cells, allowance);
+    build(children, lower_first, cells.first, allowance);
+    build(children + 1, first, cells.second, allowance);
+}
+
+void Subtree::make_leaf(std::size_t node, std::size_t first) {
+    nodes_[node] = KdNode::leaf(static_cast<std::uint32_t>(items_.size()),
+                                static_cast<std::uint32_t>(fragments_.size() - first));
+    for (std::size_t i = first; i < fragments_.size(); ++i) items_.push_back(fragments_[i].item);
+    fragments_.resize(first);
+}
+
+/// Replaces the fragments from `first` on by those above the plane, then those below it; returns
+/// where these begin. Items keep their order. Only boxes that lie on both sides need clipping.
+std::size_t Subtree::divide(std::size_t first, const std::pair<Box, Box>& cells,
+                            const Split& split) {
+    const Box lower_cell = grown(cells.first, task_.slack);
+    const Box upper_cell = grown(cells.second, task_.slack);
+    const auto clipped = [&](const Fragment& f, const Box& side) {
+        const Box box = clip(f.box, side);
+        if (box.empty() || !task_.clip_item) return box;
+        return clip(box, task_.clip_item(f.item, side));
+    };
+    const std::size_t end = fragments_.size();
+    std::size_t above = first;
+    for (std::size_t i = first; i < end; ++i) {
+        const Fragment f = fragments_[i];
+        const bool is_below = reaches_below(f.box.low[split.axis], split.position, task_.slack);
+        const bool is_above = reaches_above(f.box.high[split.axis], split.position, task_.slack);
+        const bool on_both = is_below && is_above;
+        const Box below_box = on_both ? clipped(f, lower_cell) : f.box;
+        const Box above_box = on_both ? clipped(f, upper_cell) : f.box;
+        if (is_above && !above_box.empty()) fragments_[above++] = {above_box, f.item};
+        if (is_below && !below_box.empty()) fragments_.push_back({below_box, f.item});
+    }
+    fragments_.erase(fragments_.begin() + static_cast<std::ptrdiff_t>(above),
+                     fragments_.begin() + static_cast<std::ptrdiff_t>(end));
+    return above;
+}
+
+/// Builds the halves side by side, with the same result as one after the other: each apart, then
+/// appended in order. Such a cell is always the root of its subtree, so the stack holds nothing but
+/// its fragments, and their memory can be given back before the halves are built.
+void Subtree::fork(std::uint32_t children, std::size_t lower_first,
+                   const std::pair<Box, Box>& cells, Allowance allowance) {
+    const auto middle = fragments_.begin() + static_cast<std::ptrdiff_t>(lower_first);
+    std::vector<Fragment> below(middle, fragments_.end());
+    std::vector<Fragment> above(fragments_.begin(), middle);
+    std::vector<Fragment>().swap(fragments_);
+    std::optional<Subtree> lower;
+    std::optional<Subtree> upper;
+    oneapi::tbb::parallel_invoke(
+        [&] { lower.emplace(task_, std::move(below), cells.first, allowance); },
+        [&] { upper.emplace(task_, std::move(above), cells.second, allowance); });
+    adopt(children, *lower);
+    adopt(children + 1, *upper);
+}
+
+void Subtree::adopt(std::size_t node, const Subtree& other) {
+    const auto node_offset = static_cast<std::uint32_t>(nodes_.size() - 1);
+    const auto item_offset = static_cast<std::uint32_t>(items_.size());
+    nodes_[node] = other.nodes_[0].moved(node_offset, item_offset);
+    for (std::size_t i = 1; i < other.nodes_.size(); ++i) {
+        nodes_.push_back(other.nodes_[i].moved(node_offset, item_offset));
+    }
+    items_.insert(items_.end(), other.items_.begin(), other.items_.end());
+}
+
+int depth_for(std::size_t items, const KdTreeSettings& settings) {
+    const int automatic = static_cast<int>(8 + 1.3 * std::log2(static_cast<double>(items)));
+    return std::clamp(settings.max_depth > 0 ? settings.max_depth : automatic, 0,
+                      KdTree::depth_limit);
+}
+
+}  // namespace
+
+KdTree::KdTree(const Box& bounds, std::vector<KdNode> nodes, std::vector<std::uint32_t> items,
+               const KdTreeSettings& settings)
+    : bounds_(bounds), nodes_(std::move(nodes)), items_(std::move(items)), settings_(settings) {
+    nodes_.shrink_to_fit();
+    items_.shrink_to_fit();
+}
+
+std::size_t KdTree::memory_bytes() const {
+    return sizeof(*this) + nodes_.capacity() * sizeof(KdNode) +
+           items_.capacity() * sizeof(std::uint32_t);
+}
+
+KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
+                    const KdTreeSettings& settings, int threads) {
+    std::vector<Fragment> fragments;
+    fragments.reserve(boxes.size());
+    Box bounds;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].empty()) continue;
+        assert(finite(boxes[i]));
+        fragments.push_back({boxes[i], static_cast<std::uint32_t>(i)});
+        bounds = join(bounds, boxes[i]);
+    }
+    if (fragments.empty()) return {};
+
+    const double slack =
+        0x1p-46 * std::max(max_abs_component(bounds.low), max_abs_component(bounds.high));
+    bounds = grown(bounds, 2 * slack);
+    const Allowance allowance{depth_for(fragments.size(), settings), settings.max_duplication};
+    const Task task{clip_item, settings, slack};
+    std::optional<Subtree> tree;
+    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+    arena.execute([&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
+    return KdTree(bounds, tree->take_nodes(), tree->take_items(), settings);
+}

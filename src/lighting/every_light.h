@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The conventional way: every luminaire, at every point. Slow, without noise of its own, and the oracle of the others.
+#pragma once
+
+#include "base/random.h"
+#include "lighting/pick.h"
+#include "lighting/settings.h"
+
+class BuiltEveryLight {
+public:
+    BuiltEveryLight() = default;
+    explicit BuiltEveryLight(std::size_t count) : count_(static_cast<LightIndex>(count)) {}
+
+    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
+    double expected(const ShadingPoint&, const Key&, LightIndex) const { return 1; }
+    std::size_t memory_bytes() const { return 0; }
+
+private:
+    LightIndex count_ = 0;
+};
+
+BuiltEveryLight build(const EveryLight&, const LightScene&, int threads);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cells of the light octree: where space is cut, and which luminaires are bright in each cell (the paper, section 4.3).
+// Built top down, where surfaces are; a luminaire that is dim in a cell is dim in all cells within it.
+#pragma once
+
+#include "lighting/pick.h"
+#include "lighting/settings.h"
+
+/// Greatest distance from the luminaire's centre at which a white diffuse surface that faces it may have at least that
+/// radiance by its light alone; below 0: nowhere.
+double bright_reach(const LightBounds&, double radiance);
+
+struct LightCell {
+    static constexpr std::uint32_t no_list = ~std::uint32_t{0};
+    std::uint32_t children = 0;    ///< first of eight; 0: none
+    std::uint32_t list = no_list;  ///< of cells without children, when a surface may be in them
+};
+
+/// An octree over a cube. Points outside count as the nearest ones inside.
+struct LightCells {
+    Vec3 low = Vec3(0);
+    double side = 0;
+    std::vector<LightCell> cells;
+    std::vector<std::vector<LightIndex>> lists;  ///< ascending
+
+    /// List of the cell in which the point lies, or LightCell::no_list.
+    std::uint32_t list_at(const Vec3& point) const;
+};
+
+LightCells build_light_cells(const LightOctree&, const LightScene&, std::span<const LightBounds>, int threads);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One luminaire, in proportion to what each would give if nothing were between (the paper, section 4.2). Asks them all at
+// every choice. A luminaire has probability 0 only where all of it is below the horizon.
+#pragma once
+
+#include "base/random.h"
+#include "lighting/light_table.h"
+#include "lighting/settings.h"
+
+class BuiltLinearAlpha {
+public:
+    explicit BuiltLinearAlpha(const LightScene&);
+
+    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
+    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    std::size_t memory_bytes() const { return table_.memory_bytes(); }
+
+private:
+    LightTable table_;
+    LightList all_;
+};
+
+BuiltLinearAlpha build(const LinearAlpha&, const LightScene&, int threads);

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any other glowing shape. Called through luminaire.h, which states what each function promises.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+LightBounds bounds(const AreaEmitter&, double luminance);
+double unoccluded(const AreaEmitter&, double luminance, const ShadingPoint&);
+std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
+double density(const AreaEmitter&, const Vec3& from, const Vec3& direction);
+double emitting_area(const AreaEmitter&);

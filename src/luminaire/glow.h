@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A luminaire reduced to a few numbers, and the estimate of its irradiance that is made from them, many millions of times
+// a second. Used by the luminaires and by the light samplers; the formula stands here only.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+/// A luminaire as a sphere that glows all over, or, when it is flat, more in the direction of its axis.
+struct Glow {
+    Vec3 centre = Vec3(0);
+    double radius = 1;       ///< above 0
+    double strength = 0;     ///< intensity / radius
+    Vec3 axis = Vec3(0);     ///< 0: the same in all directions
+    double evenness = 1;     ///< share of the intensity that goes in all directions
+};
+
+/// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at their centre only.
+inline constexpr double flat_evenness = 0.05;
+
+inline Glow glow(const LightBounds& b) {
+    const bool flat = b.axis != Vec3(0);
+    const double radius = std::fmax(b.radius, 1e-150);
+    return {b.centre, radius, b.intensity / radius, b.axis, flat ? flat_evenness : 1};
+}
+
+/// Radius over distance at which rounding may still lift a luminaire over the horizon.
+inline constexpr double horizon_slack = 1e-14;
+/// Points whose squared distance from the centre is below this share of the squared radius are inside.
+inline constexpr double inside_share = 1 - 2e-9;
+
+/// What one sphere gives: elementwise arithmetic without branches, so that loops over it are vectorised, and so that every
+/// instruction set gives the same bits. v goes from the point to the centre, n is the point's normal.
+///
+/// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon, and strength (h + r)^2 r / 4 d^3
+/// is put in the place of the exact formula where the horizon cuts it: the two meet at h = r, the second is zero only where
+/// all of the sphere is below, and never below the first. Inside, all directions meet the surface.
+template <bool both_sides>
+[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius, double strength) {
+    const double r2 = radius * radius;
+    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    const double outside2 = d2 > r2 ? d2 : r2;
+    const double distance = std::sqrt(outside2);
+    const double inverse = 1 / distance;
+    const double signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
+    const double height = both_sides ? std::abs(signed_height) : signed_height;
+    const double cut = height < radius ? height : radius;
+    const double beyond = height - cut;
+    double lifted = cut + radius + horizon_slack * distance;
+    lifted = lifted > 0 ? lifted : 0;
+    const double partly = both_sides ? 0.5 * (cut * cut + r2) : 0.25 * lifted * lifted;
+    const double above = partly + radius * beyond;
+    const double surrounded = both_sides ? 2 * r2 : r2;
+    const double seen = d2 < r2 * inside_share ? surrounded : above;
+    return strength * seen * inverse * inverse * inverse;
+}
+
+/// The factor for the direction in which a flat luminaire is seen; 1 for others.
+[[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis, double evenness) {
+    const double r2 = radius * radius;
+    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    const double outside2 = d2 > r2 ? d2 : r2;
+    return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
+}
+
+/// Estimate of the irradiance of one luminaire; see unoccluded().
+inline double irradiance(const Glow& g, const ShadingPoint& point) {
+    const Vec3 v = g.centre - point.position;
+    const double even = point.both_sides ? irradiance<true>(v, point.normal, g.radius, g.strength)
+                                         : irradiance<false>(v, point.normal, g.radius, g.strength);
+    return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The glowing sphere. Called through luminaire.h, which states what each function promises.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+LightBounds bounds(const SphereEmitter&, double luminance);
+double unoccluded(const SphereEmitter&, double luminance, const ShadingPoint&);
+std::optional<LightPoint> sample(const SphereEmitter&, const Vec3& from, const Vec2& u);
+double density(const SphereEmitter&, const Vec3& from, const Vec3& direction);
+double emitting_area(const SphereEmitter&);

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/write.h"
+
+#include "base/colour.h"
+#include "picture/file.h"
+#include "text/message.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+struct TypeInfo {
+    PictureType type;
+    std::string_view extension;
+    std::string_view other;  ///< another extension that is understood
+    bool linear;
+};
+
+constexpr std::array types = {
+    TypeInfo{PictureType::png, "png", "png", false},  TypeInfo{PictureType::exr, "exr", "exr", true},
+    TypeInfo{PictureType::hdr, "hdr", "rgbe", true},  TypeInfo{PictureType::ppm, "ppm", "pnm", false},
+    TypeInfo{PictureType::tga, "tga", "tpic", false}, TypeInfo{PictureType::jpeg, "jpg", "jpeg", false},
+    TypeInfo{PictureType::bmp, "bmp", "dib", false},
+};
+
+const TypeInfo& info(PictureType type) {
+    return *std::find_if(types.begin(), types.end(), [&](const TypeInfo& each) { return each.type == type; });
+}
+
+template <class Integer>
+std::vector<Integer> integers(const Image& image, const PictureFormat& format) {
+    constexpr unsigned most = static_cast<Integer>(~0u);
+    std::vector<Integer> result;
+    result.reserve(image.pixels.size() * 3);
+    for (const Vec3& pixel : image.pixels)
+        for (int i = 0; i < 3; ++i) result.push_back(static_cast<Integer>(quantised(pixel[i], most, format)));
+    return result;
+}
+
+/// Radiance's shared exponents have no room for negative, infinite or undefined values.
+float representable(double value, const PictureFormat& format) {
+    if (format.encoded && format.gamma != 1 && value > 0) value = std::pow(value, format.gamma);
+    if (format.type != PictureType::hdr) return static_cast<float>(value);
+    return value > 0 ? static_cast<float>(std::min(value, 1e37)) : 0.0f;
+}
+
+std::vector<float> floats(const Image& image, const PictureFormat& format) {
+    std::vector<float> result;
+    result.reserve(image.pixels.size() * 3);
+    for (const Vec3& pixel : image.pixels)
+        for (int i = 0; i < 3; ++i) result.push_back(representable(pixel[i], format));
+    return result;
+}
+
+OIIO::ImageSpec specification(const Image& image, const PictureFormat& format, bool linear) {
+    using OIIO::TypeDesc;
+    const TypeDesc whole = format.bits == 16 ? TypeDesc::UINT16 : TypeDesc::UINT8;
+    OIIO::ImageSpec spec(image.width, image.height, 3, linear ? TypeDesc(TypeDesc::FLOAT) : whole);
+    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+    spec.attribute("Software", "Candelabra");
+    // A fixed time: the same picture must give the same bytes.
+    spec.attribute("DateTime", "2000:01:01 00:00:00");
+    if (format.type == PictureType::exr) spec.attribute("compression", "zip");
+    if (format.type == PictureType::jpeg) spec.attribute("Compression", "jpeg:95");
+    if (format.type == PictureType::tga) spec.attribute("compression", format.compressed ? "rle" : "none");
+    return spec;
+}
+
+bool write_pixels(OIIO::ImageOutput& output, const Image& image, const PictureFormat& format, bool linear) {
+    using OIIO::TypeDesc;
+    if (linear) return output.write_image(TypeDesc::FLOAT, floats(image, format).data());
+    if (format.bits == 16) return output.write_image(TypeDesc::UINT16, integers<std::uint16_t>(image, format).data());
+    return output.write_image(TypeDesc::UINT8, integers<std::uint8_t>(image, format).data());
+}
+
+}  // namespace
+
+std::string_view extension(PictureType type) {
+    return info(type).extension;
+}
+
+std::optional<PictureType> type_of_name(std::string_view path) {
+    const std::size_t dot = path.find_last_of("./");
+    if (dot == std::string_view::npos || path[dot] == '/') return std::nullopt;
+    std::string ending(path.substr(dot + 1));
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const TypeInfo& type : types)
+        if (ending == type.extension || ending == type.other) return type.type;
+    return std::nullopt;
+}
+
+unsigned quantised(double value, unsigned most, const PictureFormat& format) {
+    if (!(value > 0)) return 0;
+    double shown = std::min(value, 1.0);
+    if (format.encoded && format.gamma != 1) shown = std::pow(shown, format.gamma);
+    if (format.encoded) shown = std::min(srgb_encode(shown), 1.0);
+    return static_cast<unsigned>(std::floor(most * shown + 0.5));
+}
+
+std::optional<std::string> encode(const Image& image, const PictureFormat& format, Diagnostics& diagnostics) {
+    const TypeInfo& type = info(format.type);
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create(std::string(type.extension));
+    const bool done = output && output->set_ioproxy(&memory) &&
+                      output->open("picture." + std::string(type.extension),
+                                   specification(image, format, type.linear)) &&
+                      write_pixels(*output, image, format, type.linear) && output->close();
+    if (done) return std::string(bytes.begin(), bytes.end());
+    const std::string why = output ? output->geterror() : OIIO::geterror();
+    diagnostics.add(error(Fault::io, {},
+                          message("cannot make a ", type.extension, " file of ", image.width, " by ", image.height,
+                                  " pixels", why.empty() ? "" : ": ", why)));
+    return std::nullopt;
+}
+
+bool write_picture(const Image& image, const std::string& path, const PictureFormat& format, Diagnostics& diagnostics) {
+    const auto bytes = encode(image, format, diagnostics);
+    return bytes && write_file(path, *bytes, diagnostics);
+}

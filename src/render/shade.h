@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a surface answers light at one point: POV-Ray 3.7's ambient, emission, diffuse, phong and specular terms.
+#pragma once
+
+#include "world/world.h"
+
+/// A hit, seen from a direction, with the look of the surface there.
+struct Shading {
+    Vec3 position;
+    Vec3 view;            ///< unit, direction of the ray that sees it
+    Vec3 normal;          ///< unit, as shaded, on the side that is seen
+    Vec3 true_normal;     ///< unit, of the surface as it is, on the side that is seen
+    double tolerance = 0;
+    const Finish* finish = nullptr;
+    Colour colour;
+    double opacity = 1;
+    bool both_sides = false;
+};
+
+Shading shading_at(const World&, const Ray&, const Hit&);
+
+/// Whether light from anywhere would change what is seen.
+bool answers_light(const Shading&);
+
+/// Radiance that the surface sends to the viewer by itself.
+Vec3 own_radiance(const World&, const Shading&);
+
+/// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance pi) comes from a
+/// unit direction; the cosine is in it. Zero where the direction is below the horizon.
+Vec3 response(const Shading&, const Vec3& to_light, bool highlights);
+
+/// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the index of refraction
+/// in front of the surface over the one behind it.
+Vec3 reflectivity(const Shading&, double ior_ratio);

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Follows one camera ray through a world: surface, direct light, reflection, refraction. POV-Ray 3.7's rules for
+// levels, weights and nested interiors.
+#pragma once
+
+#include "render/direct_light.h"
+
+#include <vector>
+
+/// One for each job: it keeps scratch memory and counts rays.
+class Tracer {
+public:
+    Tracer(const World& world, int shadow_rays);
+
+    /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and key.
+    Vec3 radiance(const Ray& ray, const Key& key);
+
+    const RayCounts& rays() const { return rays_; }
+
+private:
+    /// What a ray is inside of, in the order of entering.
+    using Solids = std::vector<PrimitiveIndex>;
+
+    struct Path {
+        Ray ray;
+        double tolerance = 0;
+        int level = 0;          ///< reflections and refractions so far
+        int passed = 0;         ///< surfaces passed without a change of direction, which are not levels
+        double weight = 1;      ///< greatest change of the pixel that this ray can make, relative to its radiance
+        RayKind kind = RayKind::camera;
+        Key key;
+        Solids solids;
+    };
+    struct Interface {
+        double ratio;           ///< index of refraction in front of the surface over the one behind it
+        Solids behind;
+    };
+
+    Vec3 follow(const Path&);
+    Vec3 reflected(const Path&, const Shading&, const Vec3& amount);
+    Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);
+    Interface interface_at(const Path&, PrimitiveIndex) const;
+    double ior(const Solids&) const;
+
+    const World& world_;
+    DirectLight direct_light_;
+    Solids around_camera_;
+    RayCounts rays_;
+};

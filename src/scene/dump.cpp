@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/dump.h"
+
+#include "text/message.h"
+#include "vocabulary/written.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <unordered_map>
+
+namespace {
+
+/// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep stack.
+constexpr int deepest = 16;
+
+struct ObjectFlag {
+    std::string_view name;
+    bool Object::*member;
+};
+constexpr std::array object_flags = {
+    ObjectFlag{"no_shadow", &Object::no_shadow},
+    ObjectFlag{"no_image", &Object::no_image},
+    ObjectFlag{"no_reflection", &Object::no_reflection},
+    ObjectFlag{"hollow", &Object::hollow},
+    ObjectFlag{"inverse", &Object::inverse},
+    ObjectFlag{"double_illuminate", &Object::double_illuminate},
+};
+
+/// The item in an alternative of a variant as "name fields".
+template <class Variant>
+std::string item_text(Variant alternative) {
+    const ItemInfo& info = *Kinds<Variant>::infos[alternative.index()];
+    const std::string fields = written_fields(info, Kinds<Variant>::address(alternative));
+    return message(info.name, fields.empty() ? "" : " ", fields);
+}
+
+template <class T>
+std::string block_text(const T& item) {
+    const std::string fields = written_fields(item_info<T>(), &item);
+    return message(item_info<T>().name, " { ", fields, fields.empty() ? "" : " ", "}");
+}
+
+std::string colour_text(const Colour& colour) {
+    return written(colour, FieldType::colour);
+}
+
+std::string matrix_text(const Transform& transform) {
+    if (transform == Transform()) return {};
+    const Affine& map = transform.forward();
+    std::string text = " matrix <";
+    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
+    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
+}
+
+std::string map_text(const Pigment& pigment) {
+    std::string text;
+    if (std::holds_alternative<Checker>(*pigment.pattern)) {
+        for (const ColourStop& stop : pigment.map) text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
+        return text;
+    }
+    for (const ColourStop& stop : pigment.map) text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
+    return message(" color_map { ", text, "}");
+}
+
+std::string pigment_text(const Pigment& pigment) {
+    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
+    return message("pigment { ", item_text(*pigment.pattern), map_text(pigment), matrix_text(pigment.transform), " }");
+}
+
+std::string reflection_text(const Reflection& reflection) {
+    const Reflection none;
+    const std::string fields = written_fields(item_info<Reflection>(), &reflection);
+    return fields == written_fields(item_info<Reflection>(), &none) ? "" : message("reflection { ", fields, " }");
+}
+
+std::string finish_text(const Finish& finish) {
+    const std::string fields = written_fields(item_info<Finish>(), &finish);
+    const std::string reflection = reflection_text(finish.reflection);
+    if (fields.empty() && reflection.empty()) return {};
+    return message(" finish { ", fields, fields.empty() || reflection.empty() ? "" : " ", reflection, " }");
+}
+
+std::string settings_text(const Scene& scene) {
+    const GlobalSettings& settings = scene.settings;
+    std::string text = written_fields(item_info<GlobalSettings>(), &settings);
+    // Before version 3.7 it makes a difference that the default was given.
+    if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1)
+        text += message(text.empty() ? "" : " ", "assumed_gamma 1");
+    const std::string sampler = item_text(settings.light_sampler);
+    if (sampler != item_text(GlobalSettings().light_sampler))
+        text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");
+    return text.empty() ? "" : message("global_settings { ", text, " }\n");
+}
+
+std::string camera_text(const Camera& camera) {
+    const Transform& transform = std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
+    return message("camera { ", item_text(camera), matrix_text(transform), " }\n");
+}
+
+std::string light_text(Light light) {
+    const ItemInfo& info = *Kinds<Light>::infos[light.index()];
+    return message(info.name, " { ", written_fields(info, Kinds<Light>::address(light)), " }\n");
+}
+
+std::span<const ObjectHandle> children(const Object& object) {
+    const auto* together = std::get_if<Union>(&object.form);
+    return together ? std::span<const ObjectHandle>(together->children) : std::span<const ObjectHandle>();
+}
+
+/// Every object below the roots once, children before their parents. Does not recurse: unions may be nested very deep.
+std::vector<const Object*> in_order(std::span<const ObjectHandle> roots, std::unordered_map<const Object*, int>& references) {
+    struct Step {
+        const Object* object;
+        std::span<const ObjectHandle> rest;
+    };
+    std::vector<const Object*> order;
+    std::vector<Step> path = {{nullptr, roots}};
+    while (!path.empty()) {
+        if (path.back().rest.empty()) {
+            if (path.back().object) order.push_back(path.back().object);
+            path.pop_back();
+            continue;
+        }
+        const Object* next = path.back().rest.front().get();
+        path.back().rest = path.back().rest.subspan(1);
+        if (references[next]++ == 0) path.push_back({next, children(*next)});
+    }
+    return order;
+}
+
+/// What follows an object's own content. The texture comes last: transformations before it do not move it.
+std::vector<std::string> modifiers(const Object& object) {
+    std::vector<std::string> result;
+    if (object.transform && !(*object.transform == Transform())) result.push_back(matrix_text(*object.transform).substr(1));
+    for (const ObjectFlag& flag : object_flags)
+        if (object.*flag.member) result.emplace_back(flag.name);
+    if (object.interior) result.push_back(block_text(*object.interior));
+    if (object.texture)
+        result.push_back(message("texture { ", pigment_text(object.texture->pigment), finish_text(object.texture->finish), " }"));
+    return result;
+}
+
+class Dumper {
+public:
+    std::string text(const Scene& scene) {
+        out_ = message("#version ", scene.language_version, ";\n", settings_text(scene));
+        if (!(scene.background.colour == Colour()))
+            out_ += message("background { ", colour_text(scene.background.colour), " }\n");
+        out_ += camera_text(scene.camera);
+        for (const PlacedLight& light : scene.lights) out_ += light_text(light.light);
+        declare_shared(scene.objects);
+        for (const ObjectHandle& object : scene.objects) refer(*object, 0);
+        return std::move(out_);
+    }
+
+private:
+    void declare_shared(std::span<const ObjectHandle> roots) {
+        std::unordered_map<const Object*, int> references, heights;
+        for (const Object* object : in_order(roots, references)) {
+            int height = 0;
+            for (const ObjectHandle& child : children(*object)) height = std::max(height, heights[child.get()] + 1);
+            const bool apart = references[object] > 1 || height >= deepest;
+            heights[object] = apart ? 0 : height;
+            if (!apart) continue;
+            std::string name = message("Object_", names_.size() + 1);
+            out_ += message("#declare ", name, " = ");
+            write(*object, 0);
+            names_.emplace(object, std::move(name));
+        }
+    }
+
+    void refer(const Object& object, std::size_t depth) {
+        out_.append(4 * depth, ' ');
+        const auto name = names_.find(&object);
+        if (name == names_.end()) write(object, depth);
+        else out_ += message("object { ", name->second, " }\n");
+    }
+
+    void write(const Object& object, std::size_t depth) {
+        if (const auto* shape = std::get_if<Shape>(&object.form)) {
+            Shape copy = *shape;
+            const ItemInfo& info = *Kinds<Shape>::infos[copy.index()];
+            out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(copy)));
+            for (const std::string& each : modifiers(object)) out_ += " " + each;
+            out_ += " }\n";
+            return;
+        }
+        out_ += "union {\n";
+        for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
+        for (const std::string& each : modifiers(object)) out_ += std::string(4 * depth + 4, ' ') + each + "\n";
+        out_ += std::string(4 * depth, ' ') + "}\n";
+    }
+
+    std::string out_;
+    std::unordered_map<const Object*, std::string> names_;
+};
+
+}  // namespace
+
+std::string dump(const Scene& scene) {
+    return Dumper().text(scene);
+}

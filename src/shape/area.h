@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points spread evenly over the surface of a shape: what every luminaire can fall back on.
+// Called by the luminaires. The points are on the surface to within rounding; smooth triangles give
+// their flat normal.
+#pragma once
+
+#include "shape/shape.h"
+
+/// A point of a surface with the outward unit normal there.
+struct SurfacePoint {
+    Vec3 position = Vec3(0);
+    Vec3 normal = Vec3(0);
+};
+
+/// Area of the surface; 0 for shapes whose surface cannot be sampled: planes have no end, meshes
+/// are taken apart first.
+double surface_area(const Sphere&);
+double surface_area(const Cuboid&);
+double surface_area(const Disc&);
+double surface_area(const Cylinder&);
+double surface_area(const Cone&);
+double surface_area(const Triangle&);
+double surface_area(const SmoothTriangle&);
+template <ShapeKind T>
+double surface_area(const T&) {
+    return 0;
+}
+
+/// The point for u, which is uniform in [0, 1)^2: uniform over the area. Precondition: the area is
+/// above 0.
+SurfacePoint sample_area(const Sphere&, const Vec2& u);
+SurfacePoint sample_area(const Cuboid&, const Vec2& u);
+SurfacePoint sample_area(const Disc&, const Vec2& u);
+SurfacePoint sample_area(const Cylinder&, const Vec2& u);
+SurfacePoint sample_area(const Cone&, const Vec2& u);
+SurfacePoint sample_area(const Triangle&, const Vec2& u);
+SurfacePoint sample_area(const SmoothTriangle&, const Vec2& u);
+template <ShapeKind T>
+SurfacePoint sample_area(const T&, const Vec2&) {
+    return {};
+}
+
+inline double surface_area(const Shape& shape) {
+    return visit_shape([](const auto& s) { return surface_area(s); }, shape);
+}
+inline SurfacePoint sample_area(const Shape& shape, const Vec2& u) {
+    return visit_shape([&](const auto& s) { return sample_area(s, u); }, shape);
+}

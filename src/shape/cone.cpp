@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/cone.h"
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Interval nowhere{infinity, -infinity};
+constexpr Interval everywhere{-infinity, infinity};
+
+/// The straight line between the centres of the ends.
+struct Axis {
+    explicit Axis(const Cone& cone)
+        : height(length(cone.cap - cone.base)),
+          up((cone.cap - cone.base) / height),
+          slope((cone.cap_radius - cone.base_radius) / height) {}
+
+    Vec3 across(const Vec3& v) const { return v - dot(v, up) * up; }
+
+    double height;
+    Vec3 up;
+    double slope;  ///< growth of the radius along the axis
+};
+
+/// A ray as the cone sees it: distances from the axis, and the radius of the cone at the same
+/// height, at t = 0 and per t.
+struct Line {
+    Vec3 radial, radial_step;
+    double radius, radius_step;
+
+    Line moved(double t) const {
+        return {radial + t * radial_step, radial_step, radius + t * radius_step, radius_step};
+    }
+    /// Coefficients of a t^2 + 2 b t + c, which is negative where the line is inside.
+    double a() const { return dot(radial_step, radial_step) - radius_step * radius_step; }
+    double b() const { return dot(radial, radial_step) - radius * radius_step; }
+    double c() const {
+        const double distance = length(radial);
+        return (distance - radius) * (distance + radius);
+    }
+};
+
+/// Where the line is inside the cone, as if it had no ends. When it meets both nappes, the one with
+/// the positive radius counts; when it meets one twice, the ends tell later which it is.
+Interval within_side(const Line& line) {
+    const double a = line.a(), b = line.b(), c = line.c();
+    if (a == 0 && b == 0) return c < 0 ? everywhere : nowhere;
+    const double discriminant = b * b - a * c;
+    if (a > 0 && !(discriminant > 0)) return nowhere;
+    const double q = -(b + std::copysign(std::sqrt(std::fmax(discriminant, 0)), b));
+    const double root = q == 0 ? 0 : c / q;
+    if (a == 0) return b < 0 ? Interval{root, infinity} : Interval{-infinity, root};
+    const double other = q / a;
+    const Interval roots{std::fmin(root, other), std::fmax(root, other)};
+    if (a > 0) return roots;
+    return line.radius_step > 0 ? Interval{roots.max, infinity} : Interval{-infinity, roots.min};
+}
+
+/// The same, computed from the point where the line is deepest: there b vanishes, and a grazing
+/// line loses no digits.
+Interval within_side_centred(const Line& line) {
+    const double a = line.a();
+    const double scale =
+        dot(line.radial_step, line.radial_step) + line.radius_step * line.radius_step;
+    if (std::abs(a) < 1e-3 * scale || scale == 0) return within_side(line);
+    const double shift = -line.b() / a;
+    const Interval around = within_side(line.moved(shift));
+    return {around.min + shift, around.max + shift};
+}
+
+/// Where the line is between the planes of the ends; below and above are the heights over the one
+/// and under the other.
+Interval between_ends(double below, double above, double rise) {
+    if (rise == 0) return below >= 0 && above >= 0 ? everywhere : nowhere;
+    const double base = -below / rise, cap = above / rise;
+    return rise > 0 ? Interval{base, cap} : Interval{cap, base};
+}
+
+}  // namespace
+
+Box bounds(const Cone& cone) {
+    const Vec3 u2 = Axis(cone).up * Axis(cone).up;
+    const Vec3 reach = glm::min(Vec3(1), glm::sqrt(Vec3(u2.y + u2.z, u2.z + u2.x, u2.x + u2.y)));
+    return join(Box{cone.base - cone.base_radius * reach, cone.base + cone.base_radius * reach},
+                Box{cone.cap - cone.cap_radius * reach, cone.cap + cone.cap_radius * reach});
+}
+
+void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
+    const Axis axis(cone);
+    const Vec3& direction = ray.direction;
+    // All is computed from the point of the ray nearest to the cone, so that a far origin costs no
+    // digits twice.
+    const Vec3 middle = 0.5 * (cone.base + cone.cap);
+    const double start = dot(middle - ray.origin, direction) / dot(direction, direction);
+    const Vec3 near = ray.at(start);
+    const double widest = std::fmax(cone.base_radius, cone.cap_radius), half = 0.5 * axis.height;
+    if (!(dot(near - middle, near - middle) <= (widest * widest + half * half) * (1 + 1e-9)))
+        return;
+
+    const double rise = dot(direction, axis.up);
+    const double below = dot(near - cone.base, axis.up), above = dot(cone.cap - near, axis.up);
+    const Line line{axis.across(near - cone.base), axis.across(direction),
+                    cone.base_radius + axis.slope * below, axis.slope * rise};
+    const Interval side = within_side_centred(line), slab = between_ends(below, above, rise);
+
+    const auto crossing = [&](double t, bool at_end, bool entering) -> Crossing {
+        if (at_end) return {start + t, entering == (rise > 0) ? -axis.up : axis.up, entering};
+        return {start + t, unit(unit(line.radial + t * line.radial_step) - axis.slope * axis.up),
+                entering};
+    };
+    const bool first_at_end = slab.min >= side.min, last_at_end = slab.max <= side.max;
+    const Crossing first = crossing(first_at_end ? slab.min : side.min, first_at_end, true);
+    const Crossing last = crossing(last_at_end ? slab.max : side.max, last_at_end, false);
+    const bool touches = !(first.t < last.t) || dot(direction, first.normal) >= 0 ||
+                         dot(direction, last.normal) <= 0;
+    if (touches) return;
+
+    // The tip is part of the side, also when rounding calls it an end.
+    const double first_radius = rise > 0 ? cone.base_radius : cone.cap_radius;
+    const double last_radius = rise > 0 ? cone.cap_radius : cone.base_radius;
+    if (!(cone.open && first_at_end && first_radius > 0)) found.add(first);
+    if (!(cone.open && last_at_end && last_radius > 0)) found.add(last);
+}
+
+bool inside(const Cone& cone, const Vec3& point) {
+    const Axis axis(cone);
+    const Vec3 offset = point - cone.base;
+    const double below = dot(offset, axis.up), above = dot(cone.cap - point, axis.up);
+    const double distance = length(axis.across(offset)),
+                 radius = cone.base_radius + axis.slope * below;
+    // As in POV-Ray 3.7, the surface belongs to the inside only when the ends are open.
+    if (cone.open) return below >= 0 && above >= 0 && distance <= radius;
+    return below > 0 && above > 0 && distance < radius;
+}
+
+std::string problem(const Cone& cone) {
+    if (!(length(cone.cap - cone.base) > 0)) return "a `cone` needs two different end points";
+    return cone.base_radius > 0 || cone.cap_radius > 0
+               ? ""
+               : "a `cone` needs a radius above 0 at one of its ends";
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A flat disc, with or without a hole.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// A flat ring or full disc. Its inside is the half space behind it, as in POV-Ray 3.7.
+struct Disc {
+    Vec3 centre = Vec3(0);
+    Vec3 normal = Vec3(0, 1, 0);
+    double radius = 1;
+    double hole = 0;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Disc::vocabulary() {
+    using F = Field<Disc>;
+    return schema<Disc>(
+        "disc", "A flat disc, with or without a hole.",
+        F{"centre", &Disc::centre, positional, "centre"},
+        F{"normal", &Disc::normal, positional, "direction of its face, of any length but 0"},
+        F{"radius", &Disc::radius, positional, "outer radius", above(0)},
+        maybe(F{"hole", &Disc::hole, positional, "radius of the hole", at_least(0)}));
+}
+
+Box bounds(const Disc&);
+void crossings(const Disc&, const Ray&, Crossings&);
+bool inside(const Disc&, const Vec3&);
+/// What is wrong beyond the ranges of single fields (normal without a direction, hole as wide as
+/// the disc), as a sentence; empty when nothing is.
+std::string problem(const Disc&);

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/mesh.h"
+
+#include "shape/triangle.h"
+
+namespace {
+
+constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+
+struct Noun {
+    const char* one;
+    const char* many;
+};
+constexpr Noun vertex{"vertex", "vertices"}, normal{"normal", "normals"}, triangle{"face", "faces"};
+
+std::string counted(std::size_t n, const Noun& noun) {
+    return (n == 0 ? "no" : std::to_string(n)) + " " + (n == 1 ? noun.one : noun.many);
+}
+
+/// The first entry of a list that names something beyond its count, as a sentence.
+std::string wrong_index(const std::vector<Face>& list, const std::string& list_name,
+                        std::size_t count, const Noun& noun) {
+    for (std::size_t i = 0; i < list.size(); ++i)
+        for (const int index : list[i])
+            if (index < 0 || static_cast<std::size_t>(index) >= count)
+                return "entry " + std::to_string(i) + " of `" + list_name + "` names " + noun.one +
+                       " " + std::to_string(index) + ", but there " +
+                       (count == 1 ? "is " : "are ") + counted(count, noun) + ", counted from 0";
+    return {};
+}
+
+/// Places of the normals of a face; none when it is flat.
+const Face* normals_of(const Mesh& mesh, std::size_t i) {
+    if (!mesh.normal_faces.empty())
+        return i < mesh.normal_faces.size() ? &mesh.normal_faces[i] : nullptr;
+    return mesh.normals.empty() ? nullptr : &mesh.faces[i];
+}
+
+const Vec3& corner(const Mesh& mesh, std::size_t face, std::size_t i) {
+    return mesh.vertices[static_cast<std::size_t>(mesh.faces[face][i])];
+}
+
+Vec3 normal_at(const MeshTriangle& face, const Vec3& own, const TriangleHit& hit) {
+    if (!face.smooth) return own;
+    const Vec3 smooth = unit((1 - hit.weight2 - hit.weight3) * face.normals[0] +
+                             hit.weight2 * face.normals[1] + hit.weight3 * face.normals[2]);
+    return smooth == Vec3(0) ? own : smooth;
+}
+
+}  // namespace
+
+std::string problem(const Mesh& mesh) {
+    if (mesh.vertices.empty()) return "a `mesh2` needs `vertex_vectors`";
+    if (mesh.faces.empty()) return "a `mesh2` needs at least one face in `face_indices`";
+    const std::string wrong = wrong_index(mesh.faces, "face_indices", mesh.vertices.size(), vertex);
+    if (!wrong.empty()) return wrong;
+    if (mesh.normal_faces.empty() && !mesh.normals.empty() &&
+        mesh.normals.size() != mesh.vertices.size())
+        return "a `mesh2` with " + counted(mesh.normals.size(), normal) + " for " +
+               counted(mesh.vertices.size(), vertex) + " needs `normal_indices`";
+    if (mesh.normal_faces.size() > mesh.faces.size())
+        return "`normal_indices` has " + std::to_string(mesh.normal_faces.size()) +
+               " entries, but there " + (mesh.faces.size() == 1 ? "is only " : "are only ") +
+               counted(mesh.faces.size(), triangle);
+    return wrong_index(mesh.normal_faces, "normal_indices", mesh.normals.size(), normal);
+}
+
+MeshTriangle face(const Mesh& mesh, std::size_t i) {
+    MeshTriangle result{{corner(mesh, i, 0), corner(mesh, i, 1), corner(mesh, i, 2)}, {}, false};
+    const Vec3 own = triangle_normal(result.corners[0], result.corners[1], result.corners[2]);
+    result.normals = {own, own, own};
+    if (const Face* places = normals_of(mesh, i)) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 given = unit(mesh.normals[static_cast<std::size_t>((*places)[k])]);
+            if (given != Vec3(0)) result.normals[k] = given;
+        }
+        result.smooth = true;
+    }
+    return result;
+}
+
+Box bounds(const Mesh& mesh) {
+    Box box;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));
+    return box;
+}
+
+void crossings(const Mesh& mesh, const Ray& ray, Crossings& found) {
+    const ShearedRay sheared(ray, Edges::one);
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const TriangleHit hit =
+            sheared.meet(corner(mesh, i, 0), corner(mesh, i, 1), corner(mesh, i, 2), whole_line);
+        if (!(hit.t < whole_line.max)) continue;
+        const MeshTriangle met = face(mesh, i);
+        const Vec3 own = triangle_normal(met.corners[0], met.corners[1], met.corners[2]);
+        if (own == Vec3(0)) continue;
+        const Vec3 shown = normal_at(met, own, hit);
+        found.add({hit.t, shown, dot(ray.direction, shown) < 0});
+    }
+}
+
+bool inside(const Mesh& mesh, const Vec3& point) {
+    if (!mesh.inside_vector || *mesh.inside_vector == Vec3(0)) return false;
+    Crossings found;
+    crossings(mesh, Ray{point, *mesh.inside_vector}, found);
+    bool result = false;
+    for (std::size_t i = 0; i < found.size(); ++i) result ^= found[i].t > 0;
+    return result;
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangle meshes: vertices stored once, faces by index. The world takes them apart into triangles.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// Triangles over shared vertices (POV-Ray's mesh2). Without an inside_vector, or with one of
+/// length 0, it has no inside.
+struct Mesh {
+    std::vector<Vec3> vertices;
+    std::vector<Vec3> normals;
+    std::vector<Face> faces;
+    std::vector<Face>
+        normal_faces;  ///< empty: the faces' own indices when there is a normal for each vertex
+    std::optional<Vec3> inside_vector;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Mesh::vocabulary() {
+    using F = Field<Mesh>;
+    return schema<Mesh>(
+        "mesh2", "Triangles over a list of shared vertices.",
+        F{"vertex_vectors", &Mesh::vertices, list, "corners"},
+        F{"normal_vectors", &Mesh::normals, list, "surface normals, for smooth shading"},
+        F{"face_indices", &Mesh::faces, list, "three vertices for each face, counted from 0"},
+        F{"normal_indices", &Mesh::normal_faces, list,
+          "three normals for each face, counted from 0"},
+        F{"inside_vector", &Mesh::inside_vector, item,
+          "direction in which to count crossings to tell inside from outside"});
+}
+
+/// What is wrong with the lists (an index out of range, too many normals ...), as a sentence; empty
+/// when nothing is.
+std::string problem(const Mesh&);
+
+/// Face number i as a triangle with its unit normals. Where the mesh has none, or one of length 0,
+/// it is the face's own. Faces without area are allowed, as modellers write them: their own normal
+/// is 0, and no ray meets them.
+struct MeshTriangle {
+    std::array<Vec3, 3> corners;
+    std::array<Vec3, 3> normals;
+    bool smooth;
+};
+/// Precondition: problem() is empty.
+MeshTriangle face(const Mesh&, std::size_t i);
+
+Box bounds(const Mesh&);
+void crossings(const Mesh&, const Ray&, Crossings&);
+bool inside(const Mesh&, const Vec3&);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/plane.h"
+
+Box bounds(const Plane&) {
+    const Vec3 everywhere(std::numeric_limits<double>::infinity());
+    return {-everywhere, everywhere};
+}
+
+void crossings(const Plane& plane, const Ray& ray, Crossings& found) {
+    const Vec3 normal = unit(plane.normal);
+    const double approach = dot(ray.direction, normal);
+    if (approach == 0) return;
+    found.add({(plane.distance - dot(ray.origin, normal)) / approach, normal, approach < 0});
+}
+
+bool inside(const Plane& plane, const Vec3& point) {
+    return dot(unit(plane.normal), point) <= plane.distance;
+}
+
+std::string problem(const Plane& plane) {
+    const double size = length(plane.normal);
+    return size > 0 && size < 1e150
+               ? ""
+               : "a `plane` needs a normal with a length above 0 and below 1e150";
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/triangle.h"
+
+namespace {
+
+constexpr double ulp = std::numeric_limits<double>::epsilon();
+constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+
+/// A convex polygon: a triangle that at most six planes have cut, each of which adds at most one
+/// corner.
+struct Polygon {
+    std::array<Vec3, 9> corners;
+    std::size_t count = 0;
+
+    void add(const Vec3& corner) { corners[count++] = corner; }
+};
+
+/// The part on one side of a plane across an axis (Sutherland and Hodgman): above it for sign 1,
+/// below for sign -1.
+Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
+    Polygon result;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Vec3 &from = polygon.corners[i],
+                   &to = polygon.corners[i + 1 < polygon.count ? i + 1 : 0];
+        const double before = sign * (from[axis] - plane), after = sign * (to[axis] - plane);
+        if (before >= 0) result.add(from);
+        if ((before > 0 && after < 0) || (before < 0 && after > 0)) {
+            Vec3 between = from + before / (before - after) * (to - from);
+            between[axis] = plane;
+            result.add(between);
+        }
+    }
+    return result;
+}
+
+Box corner_box(const Vec3& a, const Vec3& b, const Vec3& c) { return join(join(Box{a, a}, b), c); }
+
+double extent(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::fmax(max_abs_component(a), std::fmax(max_abs_component(b), max_abs_component(c)));
+}
+
+/// On one line as far as their coordinates can tell.
+bool on_one_line(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double longest = std::fmax(length(a - b), std::fmax(length(b - c), length(c - a)));
+    return !(length(cross(a - b, c - b)) > 4 * ulp * extent(a, b, c) * longest);
+}
+
+}  // namespace
+
+int ShearedRay::exact_side(const Vec2& p, const Vec2& q) {
+    const auto sign = [](double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; };
+    const double left = q.x * p.y, right = q.y * p.x;
+    if (left != right) return sign(left - right);
+    const double lost = std::fma(q.x, p.y, -left) - std::fma(q.y, p.x, -right);
+    if (lost != 0) return sign(lost);
+    return q.y != p.y ? sign(q.y - p.y) : sign(p.x - q.x);
+}
+
+TriangleHit first_crossing(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
+                           const Ray& ray, const Interval& range) {
+    return ShearedRay(ray).meet(corner1, corner2, corner3, range);
+}
+
+Box bounds(const Triangle& t) { return corner_box(t.corner1, t.corner2, t.corner3); }
+
+void crossings(const Triangle& t, const Ray& ray, Crossings& found) {
+    const TriangleHit hit = first_crossing(t.corner1, t.corner2, t.corner3, ray, whole_line);
+    if (!(hit.t < whole_line.max)) return;
+    const Vec3 normal = triangle_normal(t.corner1, t.corner2, t.corner3);
+    found.add({hit.t, normal, dot(ray.direction, normal) < 0});
+}
+
+bool inside(const Triangle&, const Vec3&) { return false; }
+
+Box clipped_bounds(const Triangle& t, const Box& cell) {
+    if (cell.empty()) return {};
+    const Vec3 pad(32 * ulp * extent(t.corner1, t.corner2, t.corner3));
+    const Box around{cell.low - pad, cell.high + pad};
+    Polygon polygon;
+    polygon.add(t.corner1);
+    polygon.add(t.corner2);
+    polygon.add(t.corner3);
+    for (int axis = 0; axis < 3; ++axis) {
+        polygon = cut(polygon, axis, around.low[axis], 1);
+        polygon = cut(polygon, axis, around.high[axis], -1);
+    }
+    if (polygon.count == 0) return {};
+    Box part;
+    for (std::size_t i = 0; i < polygon.count; ++i) part = join(part, polygon.corners[i]);
+    return clip(Box{part.low - pad, part.high + pad}, cell);
+}
+
+std::string problem(const Triangle& t) {
+    return on_one_line(t.corner1, t.corner2, t.corner3)
+               ? "a `triangle` needs three corners that are not on one line"
+               : "";
+}
+
+Box bounds(const SmoothTriangle& t) { return corner_box(t.corner1, t.corner2, t.corner3); }
+
+void crossings(const SmoothTriangle& t, const Ray& ray, Crossings& found) {
+    const TriangleHit hit = first_crossing(t.corner1, t.corner2, t.corner3, ray, whole_line);
+    if (!(hit.t < whole_line.max)) return;
+    Vec3 normal = unit((1 - hit.weight2 - hit.weight3) * unit(t.normal1) +
+                       hit.weight2 * unit(t.normal2) + hit.weight3 * unit(t.normal3));
+    if (normal == Vec3(0)) normal = triangle_normal(t.corner1, t.corner2, t.corner3);
+    found.add({hit.t, normal, dot(ray.direction, normal) < 0});
+}
+
+bool inside(const SmoothTriangle&, const Vec3&) { return false; }
+
+std::string problem(const SmoothTriangle& t) {
+    if (on_one_line(t.corner1, t.corner2, t.corner3))
+        return "a `smooth_triangle` needs three corners that are not on one line";
+    for (const Vec3& normal : {t.normal1, t.normal2, t.normal3})
+        if (!(length(normal) > 0 && length(normal) < 1e150))
+            return "a `smooth_triangle` needs normals with lengths above 0 and below 1e150";
+    return {};
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Flat and smooth triangles. They have no inside.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// A flat triangle.
+struct Triangle {
+    Vec3 corner1 = Vec3(0);
+    Vec3 corner2 = Vec3(1, 0, 0);
+    Vec3 corner3 = Vec3(0, 1, 0);
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Triangle::vocabulary() {
+    using F = Field<Triangle>;
+    return schema<Triangle>("triangle", "A flat triangle.",
+                            F{"corner1", &Triangle::corner1, positional, "first corner"},
+                            F{"corner2", &Triangle::corner2, positional, "second corner"},
+                            F{"corner3", &Triangle::corner3, positional, "third corner"});
+}
+
+/// A triangle that is shaded as if it were curved: its normal is interpolated between the corners'.
+struct SmoothTriangle {
+    Vec3 corner1 = Vec3(0), normal1 = Vec3(0, 0, 1);
+    Vec3 corner2 = Vec3(1, 0, 0), normal2 = Vec3(0, 0, 1);
+    Vec3 corner3 = Vec3(0, 1, 0), normal3 = Vec3(0, 0, 1);
+
+    static consteval auto vocabulary();
+};
+
+consteval auto SmoothTriangle::vocabulary() {
+    using F = Field<SmoothTriangle>;
+    return schema<SmoothTriangle>(
+        "smooth_triangle", "A flat triangle that is shaded as if it were curved.",
+        F{"corner1", &SmoothTriangle::corner1, positional, "first corner"},
+        F{"normal1", &SmoothTriangle::normal1, positional, "surface normal there"},
+        F{"corner2", &SmoothTriangle::corner2, positional, "second corner"},
+        F{"normal2", &SmoothTriangle::normal2, positional, "surface normal there"},
+        F{"corner3", &SmoothTriangle::corner3, positional, "third corner"},
+        F{"normal3", &SmoothTriangle::normal3, positional, "surface normal there"});
+}
+
+Box bounds(const Triangle&);
+void crossings(const Triangle&, const Ray&, Crossings&);
+bool inside(const Triangle&, const Vec3&);
+/// Bounds of the part of the triangle in the cell; empty when it does not pass through it.
+Box clipped_bounds(const Triangle&, const Box& cell);
+
+Box bounds(const SmoothTriangle&);
+void crossings(const SmoothTriangle&, const Ray&, Crossings&);
+bool inside(const SmoothTriangle&, const Vec3&);
+
+/// What is wrong beyond the ranges of single fields (corners on one line, a normal of length 0), as
+/// a sentence; empty when nothing is.
+std::string problem(const Triangle&);
+std::string problem(const SmoothTriangle&);
+
+/// Unit normal of a flat triangle, on the side that POV-Ray 3.7 gives it; 0 when the corners are on
+/// one line.
+inline Vec3 triangle_normal(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3) {
+    return unit(cross(corner1 - corner2, corner3 - corner2));
+}
+
+/// Where a ray meets the plane of a triangle: parameter and barycentric weights of corners 2 and 3.
+struct TriangleHit {
+    double t, weight2, weight3;
+};
+
+/// Who meets a ray that runs exactly through an edge which two triangles share.
+enum class Edges {
+    both,  ///< either: nothing is lost, also at the rim of a surface
+    one,   ///< exactly one of them, so that crossings of a closed surface can be counted
+};
+
+/// A ray made ready to meet many triangles. Watertight: neighbours that share an edge leave no gap
+/// between them (Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013),
+/// because the sign of an edge is computed from the same two products in both of them.
+class ShearedRay {
+public:
+    explicit ShearedRay(const Ray& ray, Edges edges = Edges::both) : ray_(ray), edges_(edges) {
+        const Vec3 size = glm::abs(ray.direction);
+        z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+        x_ = (z_ + 1) % 3;
+        y_ = (x_ + 1) % 3;
+        const double along = ray.direction[z_];
+        shear_ = Vec2(ray.direction[x_], ray.direction[y_]) / along;
+    }
+
+    /// The crossing in the range, or t = range.max. Triangles seen edge-on, or without area, are
+    /// not met.
+    TriangleHit meet(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
+                     const Interval& range) const {
+        const TriangleHit miss{range.max, 0, 0};
+        const Vec3 &o = ray_.origin, a = corner1 - o, b = corner2 - o, c = corner3 - o;
+        const Vec2 pa = project(a), pb = project(b), pc = project(c);
+        const double u = edge(pb, pc), v = edge(pc, pa), w = edge(pa, pb);
+        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return miss;
+        if (edges_ == Edges::one && (u == 0 || v == 0 || w == 0)) {
+            const int side = exact_side(pb, pc);
+            if (side != exact_side(pc, pa) || side != exact_side(pa, pb)) return miss;
+        }
+        const Vec3 normal = cross(corner1 - corner2, corner3 - corner2);
+        const double sum = u + v + w, approach = dot(normal, ray_.direction);
+        if (sum == 0 || approach == 0) return miss;
+        // From the plane, because the weights of slivers have few digits; but never beyond the
+        // bounds, because a triangle seen edge-on has a plane that is almost along the ray.
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const Interval part = clip(ray_, join(join(Box{corner1, corner1}, corner2), corner3),
+                                   Interval{-infinity, infinity});
+        double t = dot(normal, b) / approach;
+        if (part.min <= part.max) t = std::clamp(t, part.min, part.max);
+        return range.contains(t) ? TriangleHit{t, v / sum, w / sum} : miss;
+    }
+
+private:
+    /// In the plane across the ray, which is its origin.
+    Vec2 project(const Vec3& p) const {
+        return {p[x_] - shear_.x * p[z_], p[y_] - shear_.y * p[z_]};
+    }
+    /// Positive when the ray is on the right of the edge from p to q, and exactly the negative for
+    /// the edge from q to p.
+    static double edge(const Vec2& p, const Vec2& q) { return q.x * p.y - q.y * p.x; }
+    /// The sign without rounding; a ray exactly on the edge is taken to be a little aside, the same
+    /// way for all edges.
+    static int exact_side(const Vec2& p, const Vec2& q);
+
+    Ray ray_;
+    Vec2 shear_;
+    int x_, y_, z_;
+    Edges edges_;
+};
+
+/// The same for one triangle.
+TriangleHit first_crossing(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
+                           const Ray&, const Interval& range);

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "syntax/brackets.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+
+namespace {
+
+bool opens_directive(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
+           kind == hash_switch || kind == hash_macro;
+}
+
+bool opens(TokenKind kind) {
+    using enum TokenKind;
+    return kind == open_brace || kind == open_parenthesis || kind == open_bracket ||
+           opens_directive(kind);
+}
+
+bool closes(TokenKind kind) {
+    using enum TokenKind;
+    return kind == close_brace || kind == close_parenthesis || kind == close_bracket ||
+           kind == hash_end;
+}
+
+/// Splits an open directive into parts: #else, #elseif, #case, #range.
+bool divides(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
+}
+
+bool is_directive(TokenKind kind) {
+    return kind >= TokenKind::hash_declare && kind <= TokenKind::hash_write;
+}
+
+TokenKind closer_of(TokenKind opener) {
+    using enum TokenKind;
+    if (opener == open_brace) return close_brace;
+    if (opener == open_parenthesis) return close_parenthesis;
+    if (opener == open_bracket) return close_bracket;
+    return hash_end;
+}
+
+bool can_be_divided_by(TokenKind opener, TokenKind divider) {
+    using enum TokenKind;
+    const bool conditional = opener == hash_if || opener == hash_ifdef;
+    if (divider == hash_else) return conditional || opener == hash_switch;
+    if (divider == hash_elseif) return conditional;
+    return opener == hash_switch;
+}
+
+}  // namespace
+
+Token Brackets::next() {
+    skipped_ = false;
+    return last_ = take();
+}
+
+Token Brackets::take() {
+    if (pending_.empty()) return match();
+    const Token first = pending_.back();
+    pending_.pop_back();
+    return first;
+}
+
+/// The next token of the text, after its effect on what is open. Tokens that have to come before it
+/// are in pending_ with it.
+Token Brackets::match() {
+    for (;;) {
+        const Token token = lexer_.next();
+        bool fits = true;
+        if (opens(token.kind)) {
+            open_.push_back({token});
+        } else if (closes(token.kind)) {
+            fits = accept_closer(token);
+        } else if (divides(token.kind)) {
+            fits = accept_else(token);
+        } else if (token.kind == TokenKind::end_of_file && !open_.empty()) {
+            end_of_file(token);
+        }
+        if (fits) return pending_.empty() ? token : take();
+    }
+}
+
+bool Brackets::accept_closer(const Token& closer) {
+    std::size_t depth = open_.size();
+    // Parentheses and square brackets do not reach beyond the braces or the directive that they are
+    // in.
+    const bool local =
+        closer.kind == TokenKind::close_parenthesis || closer.kind == TokenKind::close_bracket;
+    while (depth > 0 && closer_of(open_[depth - 1].token.kind) != closer.kind) {
+        const TokenKind between = open_[depth - 1].token.kind;
+        // Nor do braces beyond a directive when one that a branch opened was closed there already.
+        const bool paid =
+            closer.kind == TokenKind::close_brace && opens_directive(between) && spare_braces_ > 0;
+        if (paid || (local && (between == TokenKind::open_brace || opens_directive(between)))) {
+            depth = 0;
+            break;
+        }
+        --depth;
+    }
+    if (depth > 0) {
+        close_until(depth, closer);
+        open_.pop_back();
+        return true;
+    }
+    int& spare = closer.kind == TokenKind::hash_end ? spare_ends_ : spare_braces_;
+    if (!local && spare > 0) {
+        --spare;
+        return false;
+    }
+    Diagnostic problem = error(Fault::syntax, span(closer),
+                               message("`", spelling(closer), "` closes nothing that is open"));
+    if (!open_.empty()) problem.pointing(span(open_.back().token), "the innermost that is open");
+    diagnostics_.add(problem);
+    return false;
+}
+
+bool Brackets::accept_else(const Token& divider) {
+    std::size_t depth = open_.size();
+    while (depth > 0 && !can_be_divided_by(open_[depth - 1].token.kind, divider.kind)) --depth;
+    if (depth == 0) {
+        const bool in_switch =
+            divider.kind == TokenKind::hash_case || divider.kind == TokenKind::hash_range;
+        diagnostics_.add(
+            error(Fault::misplaced, span(divider),
+                  message("`", spelling(divider), "` belongs between ",
+                          in_switch ? "`#switch`" : "`#if`", " and its `#end`, and none is open")));
+        return false;
+    }
+    close_until(depth, divider);
+    Open& opener = open_.back();
+    if (opener.closed_to_else) {
+        diagnostics_.add(error(Fault::misplaced, span(divider),
+                               message("`", spelling(divider), "` cannot follow `#else`"))
+                             .pointing(span(opener.token), "of this directive"));
+        return false;
+    }
+    opener.closed_to_else = divider.kind == TokenKind::hash_else;
+    return true;
+}
+
+/// Closes what is open above the given depth, in front of the closer.
+bool Brackets::close_until(std::size_t depth, const Token& closer) {
+    if (depth == open_.size()) return false;
+    report_unclosed(closer, depth);
+    pending_.push_back(closer);
+    const std::size_t first = pending_.size();
+    for (; open_.size() > depth; open_.pop_back()) {
+        const TokenKind kind = open_.back().token.kind;
+        if (kind == TokenKind::open_brace) ++spare_braces_;
+        if (opens_directive(kind)) ++spare_ends_;
+        pending_.push_back({closer_of(kind), 0, closer.first, closer.first, 0});
+    }
+    std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
+    return true;
+}
+
+void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
+    if (std::any_of(open_.begin() + static_cast<std::ptrdiff_t>(depth), open_.end(),
+                    [](const Open& o) { return o.blamed; }))
+        return;
+    const Token& opener = open_.back().token;
+    const bool branch = opener.kind == TokenKind::open_brace &&
+                        (closer.kind == TokenKind::hash_end || divides(closer.kind));
+    const std::string_view opened = spelling(opener);
+    Diagnostic problem =
+        branch
+            ? error(Fault::syntax, span(opener),
+                    message("this `{` is not closed before `", spelling(closer), "`"))
+            : error(Fault::syntax, span(closer),
+                    message("`", spelling(closer), "` comes before the ",
+                            opens_directive(opener.kind) ? "`#end`" : "end", " of `", opened, "`"));
+    if (branch) {
+        problem.pointing(span(closer), "the part of the directive ends here")
+            .with_help("what a part of a directive opens it must close itself");
+    } else {
+        problem.pointing(span(opener), "still open");
+        problem.with_help(message("add the missing `",
+                                  opens_directive(opener.kind) ? "#end"
+                                  : opened == "("              ? ")"
+                                  : opened == "["              ? "]"
+                                                               : "}",
+                                  "`"));
+    }
+    if (depth > 0) problem.pointing(span(open_[depth - 1].token), "what it belongs to");
+    diagnostics_.add(problem);
+}
+
+void Brackets::end_of_file(const Token& end) {
+    const Token opener = open_.back().token;
+    if (!open_.back().blamed) {
+        const bool directive = opens_directive(opener.kind);
+        Diagnostic problem =
+            error(Fault::syntax, span(opener),
+                  message("`", spelling(opener), "` has no ", directive ? "`#end`" : "end"));
+        if (open_.size() > 1)
+            problem.pointing(span(open_[open_.size() - 2].token), "open around it");
+        if (!directive) add_misindented(problem);
+        diagnostics_.add(problem);
+    }
+    pending_.push_back(end);
+    const std::size_t first = pending_.size();
+    for (; !open_.empty(); open_.pop_back())
+        pending_.push_back({closer_of(open_.back().token.kind), 0, end.first, end.first, 0});
+    std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
+}
+
+/// Finds the first `}` at the start of a line that stands further left than the line of its `{`:
+/// one before it is missing.
+void Brackets::add_misindented(Diagnostic& problem) const {
+    const auto indentation = [&](std::uint32_t at, bool only_blanks) -> int {
+        const std::size_t start = text_.find_last_of("\r\n", at) + 1;
+        const std::size_t word = text_.find_first_not_of(" \t", start);
+        return only_blanks && word != at ? -1 : static_cast<int>(word - start);
+    };
+    std::vector<std::uint32_t> braces;
+    SourceStore copy;
+    const SourceId id = copy.add("", std::string(text_));
+    Names names;
+    Tree tree;
+    Diagnostics ignored;
+    Lexer lexer(id, copy, names, tree, ignored);
+    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
+        if (token.kind == TokenKind::open_brace) braces.push_back(token.first);
+        if (token.kind != TokenKind::close_brace || braces.empty()) continue;
+        const int here = indentation(token.first, true);
+        if (here >= 0 && here < indentation(braces.back(), false)) {
+            problem.pointing({source_, braces.back(), braces.back() + 1},
+                             "perhaps this one is meant:");
+            problem.pointing(span(token), "this `}` stands further left");
+            return;
+        }
+        braces.pop_back();
+    }
+}
+
+/// Whether an error inside `depth` brackets ends at this token, which has had its effect.
+bool Brackets::boundary(const Token& token, std::size_t depth) const {
+    if (token.kind == TokenKind::end_of_file) return true;
+    const bool in_elements = depth == 0 || open_.size() < depth ||
+                             open_[depth - 1].token.kind == TokenKind::open_brace ||
+                             opens_directive(open_[depth - 1].token.kind);
+    if (closes(token.kind)) return open_.size() < depth;
+    if (divides(token.kind)) return open_.size() <= depth;
+    if (!in_elements || !is_directive(token.kind)) return false;
+    return open_.size() == depth + (opens(token.kind) ? 1 : 0);
+}
+
+void Brackets::recover() {
+    const std::size_t depth =
+        open_.size() - (opens(last_.kind) ? 1 : 0) + (closes(last_.kind) ? 1 : 0);
+    skipped_ = false;
+    if (last_.kind == TokenKind::end_of_file || closes(last_.kind) || boundary(last_, depth))
+        return;
+    skipped_ = true;
+    if (depth > 0) open_[depth - 1].blamed = true;
+    Token token = take();
+    while (!boundary(token, depth)) token = take();
+    pending_.push_back(token);
+}
+
+std::optional<Span> Brackets::innermost() const {
+    if (open_.empty()) return std::nullopt;
+    return span(open_.back().token);
+}

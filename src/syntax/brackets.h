@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stands between lexer and parser and sees to it that brackets and the words of directives match:
+// `{ }`, `( )`, `[ ]`, and #if, #while, #for, #switch, #macro with #end. What does not match is
+// reported once, with both places, and mended by closing what is open or by dropping what closes
+// nothing; the parser never sees it.
+#pragma once
+
+#include "syntax/lexer.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+class Brackets {
+public:
+    Brackets(Lexer& lexer, SourceId source, std::string_view text, Diagnostics& diagnostics)
+        : lexer_(lexer), source_(source), text_(text), diagnostics_(diagnostics) {}
+
+    Token next();
+
+    /// After a syntax error at the token that next() gave last: goes on at the end of the innermost
+    /// bracket or, in a list of elements, at the next directive.
+    void recover();
+    /// Whether recover() left the token of the error behind.
+    bool skipped() const { return skipped_; }
+
+    /// The innermost bracket that is open, for messages.
+    std::optional<Span> innermost() const;
+
+private:
+    struct Open {
+        Token token;
+        bool closed_to_else = false;  ///< an #else was there
+        bool blamed = false;          ///< something in it has been reported
+    };
+
+    Token take();
+    Token match();
+    bool accept_closer(const Token&);
+    bool accept_else(const Token&);
+    bool close_until(std::size_t depth, const Token& closer);
+    void end_of_file(const Token&);
+    void report_unclosed(const Token& closer, std::size_t depth);
+    void add_misindented(Diagnostic&) const;
+    bool boundary(const Token&, std::size_t depth) const;
+
+    Span span(const Token& token) const { return {source_, token.first, token.last}; }
+    std::string_view spelling(const Token& token) const {
+        return text_.substr(token.first, token.last - token.first);
+    }
+
+    Lexer& lexer_;
+    SourceId source_;
+    std::string_view text_;
+    Diagnostics& diagnostics_;
+    std::vector<Open> open_;
+    std::vector<Token> pending_;  ///< the next one last
+    Token last_;
+    int spare_braces_ =
+        0;  ///< how many `}` without partner are no news, because their `{` was closed in a branch
+    int spare_ends_ = 0;
+    bool skipped_ = false;
+};

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "syntax/lexer.h"
+
+#include "text/message.h"
+#include "text/nearest.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tree,
+             Diagnostics& diagnostics)
+    : begin_(sources.text(source).data()),
+      cursor_(begin_),
+      limit_(begin_ + sources.text(source).size()),
+      source_(source),
+      names_(names),
+      tree_(tree),
+      diagnostics_(diagnostics) {
+    if (sources.text(source).starts_with("\xEF\xBB\xBF")) cursor_ += 3;
+}
+
+Token Lexer::next() {
+    const Token result = scan();
+    before_previous_ = previous_;
+    previous_ = result.kind;
+    return result;
+}
+
+Token Lexer::token(TokenKind kind, const char* first, std::uint32_t value) {
+    return {kind, 0, offset(first), offset(cursor_), value};
+}
+
+namespace {
+
+TokenKind kind_of(WordClass word_class) {
+    switch (word_class) {
+        case WordClass::name:
+            return TokenKind::name;
+        case WordClass::word:
+        case WordClass::directive:
+            return TokenKind::word;
+        case WordClass::unary_function:
+            return TokenKind::unary_function;
+        case WordClass::function:
+            return TokenKind::function;
+        case WordClass::constant:
+            return TokenKind::constant;
+        case WordClass::colour:
+            return TokenKind::colour;
+        case WordClass::colour_prefix:
+            return TokenKind::colour_prefix;
+        case WordClass::channel:
+            return TokenKind::channel;
+        case WordClass::layer:
+            return TokenKind::layer;
+        case WordClass::array:
+            return TokenKind::array;
+        case WordClass::function_literal:
+            return TokenKind::function_literal;
+    }
+    return TokenKind::word;
+}
+
+struct DirectiveWord {
+    std::string_view spelling;
+    TokenKind kind;
+    std::uint32_t value = 0;
+};
+
+constexpr std::uint32_t value_of(MessageKind kind) { return static_cast<std::uint32_t>(kind); }
+
+constexpr std::array directive_words = {
+    DirectiveWord{"declare", TokenKind::hash_declare},
+    DirectiveWord{"local", TokenKind::hash_declare, 1},
+    DirectiveWord{"if", TokenKind::hash_if},
+    DirectiveWord{"end", TokenKind::hash_end},
+    DirectiveWord{"else", TokenKind::hash_else},
+    DirectiveWord{"elseif", TokenKind::hash_elseif},
+    DirectiveWord{"ifdef", TokenKind::hash_ifdef},
+    DirectiveWord{"ifndef", TokenKind::hash_ifdef, 1},
+    DirectiveWord{"while", TokenKind::hash_while},
+    DirectiveWord{"for", TokenKind::hash_for},
+    DirectiveWord{"switch", TokenKind::hash_switch},
+    DirectiveWord{"case", TokenKind::hash_case},
+    DirectiveWord{"range", TokenKind::hash_range},
+    DirectiveWord{"break", TokenKind::hash_break},
+    DirectiveWord{"macro", TokenKind::hash_macro},
+    DirectiveWord{"include", TokenKind::hash_include},
+    DirectiveWord{"default", TokenKind::hash_default},
+    DirectiveWord{"undef", TokenKind::hash_undef},
+    DirectiveWord{"version", TokenKind::hash_version},
+    DirectiveWord{"debug", TokenKind::hash_message, value_of(MessageKind::debug)},
+    DirectiveWord{"warning", TokenKind::hash_message, value_of(MessageKind::warning)},
+    DirectiveWord{"error", TokenKind::hash_message, value_of(MessageKind::error)},
+    DirectiveWord{"render", TokenKind::hash_message, value_of(MessageKind::render)},
+    DirectiveWord{"statistics", TokenKind::hash_message, value_of(MessageKind::statistics)},
+    DirectiveWord{"fopen", TokenKind::hash_fopen},
+    DirectiveWord{"fclose", TokenKind::hash_fclose},
+    DirectiveWord{"read", TokenKind::hash_read},
+    DirectiveWord{"write", TokenKind::hash_write},
+};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+double convert(const char*& p, const char* end) {
+    const bool negative = *p == '-';
+    if (*p == '-' || *p == '+') ++p;
+    double value = 0;
+    // What the scanner takes and from_chars does not, an exponent without digits, counts as no
+    // exponent.
+    auto [rest, problem] = std::from_chars(p, end, value);
+    if (problem == std::errc::result_out_of_range) {
+        const std::string_view digits(p, static_cast<std::size_t>(rest - p));
+        const std::size_t e = digits.find_first_of("eE");
+        value = e != std::string_view::npos && digits[e + 1] == '-' ? 0 : HUGE_VAL;
+    }
+    p = rest;
+    return negative ? -value : value;
+}
+
+}  // namespace
+
+Token Lexer::read_word(const char* first) {
+    const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    const NameId id = names_.intern(spelling);
+    TokenKind kind = kind_of(names_.word_class(id));
+    std::uint32_t value = static_cast<std::uint32_t>(id);
+    if (names_.word_class(id) == WordClass::directive) {
+        if (spelling == "deprecated") kind = TokenKind::deprecated;
+        if (spelling == "once") kind = TokenKind::once;
+        // The oldest scenes leave out the #.
+        if (spelling == "declare" || spelling == "include") {
+            diagnostics_.add(warning(Fault::deprecated, span(first, cursor_),
+                                     message("`", spelling, "` should have a # before it"))
+                                 .with_help(message("write `#", spelling, "`")));
+            kind = spelling == "declare" ? TokenKind::hash_declare : TokenKind::hash_include;
+            value = 0;
+        }
+    }
+    if (previous_ == TokenKind::hash_version && spelling == "unofficial")
+        kind = TokenKind::unofficial;
+    return token(kind, first, value);
+}
+
+Token Lexer::read_directive(const char* hash) {
+    skip_blanks();
+    const char* const first = cursor_;
+    while (cursor_ < limit_ && (is_letter(*cursor_) || (cursor_ > first && is_digit(*cursor_))))
+        ++cursor_;
+    const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    for (const DirectiveWord& directive : directive_words)
+        if (directive.spelling == spelling) return token(directive.kind, hash, directive.value);
+
+    if (spelling.empty()) {
+        cursor_ = hash + 1;
+        diagnostics_.add(warning(Fault::syntax, span(hash, cursor_),
+                                 "this `#` has no effect, for no word follows it"));
+        return scan();
+    }
+    Diagnostic problem = error(Fault::unknown_word, span(hash, cursor_),
+                               message("there is no directive `#", spelling, "`"));
+    std::vector<std::string_view> known;
+    for (const DirectiveWord& directive : directive_words) known.push_back(directive.spelling);
+    if (const std::string guess = nearest(spelling, known); !guess.empty()) {
+        problem.with_help(message("did you mean `#", guess, "`?"));
+        diagnostics_.add(problem);
+        for (const DirectiveWord& directive : directive_words)
+            if (directive.spelling == guess) return token(directive.kind, hash, directive.value);
+    }
+    diagnostics_.add(problem);
+    return scan();
+}
+
+void Lexer::skip_blanks() {
+    for (; cursor_ < limit_; ++cursor_) {
+        const bool comment = *cursor_ == '/' && cursor_ + 1 < limit_;
+        if (comment && cursor_[1] == '/') {
+            skip_line_comment();
+            if (cursor_ == limit_) return;
+        } else if (comment && cursor_[1] == '*') {
+            const char* const first = cursor_;
+            cursor_ += 2;
+            skip_comment(first);
+            --cursor_;
+        } else if (std::string_view(" \t\r\n\v\f\x1a\0", 8).find(*cursor_) ==
+                   std::string_view::npos) {
+            return;
+        }
+    }
+}
+
+void Lexer::skip_line_comment() {
+    while (cursor_ < limit_ && *cursor_ != '\n' && *cursor_ != '\r') ++cursor_;
+}
+
+void Lexer::skip_comment(const char* first) {
+    for (int depth = 1; cursor_ + 1 < limit_;) {
+        if (cursor_[0] == '*' && cursor_[1] == '/') {
+            cursor_ += 2;
+            if (--depth == 0) return;
+        } else if (cursor_[0] == '/' && cursor_[1] == '*') {
+            cursor_ += 2;
+            ++depth;
+        } else {
+            ++cursor_;
+        }
+    }
+    cursor_ = limit_;
+    diagnostics_.add(error(Fault::unterminated, span(first, first + 2), "this comment has no end")
+                         .with_help("comments nest: each `/*` needs its own `*/`"));
+}
+
+Token Lexer::read_number(const char* first) {
+    const char* p = first;
+    tree_.numbers.push_back(convert(p, cursor_));
+    return token(TokenKind::number, first, static_cast<std::uint32_t>(tree_.numbers.size() - 1));
+}
+
+Token Lexer::read_literal(const char* first) {
+    Token result =
+        token(TokenKind::literal, first, static_cast<std::uint32_t>(tree_.numbers.size()));
+    for (const char* p = first + 1; p < cursor_ - 1;) {
+        if (is_digit(*p) || *p == '.' || *p == '-' || *p == '+') {
+            tree_.numbers.push_back(convert(p, cursor_));
+            // The rest of an exponent without digits belongs to the number.
+            if (*p == 'e' || *p == 'E') p += 1 + (p[1] == '+' || p[1] == '-');
+            ++result.count;
+        } else {
+            ++p;
+        }
+    }
+    return result;
+}
+
+bool Lexer::file_name_expected() const {
+    return previous_ == TokenKind::hash_include || previous_ == TokenKind::word ||
+           (previous_ == TokenKind::name && before_previous_ == TokenKind::hash_fopen);
+}
+
+Token Lexer::read_text(const char* first) {
+    while (cursor_ < limit_ && *cursor_ != '"')
+        cursor_ += *cursor_ == '\\' && cursor_ + 1 < limit_ ? 2 : 1;
+    const std::string_view raw(first + 1, static_cast<std::size_t>(cursor_ - first - 1));
+    if (cursor_ >= limit_) {
+        cursor_ = limit_;
+        diagnostics_.add(
+            error(Fault::unterminated, span(first, first + 1), "this string has no end")
+                .with_help("a string ends at the next `\"`"));
+    } else {
+        ++cursor_;
+    }
+    // Names of files keep their backslashes, as in POV-Ray.
+    tree_.texts.push_back(file_name_expected() ? std::string(raw)
+                                               : unescaped(raw, offset(first + 1)));
+    return token(TokenKind::text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
+}
+
+namespace {
+
+/// The character behind `\` and this letter, or 0.
+char escape(char letter) {
+    constexpr std::string_view letters = "abfnrtv'\"\\";
+    constexpr std::string_view meanings = "\a\b\f\n\r\t\v'\"\\";
+    const std::size_t i = letters.find(letter);
+    return i == std::string_view::npos ? '\0' : meanings[i];
+}
+
+/// Four hexadecimal digits as a number, or nothing.
+bool read_hex(std::string_view digits, unsigned& code) {
+    const auto [end, problem] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    return problem == std::errc() && digits.size() == 4 && end == digits.data() + 4;
+}
+
+void append_utf8(std::string& text, unsigned code) {
+    if (code < 0x80) {
+        text += static_cast<char>(code);
+    } else if (code < 0x800) {
+        text += static_cast<char>(0xC0 | code >> 6);
+        text += static_cast<char>(0x80 | (code & 0x3F));
+    } else {
+        text += static_cast<char>(0xE0 | code >> 12);
+        text += static_cast<char>(0x80 | (code >> 6 & 0x3F));
+        text += static_cast<char>(0x80 | (code & 0x3F));
+    }
+}
+
+}  // namespace
+
+std::string Lexer::unescaped(std::string_view raw, std::uint32_t offset) {
+    std::string result;
+    result.reserve(raw.size());
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+        unsigned code = 0;
+        if (raw[i] == '\r') {
+            result += '\n';
+            if (i + 1 < raw.size() && raw[i + 1] == '\n') ++i;
+        } else if (raw[i] != '\\' || i + 1 == raw.size()) {
+            result += raw[i];
+        } else if (const char meaning = escape(raw[i + 1])) {
+            result += meaning;
+            ++i;
+        } else if (raw[i + 1] == 'u' && read_hex(raw.substr(i + 2, 4), code)) {
+            append_utf8(result, code);
+            i += 5;
+        } else {
+            const auto place = offset + static_cast<std::uint32_t>(i);
+            diagnostics_.add(
+                error(Fault::syntax, {source_, place, place + 2}, "a string has no such escape")
+                    .with_help("known are \\a \\b \\f \\n \\r \\t \\v \\' \\\" \\\\ and \\uXXXX; a "
+                               "backslash itself is \\\\"));
+            result += raw[i];
+        }
+    }
+    return result;
+}
+
+void Lexer::stray(const char* first) {
+    while (cursor_ < limit_ && (static_cast<unsigned char>(*cursor_) & 0x80) &&
+           (static_cast<unsigned char>(*first) & 0x80))
+        ++cursor_;
+    const std::string_view sign(first, static_cast<std::size_t>(cursor_ - first));
+    Diagnostic problem =
+        error(Fault::unknown_character, span(first, cursor_), "this character means nothing here");
+    if (sign == "%")
+        problem.with_help("the remainder of a division is mod(a, b), its whole part div(a, b)");
+    if (sign == "^") problem.with_help("a power is pow(base, exponent)");
+    if (sign == "'") problem.with_help("strings are written in double quotes");
+    if (static_cast<unsigned char>(*first) & 0x80)
+        problem.with_help("outside strings and comments everything is written in ASCII");
+    diagnostics_.add(problem);
+}
+
+void Lexer::double_sign(const char* first, std::string_view instead) {
+    diagnostics_.add(
+        error(Fault::syntax, span(first, cursor_),
+              message("this language writes `", instead, "`, not `", instead, instead, "`"))
+            .with_help(message("write `", instead, "`")));
+}
+
+std::string dump_tokens(SourceId source, const SourceStore& sources, Names& names,
+                        Diagnostics& diagnostics) {
+    Tree tree;
+    tree.source = source;
+    Lexer lexer(source, sources, names, tree, diagnostics);
+    std::string result;
+    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
+        const Place place = sources.place(source, token.first);
+        result += message(place.line, ":", place.column, " ", name(token.kind), " ",
+                          sources.text(source).substr(token.first, token.last - token.first), "\n");
+    }
+    return result;
+}

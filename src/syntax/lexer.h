@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text to tokens, by the rules of grammar/tokens.re. Never fails: what cannot be a token is
+// reported and left out. After the end of the text it gives end_of_file for ever.
+#pragma once
+
+#include "syntax/token.h"
+#include "syntax/tree.h"
+#include "text/diagnostic.h"
+#include "text/source.h"
+
+#include <string>
+#include <string_view>
+
+class Lexer {
+public:
+    /// Numbers and strings are put into the tree, new names into names.
+    Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&);
+
+    Token next();
+
+private:
+    Token token(TokenKind, const char* first, std::uint32_t value = 0);
+    Token scan();
+    Token read_word(const char* first);
+    Token read_directive(const char* hash);
+    Token read_number(const char* first);
+    Token read_literal(const char* first);
+    Token read_text(const char* first);
+
+    /// Skips blanks and comments; for use between # and its word.
+    void skip_blanks();
+    /// Skips a comment from just after its opening sign.
+    void skip_line_comment();
+    void skip_comment(const char* first);
+    void stray(const char* first);
+    void double_sign(const char* first, std::string_view instead);
+    std::string unescaped(std::string_view raw, std::uint32_t offset);
+    bool file_name_expected() const;
+
+    std::uint32_t offset(const char* p) const { return static_cast<std::uint32_t>(p - begin_); }
+    Span span(const char* first, const char* last) const {
+        return {source_, offset(first), offset(last)};
+    }
+
+    const char* begin_;
+    const char* cursor_;
+    const char* marker_ = nullptr;
+    const char* limit_;
+    SourceId source_;
+    Names& names_;
+    Tree& tree_;
+    Diagnostics& diagnostics_;
+    TokenKind previous_ = TokenKind::end_of_file;
+    TokenKind before_previous_ = TokenKind::end_of_file;
+};
+
+/// All tokens, one a line: place, kind, text. For `--dump tokens`.
+std::string dump_tokens(SourceId, const SourceStore&, Names&, Diagnostics&);

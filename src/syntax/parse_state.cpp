@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "syntax/parse_state.h"
+
+List ParseState::append(List list, NodeId node) {
+    list.comma = false;
+    if (node == no_node) return list;
+    if (list.first == no_node)
+        list.first = node;
+    else
+        tree[list.last].next = node;
+    list.last = node;
+    return list;
+}
+
+List ParseState::joined(List a, List b) {
+    if (a.first == no_node) return b;
+    if (b.first == no_node) return a;
+    tree[a.last].next = b.first;
+    return {a.first, b.last, b.comma};
+}
+
+List ParseState::comma(List list, Span span) {
+    if (list.comma)
+        diagnostics.add(error(Fault::syntax, span, "two commas in a row")
+                            .with_help("leave one out, or put the missing value between them"));
+    list.comma = true;
+    return list;
+}
+
+NodeId ParseState::chain(NodeId first, NodeId node) {
+    NodeId last = first;
+    while (tree[last].next != no_node) last = tree[last].next;
+    tree[last].next = node;
+    return first;
+}
+
+NodeId ParseState::negative(NodeId operand, Span span) {
+    const auto* number = tree.get_if<node::Number>(operand);
+    if (!number || text[tree[operand].first] == '-')
+        return add(span, node::Unary{Operator::minus, operand});
+    tree.numbers[number->number] *= -1;
+    tree[operand].first = span.first;
+    return operand;
+}
+
+NodeId ParseState::group(List directives, List values, Span span) {
+    if (values.first != values.last)
+        return add(span, node::Tuple{joined(directives, values).first});
+    return add(span, node::Group{joined(directives, values).first});
+}
+
+NodeId ParseState::vector(List components, Span span) {
+    // Numbers only: the same as the token that the lexer makes of the plainest form.
+    std::uint32_t count = 0;
+    for (NodeId id = components.first; id != no_node; id = tree[id].next, ++count)
+        if (!tree.get_if<node::Number>(id)) return add(span, node::Vector{components.first});
+    if (count < 2 || count > 5) return add(span, node::Vector{components.first});
+    return add(span, node::Literal{tree.get<node::Number>(components.first).number, count});
+}
+
+NodeId ParseState::layered(List blocks, Span span) {
+    return blocks.first == blocks.last ? blocks.first : add(span, node::Layers{blocks.first});
+}
+
+NodeId ParseState::declared(NodeId declare, bool local, Span span) {
+    std::get_if<node::Declare>(&tree[declare].content)->local = local;
+    tree[declare].first = span.first;
+    return declare;
+}
+
+NodeId ParseState::with_channel(NodeId colour, NodeId channel, Span span) {
+    auto* open = colour == no_node ? nullptr : std::get_if<node::Colour>(&tree[colour].content);
+    if (!open) return add(span, node::Colour{colour, channel});
+    open->channels = open->channels == no_node ? channel : chain(open->channels, channel);
+    tree[colour].first = span.first;
+    tree[colour].last = span.last;
+    return colour;
+}
+
+List ParseState::word_first(NameId word, Span span, List rest) {
+    const auto* braces = tree.get_if<node::Braces>(rest.first);
+    if (!braces) return joined(append({}, add(span, node::Word{word})), rest);
+    tree[rest.first].content = node::Block{word, braces->body};
+    tree[rest.first].first = span.first;
+    return rest;
+}
+
+List ParseState::parameter(List list, NameId name, Span span) {
+    // `optional` is no reserved word: a parameter of that name that another follows without a comma
+    // was the word.
+    if (list.first != no_node && !list.comma) {
+        auto* before = std::get_if<node::Parameter>(&tree[list.last].content);
+        if (!before->optional && names.spelling(before->name) == "optional") {
+            *before = {name, true};
+            tree[list.last].last = span.last;
+            return list;
+        }
+    }
+    return append(list, add(span, node::Parameter{name, false}));
+}
+
+NodeId ParseState::stray_semicolon(Span span) {
+    diagnostics.add(warning(Fault::semicolon, span, "this `;` has no effect")
+                        .with_help("`;` ends a #declare of numbers and nothing else"));
+    return no_node;
+}

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "syntax/parser.h"
+
+#include "generated/grammar.h"
+#include "syntax/parse_state.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+using Parser = grammar::Parser;
+using Kind = Parser::symbol_kind;
+
+/// What could stand where an error is.
+class Expected {
+public:
+    explicit Expected(const Parser::context& context) {
+        count_ = static_cast<std::size_t>(
+            context.expected_tokens(kinds_.data(), static_cast<int>(kinds_.size())));
+    }
+
+    bool has(Parser::symbol_kind_type kind) const {
+        return std::find(kinds_.begin(), kinds_.begin() + static_cast<std::ptrdiff_t>(count_),
+                         kind) != kinds_.begin() + static_cast<std::ptrdiff_t>(count_);
+    }
+    bool element() const {
+        return has(Kind::S_OPEN_BRACKET) && has(Kind::S_DECLARE) && has(Kind::S_COLOUR_PREFIX);
+    }
+    bool value() const { return has(Kind::S_NUMBER); }
+    bool comparison() const { return has(Kind::S_EQUAL) && has(Kind::S_GREATER); }
+    bool name() const { return has(Kind::S_NAME) && !value(); }
+
+    /// "`)` or a value"
+    std::string list() const;
+
+private:
+    std::array<Parser::symbol_kind_type, Parser::YYNTOKENS> kinds_;
+    std::size_t count_ = 0;
+};
+
+std::string Expected::list() const {
+    std::vector<std::string> parts;
+    if (value()) parts.push_back("a value");
+    if (name()) parts.push_back("a name");
+    if (has(Kind::S_TEXT) && !value()) parts.push_back("a string");
+    constexpr std::array signs = {
+        Kind::S_CLOSE_PARENTHESIS, Kind::S_CLOSE_BRACKET, Kind::S_CLOSE_BRACE,
+        Kind::S_HASH_END,          Kind::S_COLON,         Kind::S_COMMA};
+    for (const auto sign : signs)
+        if (has(sign)) parts.push_back(Parser::symbol_name(sign));
+    if (has(Kind::S_GREATER) && !comparison()) parts.push_back("`>`");
+    if (has(Kind::S_EQUAL) && !comparison()) parts.push_back("`=`");
+    if (!value())
+        for (const auto sign : {Kind::S_OPEN_PARENTHESIS, Kind::S_OPEN_BRACE})
+            if (has(sign)) parts.push_back(Parser::symbol_name(sign));
+    std::string result;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        result += (i == 0 ? "" : i + 1 == parts.size() ? " or " : ", ") + parts[i];
+    return result;
+}
+
+std::string_view advice(Parser::symbol_kind_type found, const Expected& expected) {
+    switch (found) {
+        case Kind::S_LESS:
+        case Kind::S_GREATER:
+        case Kind::S_LESS_EQUAL:
+        case Kind::S_GREATER_EQUAL:
+        case Kind::S_NOT_EQUAL:
+        case Kind::S_BOTH:
+        case Kind::S_EITHER:
+        case Kind::S_QUESTION:
+            return "comparisons and conditions are written in parentheses: (a > b)";
+        case Kind::S_EQUAL:
+            return expected.element() ? "a name gets a value by `#declare Name = value;`"
+                                      : "comparisons are written in parentheses: (a = b)";
+        case Kind::S_COLOUR_PREFIX:
+        case Kind::S_COLOUR:
+        case Kind::S_CHANNEL:
+            return "a colour word stands before the whole value: rgb (A + B), not A + rgb B";
+        case Kind::S_DIVIDE:
+        case Kind::S_TIMES:
+            return "an operator needs a value on both sides";
+        default:
+            return {};
+    }
+}
+
+bool reserved_word(Parser::symbol_kind_type kind) {
+    return kind >= Kind::S_WORD && kind <= Kind::S_CHANNEL && kind != Kind::S_NAME;
+}
+
+}  // namespace
+
+void Parser::report_syntax_error(const context& context) const {
+    const Span place = context.location();
+    const symbol_kind_type found = context.token();
+    // A token without text was put in by Brackets, which has reported what is missing.
+    const bool mended = place.first == place.last && found != Kind::S_YYEOF;
+    if (!mended) {
+        const Expected expected(context);
+        const std::string what =
+            found == Kind::S_YYEOF
+                ? "the end of the file"
+                : message("`", state.text.substr(place.first, place.last - place.first), "`");
+        std::string text = message("expected ", expected.list(), ", but found ", what);
+        if (expected.element() || expected.list().empty())
+            text = message(what, " does not fit here");
+        if (expected.name() &&
+            (reserved_word(found) || found == Kind::S_ARRAY || found == Kind::S_COLOUR))
+            text = message(what,
+                           " is a word of the language and cannot be the name of something else");
+        Diagnostic problem = ::error(Fault::syntax, place, text);
+        if (const std::string_view help = advice(found, expected); !help.empty())
+            problem.with_help(std::string(help));
+        if (const auto open = state.brackets.innermost();
+            open && open->first != place.first && !expected.element() &&
+            (expected.has(Kind::S_CLOSE_PARENTHESIS) || expected.has(Kind::S_CLOSE_BRACKET)))
+            problem.pointing(*open, "opened here");
+        state.diagnostics.add(problem);
+    }
+    state.brackets.recover();
+}
+
+void Parser::error(const Span&, const std::string&) {}
+
+Parser::symbol_type yylex(ParseState& state) {
+    const Token token = state.brackets.next();
+    const Span span{state.tree.source, token.first, token.last};
+    // The grammar's tokens are TokenKind's, after the end, the error token and the undefined token.
+    const int kind = token.kind == TokenKind::end_of_file ? 0 : static_cast<int>(token.kind) + 2;
+    switch (token.kind) {
+        case TokenKind::name:
+        case TokenKind::word:
+        case TokenKind::layer:
+        case TokenKind::constant:
+        case TokenKind::unary_function:
+        case TokenKind::function:
+        case TokenKind::colour_prefix:
+        case TokenKind::channel:
+            return {kind, NameId(token.value), span};
+        case TokenKind::number:
+        case TokenKind::text:
+        case TokenKind::hash_declare:
+        case TokenKind::hash_message:
+        case TokenKind::hash_ifdef:
+            return {kind, token.value, span};
+        case TokenKind::literal:
+            return {kind, node::Literal{token.value, token.count}, span};
+        default:
+            return {kind, span};
+    }
+}
+
+static_assert(Parser::token::WRITE == static_cast<int>(TokenKind::hash_write) + 2);
+static_assert(Parser::token::SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
+
+Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics) {
+    Tree tree;
+    tree.source = source;
+    const std::string_view text = sources.text(source);
+    // Most of a long file is numbers: about one node for twenty bytes. Not reserving more keeps
+    // small files small.
+    tree.nodes.reserve(text.size() / 20 + 16);
+    Lexer lexer(source, sources, names, tree, diagnostics);
+    Brackets brackets(lexer, source, text, diagnostics);
+    ParseState state{tree, names, brackets, diagnostics, text};
+    Parser(state).parse();
+    return tree;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file's text to its tree. A pure function of its arguments; whatever the text, it returns a
+// tree: where something could not be read the tree has a node::Broken or lacks an element, and the
+// diagnostics say why.
+#pragma once
+
+#include "syntax/tree.h"
+#include "text/diagnostic.h"
+#include "text/source.h"
+
+Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&);

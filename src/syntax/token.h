@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tokens that grammar/tokens.re makes of a text and grammar/scene.yy reads. `#` and its word
+// are one token. A token is its kind, its place, and a number whose meaning depends on the kind;
+// numbers and strings lie in the tree that is being made.
+#pragma once
+
+#include "vocabulary/words.h"
+
+#include <cstdint>
+#include <string_view>
+
+/// The order is that of the %token lines in grammar/scene.yy.
+enum class TokenKind : std::uint8_t {
+    end_of_file,
+    // with a value
+    name,
+    word,
+    layer,
+    constant,
+    unary_function,
+    function,
+    colour_prefix,
+    channel,  // NameId
+    number,   // index in Tree::numbers
+    literal,  // `<1, 2, 3>`: index of the first number; count is the number of components
+    text,     // index in Tree::texts
+    colour,
+    array,
+    function_literal,
+    deprecated,
+    once,
+    unofficial,
+    // directives
+    hash_declare,  // value 1: #local
+    hash_message,  // value: MessageKind
+    hash_undef,
+    hash_if,
+    hash_ifdef,  // value 1: #ifndef
+    hash_elseif,
+    hash_else,
+    hash_end,
+    hash_while,
+    hash_for,
+    hash_switch,
+    hash_case,
+    hash_range,
+    hash_break,
+    hash_macro,
+    hash_include,
+    hash_default,
+    hash_version,
+    hash_fopen,
+    hash_fclose,
+    hash_read,
+    hash_write,
+    // signs
+    open_brace,
+    close_brace,
+    open_parenthesis,
+    close_parenthesis,
+    open_bracket,
+    close_bracket,
+    less,
+    greater,
+    less_equal,
+    greater_equal,
+    equal,
+    not_equal,
+    both,
+    either,
+    question,
+    colon,
+    plus,
+    minus,
+    times,
+    divide,
+    no,
+    dot,
+    comma,
+    semicolon,
+};
+
+struct Token {
+    TokenKind kind = TokenKind::end_of_file;
+    std::uint8_t count = 0;
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    std::uint32_t value = 0;
+};
+
+/// The name of a kind, for dumps.
+std::string_view name(TokenKind);

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file as a tree: what the parser makes and the evaluator walks. All nodes of a file lie in one
+// array and refer to each other by index, so a tree of any depth or size is copied to, freed and
+// kept without recursion. Every node has its place.
+#pragma once
+
+#include "text/span.h"
+#include "vocabulary/words.h"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// The index of a node in its tree.
+enum class NodeId : std::uint32_t {};
+
+inline constexpr NodeId no_node{~std::uint32_t{0}};
+
+enum class Operator : std::uint8_t {
+    add,
+    subtract,
+    multiply,
+    divide,
+    less,
+    less_equal,
+    equal,
+    not_equal,
+    greater_equal,
+    greater,
+    both,
+    either,
+    plus,
+    minus,
+    no,
+};
+
+/// The sign of an operator as it is written.
+std::string_view spelling(Operator);
+
+/// How a file speaks to people.
+enum class MessageKind : std::uint8_t { debug, warning, error, render, statistics };
+
+/// The nodes. A member that is a list names the first node of it; the others follow by Node::next.
+namespace node {
+
+/// Where something could not be read; it has been reported.
+struct Broken {};
+
+// Values
+struct Number {
+    std::uint32_t number;
+};  ///< index in Tree::numbers
+struct Literal {
+    std::uint32_t first_number, count;
+};  ///< `<1, -2, .5>`: a vector of nothing but numbers
+struct Text {
+    std::uint32_t text;
+};  ///< index in Tree::texts
+struct Name {
+    NameId name;
+};
+struct Word {
+    NameId word;
+};  ///< a word or channel that stands alone
+struct Constant {
+    NameId word;
+};
+struct Index {
+    NameId name;
+    NodeId indices;
+};  ///< `A[i][j]`
+struct Member {
+    NodeId operand;
+    NameId member;
+};
+struct Call {
+    NameId name;
+    NodeId arguments;
+};  ///< a function's (a reserved word) or a macro's
+struct Unary {
+    Operator sign;
+    NodeId operand;
+};
+struct Binary {
+    Operator sign;
+    NodeId left, right;
+};
+struct Choice {
+    NodeId condition, yes, no;
+};
+struct Group {
+    NodeId content;
+};  ///< `( ... )`: directives, then one value
+struct Tuple {
+    NodeId content;
+};  ///< `(a, b)`
+struct Vector {
+    NodeId components;
+};
+struct Prefixed {
+    NameId prefix;
+    NodeId operand;
+};  ///< `rgb E`
+struct Colour {
+    NodeId base, channels;
+};  ///< `color E`, `color red 1`, `rgb E filter F`
+struct Channel {
+    NameId channel;
+    NodeId operand;
+};
+struct Array {
+    NodeId sizes, content;
+};  ///< content: a Braces or no_node
+struct Function {
+    NodeId parameters, body;
+};
+
+// Elements
+struct Block {
+    NameId word;
+    NodeId body;
+};  ///< `sphere { ... }`
+struct Layers {
+    NodeId blocks;
+};  ///< two or more blocks as one value
+struct Entry {
+    NodeId body;
+};  ///< `[ ... ]`
+struct Braces {
+    NodeId body;
+};  ///< `{ ... }` without a word
+
+// Directives
+struct Declare {
+    NodeId target;  ///< Name, Index or Tuple
+    NodeId value;
+    bool local;
+    bool semicolon;
+};
+struct Deprecated {
+    NodeId declare;
+    NodeId text;
+    bool once;
+};  ///< `#declare deprecated "..." A = ...`
+struct Undef {
+    NodeId target;
+};
+struct If {
+    NodeId branches;
+};
+struct Branch {
+    NodeId condition, body;
+};  ///< condition no_node: `#else`
+struct Defined {
+    NodeId target;
+    bool negated;
+};  ///< the condition of `#ifdef`, `#ifndef`
+struct While {
+    NodeId condition, body;
+};
+struct For {
+    NodeId target, range, body;
+};  ///< range: start, end and perhaps step
+struct Switch {
+    NodeId subject, opening, cases;
+};  ///< opening: elements before the first case
+struct Case {
+    NodeId values, body;
+};  ///< one value: `#case`, two: `#range`, none: `#else`
+struct Break {};
+struct Macro {
+    NameId name;
+    NodeId parameters, body;
+};
+struct Parameter {
+    NameId name;
+    bool optional;
+};
+struct Include {
+    NodeId file;
+};
+struct Default {
+    NodeId body;
+};
+struct Message {
+    MessageKind kind;
+    NodeId text;
+};
+struct Version {
+    NodeId value;
+    bool unofficial;
+};
+struct Open {
+    NameId file;
+    NodeId path;
+    NameId mode;
+};
+struct Close {
+    NameId file;
+};
+struct Read {
+    NodeId content;
+};
+struct Write {
+    NodeId content;
+};
+
+}  // namespace node
+
+using NodeContent =
+    std::variant<node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word,
+                 node::Constant, node::Index, node::Member, node::Call, node::Unary, node::Binary,
+                 node::Choice, node::Group, node::Tuple, node::Vector, node::Prefixed, node::Colour,
+                 node::Channel, node::Array, node::Function, node::Block, node::Layers, node::Entry,
+                 node::Braces, node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
+                 node::Defined, node::While, node::For, node::Switch, node::Case, node::Break,
+                 node::Macro, node::Parameter, node::Include, node::Default, node::Message,
+                 node::Version, node::Open, node::Close, node::Read, node::Write>;
+
+struct Node {
+    std::uint32_t first = 0;  ///< bytes of the tree's source
+    std::uint32_t last = 0;
+    NodeId next = no_node;  ///< the following node of the same list
+    NodeContent content;
+};
+static_assert(sizeof(Node) <= 28 && std::is_trivially_copyable_v<Node>);
+
+namespace tree_detail {
+template <class T, std::size_t... I>
+constexpr std::size_t position(std::index_sequence<I...>) {
+    return ((std::is_same_v<T, std::variant_alternative_t<I, NodeContent>> ? I : 0) + ...);
+}
+}  // namespace tree_detail
+
+/// `switch (node.content.index()) { case kind<node::Number>: ... }`
+template <class T>
+inline constexpr std::size_t kind =
+    tree_detail::position<T>(std::make_index_sequence<std::variant_size_v<NodeContent>>());
+
+struct Tree {
+    SourceId source = no_source;
+    NodeId first = no_node;  ///< of the list of elements that is the file
+    std::vector<Node> nodes;
+    std::vector<double> numbers;
+    std::vector<std::string> texts;  ///< strings with their escapes replaced
+
+    const Node& operator[](NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
+    Node& operator[](NodeId id) { return nodes[static_cast<std::size_t>(id)]; }
+    template <class T>
+    const T& get(NodeId id) const {
+        return *std::get_if<T>(&(*this)[id].content);
+    }
+    template <class T>
+    const T* get_if(NodeId id) const {
+        return id == no_node ? nullptr : std::get_if<T>(&(*this)[id].content);
+    }
+    Span span(NodeId id) const { return {source, (*this)[id].first, (*this)[id].last}; }
+
+    NodeId add(Span span, NodeContent content) {
+        nodes.push_back({span.first, span.last, no_node, content});
+        return NodeId(nodes.size() - 1);
+    }
+};
+
+/// Some elements of a tree: the content of a block, a loop, a macro, or a file.
+struct Body {
+    const Tree* tree = nullptr;
+    NodeId first = no_node;
+};

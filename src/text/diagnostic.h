@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What there is to say about an input, as data: severity, kind of fault, message, places, help.
+// Every stage is handed a Diagnostics to add to and goes on where it can; only the application
+// prints (text/excerpt.h). Messages are kept in the order in which they came, each only once.
+
+#include "text/span.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+enum class Severity { note, warning, error };
+
+/// The kinds of problem. A test checks that each one can be produced.
+enum class Fault {
+    syntax,
+    unterminated,
+    unknown_character,
+    unknown_word,
+    unknown_name,
+    wrong_type,
+    wrong_count,
+    out_of_range,
+    duplicate,
+    missing,
+    misplaced,
+    semicolon,
+    redefinition,
+    uninitialised,
+    bad_index,
+    domain,
+    division_by_zero,
+    degenerate,
+    recursion_limit,
+    loop_limit,
+    include_not_found,
+    file_access,
+    io,
+    option,
+    deprecated,
+    not_implemented,
+    user_error,
+    user_warning,
+};
+
+inline constexpr std::array all_faults = {
+    Fault::syntax,
+    Fault::unterminated,
+    Fault::unknown_character,
+    Fault::unknown_word,
+    Fault::unknown_name,
+    Fault::wrong_type,
+    Fault::wrong_count,
+    Fault::out_of_range,
+    Fault::duplicate,
+    Fault::missing,
+    Fault::misplaced,
+    Fault::semicolon,
+    Fault::redefinition,
+    Fault::uninitialised,
+    Fault::bad_index,
+    Fault::domain,
+    Fault::division_by_zero,
+    Fault::degenerate,
+    Fault::recursion_limit,
+    Fault::loop_limit,
+    Fault::include_not_found,
+    Fault::file_access,
+    Fault::io,
+    Fault::option,
+    Fault::deprecated,
+    Fault::not_implemented,
+    Fault::user_error,
+    Fault::user_warning,
+};
+
+std::string_view name(Fault fault);
+
+/// A second place worth showing, and what is there.
+struct Label {
+    Span span;
+    std::string text;
+};
+
+/// One step of how the evaluation came to the place of a diagnostic.
+struct Frame {
+    enum Kind { macro, include, loop };
+
+    Kind kind = macro;
+    std::string name;
+    Span called_at;
+};
+
+struct Diagnostic {
+    Severity severity = Severity::error;
+    Fault fault = Fault::syntax;
+    std::string message;
+    Span span;
+    std::string label; ///< the text behind the carets
+    std::vector<Label> labels;
+    std::vector<std::string> notes;
+    std::string help;
+    std::vector<Frame> frames; ///< the innermost first
+
+    Diagnostic& with_label(std::string text);
+    Diagnostic& with_help(std::string text);
+    Diagnostic& with_note(std::string text);
+    Diagnostic& pointing(Span where, std::string text);
+};
+
+Diagnostic error(Fault fault, Span span, std::string message);
+Diagnostic warning(Fault fault, Span span, std::string message);
+Diagnostic note(Fault fault, Span span, std::string message);
+
+class Diagnostics {
+public:
+    using Frames = std::function<std::vector<Frame>()>;
+
+    static constexpr std::size_t most_errors = 20;
+
+    /// Keeps the diagnostic unless the same message was given for the same span, or it is an error
+    /// and the collector is full. One without frames gets those of the provider.
+    void add(Diagnostic diagnostic);
+
+    bool failed() const { return errors_ > 0; }
+    std::size_t error_count() const { return errors_; }
+
+    /// So many errors that whoever works on the input should stop.
+    bool full() const { return errors_ >= most_errors; }
+
+    const std::vector<Diagnostic>& all() const { return all_; }
+
+    /// Called for each kept diagnostic to learn how its place was reached, innermost first. Whoever
+    /// sets it takes it away again, with {}, before what it looks at goes out of life.
+    void set_frames(Frames frames) { frames_ = std::move(frames); }
+
+private:
+    struct Key {
+        Span span;
+        std::string message;
+
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    struct KeyHash {
+        std::size_t operator()(const Key& key) const;
+    };
+
+    std::vector<Diagnostic> all_;
+    std::unordered_set<Key, KeyHash> seen_;
+    Frames frames_;
+    std::size_t errors_ = 0;
+};

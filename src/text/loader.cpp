@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/loader.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace {
+
+// Places in a text are 32 bit offsets (text/span.h).
+constexpr std::size_t longest_text = std::numeric_limits<std::uint32_t>::max() - 1;
+
+std::optional<std::string> read_from_disk(const std::string& path) {
+    if (path.empty() || path.find('\0') != std::string::npos) return {};
+    std::error_code failure;
+    const auto kind = std::filesystem::status(path, failure).type();
+    const bool readable = kind == std::filesystem::file_type::regular ||
+                          kind == std::filesystem::file_type::fifo;
+    if (failure || !readable) return {};
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    std::string text;
+    std::string part(1 << 16, '\0');
+    while (file.read(part.data(), static_cast<std::streamsize>(part.size())) || file.gcount() > 0) {
+        text.append(part, 0, static_cast<std::size_t>(file.gcount()));
+        if (text.size() > longest_text) return {};
+    }
+    if (file.bad()) return {};
+    return text;
+}
+
+bool is_absolute(const std::string& name) {
+    return name.starts_with('/');
+}
+
+/// One spelling for each folder, so that none is searched twice: "" is the current directory.
+std::string plain_directory(std::string directory) {
+    while (directory.size() > 1 && directory.ends_with('/')) directory.pop_back();
+    while (directory.starts_with("./")) directory.erase(0, 2);
+    return directory == "." ? std::string() : directory;
+}
+
+std::string inside(const std::string& directory, const std::string& name) {
+    if (directory.empty()) return name;
+    return directory.ends_with('/') ? directory + name : directory + '/' + name;
+}
+
+/// An unknown extension is more likely part of a name whose .inc was left out.
+std::vector<std::string> candidates(const std::string& name, FileKind kind) {
+    if (name.empty() || name.ends_with('/')) return {};
+    if (kind == FileKind::data) return {name};
+    const bool known = name.ends_with(".inc") || name.ends_with(".INC");
+    if (known) return {name, name + ".inc", name + ".INC"};
+    return {name + ".inc", name + ".INC", name};
+}
+
+void add_once(std::vector<std::string>& list, std::string entry) {
+    if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(std::move(entry));
+}
+
+} // namespace
+
+Reader disk_reader() {
+    return read_from_disk;
+}
+
+std::string directory_of(const std::string& path) {
+    const std::size_t slash = path.find_last_of('/');
+    if (slash == std::string::npos) return ".";
+    return path.substr(0, std::max<std::size_t>(slash, 1));
+}
+
+Loader::Loader(Reader reader, std::string scene_directory, std::vector<std::string> library_paths)
+    : reader_(std::move(reader)), scene_directory_(std::move(scene_directory)),
+      library_paths_(std::move(library_paths)) {}
+
+std::vector<std::string> Loader::places(const std::string& name,
+                                        const std::string& including_directory) const {
+    if (is_absolute(name)) return {""};
+    std::vector<std::string> places;
+    for (const std::string& folder : {including_directory, scene_directory_}) {
+        if (!folder.empty()) add_once(places, plain_directory(folder));
+    }
+    add_once(places, "");
+    for (const std::string& path : library_paths_) add_once(places, plain_directory(path));
+    return places;
+}
+
+std::vector<std::string> Loader::searched(const std::string& name,
+                                          const std::string& including_directory,
+                                          FileKind kind) const {
+    std::vector<std::string> paths;
+    const auto folders = places(name, including_directory);
+    for (const std::string& candidate : candidates(name, kind)) {
+        for (const std::string& folder : folders) add_once(paths, inside(folder, candidate));
+    }
+    return paths;
+}
+
+std::optional<Found> Loader::load(const std::string& name, const std::string& including_directory,
+                                  FileKind kind) const {
+    for (std::string& path : searched(name, including_directory, kind)) {
+        if (auto text = reader_(path)) return Found{std::move(path), std::move(*text)};
+    }
+    return {};
+}
+
+std::string Loader::searched_note(const std::string& name,
+                                  const std::string& including_directory) const {
+    if (is_absolute(name)) return "an absolute name is looked for only where it says";
+    std::string note;
+    for (const std::string& folder : places(name, including_directory)) {
+        note += note.empty() ? "looked in " : ", ";
+        note += folder.empty() ? "the current directory" : message("`", folder, "`");
+    }
+    return note;
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The only notion of place: a half-open range of bytes in one source text. Every value that can
+// be complained about carries one; lines and columns are computed when a message is printed.
+// A default-constructed span is nowhere.
+
+#include <algorithm>
+#include <cstdint>
+
+using SourceId = std::uint32_t;
+
+inline constexpr SourceId no_source = ~SourceId{0};
+
+struct Span {
+    SourceId source = no_source;
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+
+    constexpr bool known() const { return source != no_source; }
+
+    friend constexpr bool operator==(const Span&, const Span&) = default;
+};
+
+static_assert(sizeof(Span) == 12);
+
+/// The smallest span that covers both. Of spans in two sources the first is kept, and a span that
+/// is nowhere adds nothing to the other.
+constexpr Span join(Span a, Span b) {
+    if (!a.known()) return b;
+    if (a.source != b.source) return a;
+    return {a.source, std::min(a.first, b.first), std::max(a.last, b.last)};
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Characters of UTF-8 in bytes that may be anything. A byte that is not part of a well-formed
+// sequence is a character of its own, so every text can be walked through and counted.
+
+#include <cstddef>
+#include <string_view>
+
+struct Character {
+    char32_t code = 0;
+    std::size_t length = 1; ///< in bytes
+    bool valid = false;
+};
+
+/// The character at a byte offset, which must be inside the text.
+Character character_at(std::string_view text, std::size_t offset);
+
+std::size_t character_count(std::string_view text);

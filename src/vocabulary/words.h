@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of the language with their classes, and the names that scenes make up beside them, each
+// interned to a small number. The lexer asks here for every word it meets; names are shared by all
+// files of one evaluation. A word that only this language has (light_sampler, ...) is not reserved:
+// it is a name like any other until a block asks for it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a spelling is to the grammar.
+enum class WordClass : std::uint8_t {
+    name,              ///< not reserved: whatever a scene declares, and this language's own words
+    word,              ///< names an item, a property or a switch
+    unary_function,    ///< takes one argument, a full expression: sin(a < b)
+    function,          ///< takes a list of arguments
+    constant,          ///< a value: x, pi, true, clock
+    colour,            ///< color, colour
+    colour_prefix,     ///< rgb and its relatives
+    channel,           ///< red, green, blue, filter, transmit, alpha
+    layer,             ///< a word whose blocks may follow each other as one value: texture
+    array,             ///< opens an array value
+    function_literal,  ///< opens a function value
+    directive,         ///< means something after # only
+};
+
+struct Word {
+    std::string_view spelling;
+    WordClass word_class;
+};
+
+/// All reserved words of POV-Ray 3.7, also those that nothing here implements yet: so an
+/// unimplemented word is told apart from a misspelt one. Sorted within each class.
+std::span<const Word> reserved_words();
+
+/// The number of a spelling in one Names table.
+enum class NameId : std::uint32_t {};
+
+inline constexpr NameId no_name{~std::uint32_t{0}};
+
+class Names {
+public:
+    /// Holds the reserved words, in the order of reserved_words().
+    Names();
+
+    /// The id of a spelling, new or old. Ids never change.
+    NameId intern(std::string_view spelling);
+    /// The id of a spelling that is already there, or no_name.
+    NameId find(std::string_view spelling) const;
+
+    std::string_view spelling(NameId id) const {
+        return entries_[static_cast<std::size_t>(id)].spelling;
+    }
+    WordClass word_class(NameId id) const;
+    bool reserved(NameId id) const {
+        return static_cast<std::size_t>(id) < reserved_words().size();
+    }
+    std::size_t size() const { return entries_.size(); }
+
+private:
+    struct Entry {
+        std::string_view spelling;
+        std::uint32_t hash;
+    };
+
+    std::size_t slot(std::string_view spelling, std::uint32_t hash) const;
+    void grow();
+
+    std::vector<Entry> entries_;
+    std::vector<std::uint32_t>
+        slots_;  ///< open addressing; a power of two, at most half full; 0: free, else id + 1
+    std::deque<std::string> texts_;  ///< owns the spellings that are not reserved
+};

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/compile.h"
+
+#include "world/flatten.h"
+
+namespace {
+
+Box primitive_bounds(const World& world, PrimitiveIndex primitive) {
+    if (primitive < world.spheres.size()) {
+        const SpherePrimitive& s = world.spheres[primitive];
+        return {s.centre - s.radius, s.centre + s.radius};
+    }
+    const std::size_t face = primitive - world.spheres.size();
+    if (face < world.triangles.size()) {
+        const TrianglePrimitive& t = world.triangles[face];
+        return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
+    }
+    const PlacedShape& placed = world.shapes[face - world.triangles.size()];
+    const Box box = bounds(placed.shape);
+    return placed.transform ? placed.transform->box(box) : box;
+}
+
+Box primitive_in_cell(const World& world, PrimitiveIndex primitive, const Box& cell) {
+    if (primitive < world.spheres.size()) {
+        const SpherePrimitive& s = world.spheres[primitive];
+        return clipped_bounds(Sphere{s.centre, s.radius}, cell);
+    }
+    const std::size_t face = primitive - world.spheres.size();
+    if (face < world.triangles.size()) {
+        const TrianglePrimitive& t = world.triangles[face];
+        return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
+    }
+    return clip(primitive_bounds(world, primitive), cell);
+}
+
+}  // namespace
+
+World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world;
+    world.settings = scene.settings;
+    if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
+    world.language_version = scene.language_version;
+    world.camera = projection(scene.camera);
+    world.background = scene.background;
+    for (const PlacedLight& placed : scene.lights) world.lights.push_back(placed.light);
+    flatten(scene, world, diagnostics);
+
+    std::vector<Box> boxes(world.material_of.size());
+    for (PrimitiveIndex primitive = 0; primitive < boxes.size(); ++primitive) boxes[primitive] = primitive_bounds(world, primitive);
+    for (const PrimitiveIndex plane : world.unbounded) boxes[plane] = Box();
+    world.tree = build_kdtree(
+        boxes, [&](std::uint32_t primitive, const Box& cell) { return primitive_in_cell(world, primitive, cell); }, {},
+        options.threads);
+    world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes}, options.threads);
+    return world;
+}

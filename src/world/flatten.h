@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Takes a scene's objects apart into the primitives of a world, with everything they inherit from their unions.
+#pragma once
+
+#include "text/diagnostic.h"
+#include "world/world.h"
+
+/// Fills the world's primitives, materials and luminaires.
+void flatten(const Scene&, World&, Diagnostics&);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/library.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("the standard library lies beside an installed program, or where one says") {
+    const fs::path root = fs::temp_directory_path() / ("candelabra_library_test_" + std::to_string(::getpid()));
+    fs::create_directories(root / "bin");
+    fs::create_directories(root / "share/candelabra/stdlib");
+    const std::string program = root / "bin/candelabra";
+    CHECK_FALSE(standard_library(program, nullptr));
+
+    std::ofstream(root / "share/candelabra/stdlib/colors.inc") << "// nothing\n";
+    CHECK(standard_library(program, nullptr) == (root / "share/candelabra/stdlib").string());
+    CHECK(standard_library(program, "/elsewhere") == "/elsewhere");
+    CHECK(standard_library(program, "") == (root / "share/candelabra/stdlib").string());
+    CHECK_FALSE(standard_library("", nullptr));
+    fs::remove_all(root);
+}
+
+TEST_CASE("a program knows its own file") {
+    CHECK(fs::is_regular_file(own_path()));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/option_store.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a number is all of a text or nothing") {
+    struct Case {
+        const char* text;
+        std::optional<double> expected;
+    };
+    const Case cases[] = {
+        {"1", 1},      {"-1.5", -1.5}, {"+2", 2},   {".5", 0.5},   {"5.", 5},      {"1e3", 1000},  {"", {}},     {"+", {}},
+        {"+-1", {}},   {"1 ", {}},     {" 1", {}},  {"0x10", {}},  {"nan", {}},    {"inf", {}},    {"1,5", {}},  {"1e999", {}},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.text);
+        CHECK(number(each.text) == each.expected);
+    }
+}
+
+TEST_CASE("truth has several words") {
+    for (const char* yes : {"on", "ON", "true", "Yes", "1"}) CHECK(truth(yes) == true);
+    for (const char* no : {"off", "FALSE", "no", "0"}) CHECK(truth(no) == false);
+    for (const char* neither : {"", "maybe", "2", "onn"}) CHECK_FALSE(truth(neither));
+}
+
+TEST_CASE("letters are compared without their case, other bytes as they are") {
+    CHECK(same_letters("Width", "wIDTH"));
+    CHECK(same_letters("", ""));
+    CHECK_FALSE(same_letters("W", "WT"));
+    CHECK_FALSE(same_letters("[", "{"));
+}
+
+TEST_CASE("a setting outside its range is refused and not stored") {
+    Options options;
+    Diagnostics diagnostics;
+    store::field("seed", options, {"--seed", true, "12"}, diagnostics);
+    CHECK(options.render.seed == 12);
+    for (const char* wrong : {"-1", "1.5", "many", "1e12", ""}) store::field("seed", options, {"--seed", true, wrong}, diagnostics);
+    CHECK(options.render.seed == 12);
+    CHECK(diagnostics.error_count() == 5);
+}

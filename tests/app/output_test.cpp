@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/output.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+Output of(std::string scene, std::string output = {}, std::optional<PictureType> type = {}) {
+    Options options;
+    options.scene = std::move(scene);
+    options.output = std::move(output);
+    options.type = type;
+    Diagnostics diagnostics;
+    const Output result = output_of(options, diagnostics);
+    CHECK(diagnostics.all().empty());
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("the picture's name comes from the scene's and the options") {
+    struct Case {
+        std::string scene, output;
+        std::optional<PictureType> type;
+        std::string expected;
+        PictureType format;
+    };
+    using enum PictureType;
+    const Case cases[] = {
+        {"scene.pov", "", {}, "scene.png", png},
+        {"dir/scene.pov", "", {}, "scene.png", png},
+        {"a b=c.pov", "", exr, "a b=c.exr", exr},
+        {"-dash.pov", "", {}, "-dash.png", png},
+        {"scene", "", hdr, "scene.hdr", hdr},
+        {"-", "", {}, "stdin.png", png},
+        {"scene.pov", "x.png", {}, "x.png", png},
+        {"scene.pov", "x.exr", {}, "x.exr", exr},
+        {"scene.pov", "x.JPEG", {}, "x.JPEG", jpeg},
+        {"scene.pov", "x.jpg", png, "x.jpg.png", png},
+        {"scene.pov", "x", {}, "x.png", png},
+        {"scene.pov", "x.y", {}, "x.y.png", png},
+        {"scene.pov", "/tmp", {}, "/tmp/scene.png", png},
+        {"scene.pov", "/tmp/", exr, "/tmp/scene.exr", exr},
+        {"scene.pov", "new/", {}, "new/scene.png", png},
+        {"scene.pov", "-", {}, "-", png},
+        {"scene.pov", "-", hdr, "-", hdr},
+        {"scene.pov", "/dev/null", {}, "/dev/null", png},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.scene, each.output);
+        const Output output = of(each.scene, each.output, each.type);
+        CHECK(output.path == each.expected);
+        CHECK(output.format.type == each.format);
+    }
+}
+
+TEST_CASE("16 bits a channel are for formats that have them") {
+    Options options;
+    options.scene = "a.pov";
+    options.bits = 16;
+    Diagnostics diagnostics;
+    CHECK(output_of(options, diagnostics).format.bits == 16);
+    CHECK_FALSE(diagnostics.failed());
+    options.output = "a.exr";
+    output_of(options, diagnostics);
+    REQUIRE(diagnostics.error_count() == 1);
+    CHECK(diagnostics.all()[0].message == "a file of format exr cannot have 16 bits a channel");
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/parallel.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+TEST_CASE("each job runs once, for any number of threads", "[base]") {
+    for (const int threads : {0, 1, 2, 7})
+        for (const std::size_t count : {0u, 1u, 1000u}) {
+            std::vector<int> runs(count);
+            run_parallel(count, threads, [&](std::size_t i) { ++runs[i]; });
+            CHECK(runs == std::vector<int>(count, 1));
+        }
+    CHECK(core_count() >= 1);
+}

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed of the kd-tree on Haines' sphereflake pair, against brute force and, where its headers are
+// there, Embree 3: build time, then million rays a second. Run by hand: kdtree_bench [depth ...].
+// The last column is the ratio to the opponent. Rays: through a camera's pixels, cosine-distributed
+// from what they hit, and from there to luminaires (any hit). One thread everywhere.
+// TRAVERSAL_COST, INTERSECTION_COST, EMPTY_BONUS and LEAF_SIZE in the environment replace the
+// settings' defaults.
+#include "index/brute.h"
+#include "index/kdtree.h"
+#include "index/statistics.h"
+
+#if __has_include(<embree3/rtcore.h>) && !defined(NO_EMBREE)
+#define WITH_EMBREE 1
+#include <embree3/rtcore.h>
+#endif
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+namespace {
+
+struct Ball {
+    Vec3 centre;
+    double radius;
+};
+
+constexpr double far_away = std::numeric_limits<double>::infinity();
+constexpr double pi = 3.14159265358979323846;
+
+/// Nine children of a third of the radius: six around the axis by which the ball hangs on its
+/// parent, three above.
+void add_flake(const Ball& ball, const Vec3& axis, int depth, std::vector<Ball>& balls) {
+    balls.push_back(ball);
+    if (depth == 0) return;
+    const Vec3 z(0, 0, 1);
+    const Vec3 turn = cross(z, axis);
+    const double cosine = axis.z;
+    const auto turned = [&](const Vec3& v) {  // the shortest rotation that takes z to the axis
+        if (cosine < -1 + 1e-12) return Vec3(v.x, -v.y, -v.z);
+        return v * cosine + cross(turn, v) + turn * (dot(turn, v) / (1 + cosine));
+    };
+    for (int i = 0; i < 9; ++i) {
+        const double azimuth = (i < 6 ? 15 + 60 * i : 45 + 120 * (i - 6)) * pi / 180;
+        const double sine = i < 6 ? 0 : std::sqrt(2.0 / 3);
+        const double level = std::sqrt(1 - sine * sine);
+        const Vec3 direction =
+            turned(Vec3(level * std::cos(azimuth), level * std::sin(azimuth), sine));
+        add_flake({ball.centre + direction * (ball.radius * 4 / 3), ball.radius / 3}, direction,
+                  depth - 1, balls);
+    }
+}
+
+std::vector<Ball> flakes(int depth) {
+    std::vector<Ball> balls;
+    add_flake({Vec3(-2.1, 0, 1), 1}, Vec3(0, 0, 1), depth, balls);
+    add_flake({Vec3(2.1, 0, 1), 1}, Vec3(0, 0, 1), depth, balls);
+    return balls;
+}
+
+Box bounds(const Ball& b) { return {b.centre - Vec3(b.radius), b.centre + Vec3(b.radius)}; }
+
+/// Bounds of the part of the sphere's surface inside the cell: per axis, the extent of the slab's
+/// widest circle.
+Box clipped(const Ball& b, const Box& cell) {
+    const Vec3 near = glm::max(glm::max(cell.low - b.centre, b.centre - cell.high), Vec3(0));
+    const double spare = b.radius * b.radius - dot(near, near);
+    if (spare < 0 || farthest_distance2(cell, b.centre) < b.radius * b.radius) return {};
+    Vec3 reach;
+    for (int axis = 0; axis < 3; ++axis) reach[axis] = std::sqrt(spare + near[axis] * near[axis]);
+    return clip(cell, {b.centre - reach, b.centre + reach});
+}
+
+/// Nearest crossing in the range, from the point of the ray closest to the centre; infinite when
+/// there is none.
+inline double meet(const Ball& b, const Ray& ray, const Interval& range) {
+    const Vec3 to = b.centre - ray.origin;
+    const double along = dot(to, ray.direction);
+    const Vec3 off = to - along * ray.direction;
+    const double spare = b.radius * b.radius - dot(off, off);
+    if (spare < 0) return far_away;
+    const double half = std::sqrt(spare);
+    if (range.contains(along - half)) return along - half;
+    return range.contains(along + half) ? along + half : far_away;
+}
+
+struct Hit {
+    double t = far_away;
+    std::uint32_t item = 0;
+};
+
+template <class Index>
+Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray) {
+    Hit hit;
+    index.traverse(ray, {0, far_away}, [&](std::span<const std::uint32_t> items, Interval& range) {
+        for (const std::uint32_t item : items) {
+            const double t = meet(balls[item], ray, range);
+            if (t < range.max) {
+                range.max = t;
+                hit = {t, item};
+            }
+        }
+        return false;
+    });
+    return hit;
+}
+
+template <class Index>
+bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray, double distance) {
+    return index.traverse(ray, {0, distance},
+                          [&](std::span<const std::uint32_t> items, Interval& range) {
+                              for (const std::uint32_t item : items) {
+                                  if (meet(balls[item], ray, range) < range.max) return true;
+                              }
+                              return false;
+                          });
+}
+
+struct Segment {
+    Ray ray;
+    double length = far_away;
+};
+
+struct Rays {
+    std::vector<Segment> camera, bounce, shadow;
+};
+
+Vec3 sphere_point(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const double z = 2 * uniform(random) - 1;
+    const double angle = 2 * pi * uniform(random);
+    const double r = std::sqrt(1 - z * z);
+    return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+Rays make_rays(const KdTree& tree, const std::vector<Ball>& balls, int width) {
+    std::mt19937_64 random(1);
+    std::uniform_int_distribution<std::size_t> any_luminaire(balls.size() / 2, balls.size() - 1);
+    Rays rays;
+    const Vec3 eye(0, -10, 7);
+    const Vec3 ahead = unit(Vec3(0, 0, 0.7) - eye);
+    const Vec3 right(1, 0, 0);
+    const Vec3 up = cross(right, ahead);
+    const double scale = std::tan(21 * pi / 180);
+    for (int i = 0; i < width * width; ++i) {
+        const double x = (2 * (i % width + 0.5) / width - 1) * scale;
+        const double y = (1 - 2 * (i / width + 0.5) / width) * scale;
+        const Ray ray{eye, unit(ahead + x * right + y * up)};
+        rays.camera.push_back({ray});
+        const Hit hit = first_hit(tree, balls, ray);
+        const double floor = ray.direction.z < 0 ? -ray.origin.z / ray.direction.z : far_away;
+        if (hit.t == far_away && floor > 100) continue;
+        const Vec3 point = ray.at(std::min(hit.t, floor));
+        const Vec3 normal = hit.t < floor ? unit(point - balls[hit.item].centre) : Vec3(0, 0, 1);
+        const Vec3 start = point + 1e-4 * normal;
+        rays.bounce.push_back({{start, unit(normal + sphere_point(random))}});
+        const Ball& light = balls[any_luminaire(random)];
+        Vec3 outward = sphere_point(random);
+        if (dot(outward, start - light.centre) < 0) outward = -outward;
+        const Vec3 to = light.centre + light.radius * 1.001 * outward - start;
+        if (dot(to, normal) > 0) rays.shadow.push_back({{start, unit(to)}, length(to)});
+    }
+    return rays;
+}
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+struct Speed {
+    double rays_per_second = 0;
+    double found = 0;  ///< fraction of the rays
+};
+
+/// The best of several passes: the machine may be shared.
+template <class Shoot>
+Speed measure(const std::vector<Segment>& rays, std::size_t step, Shoot shoot) {
+    Speed best;
+    for (int pass = 0; pass < (step > 1 ? 1 : 5); ++pass) {
+        std::size_t found = 0;
+        const double start = seconds();
+        for (std::size_t i = 0; i < rays.size(); i += step) found += shoot(rays[i]);
+        const double count = static_cast<double>((rays.size() + step - 1) / step);
+        best.rays_per_second = std::max(best.rays_per_second, count / (seconds() - start));
+        best.found = static_cast<double>(found) / count;
+    }
+    return best;
+}
+
+void print_speed(const char* what, const char* opponent, const Speed& ours, const Speed& theirs) {
+    std::printf("%-12s %12.3f (%5.2f %% hit) %-12s %12.4f (%5.2f %% hit) %10.2f\n", what,
+                ours.rays_per_second * 1e-6, ours.found * 100, opponent,
+                theirs.rays_per_second * 1e-6, theirs.found * 100,
+                ours.rays_per_second / theirs.rays_per_second);
+}
+
+#ifdef WITH_EMBREE
+class Embree {
+public:
+    explicit Embree(const std::vector<Ball>& balls) {
+        device_ = rtcNewDevice("threads=1");
+        scene_ = rtcNewScene(device_);
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+        auto* vertices = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                    4 * sizeof(float), balls.size()));
+        for (const Ball& b : balls) {
+            for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(b.centre[axis]);
+            *vertices++ = static_cast<float>(b.radius);
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene_);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+    ~Embree() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
+    bool meets(const Segment& s) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit query{};
+        query.ray = ray(s);
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &query);
+        return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    bool blocks(const Segment& s) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRay query = ray(s);
+        rtcOccluded1(scene_, &context, &query);
+        return query.tfar < 0;
+    }
+
+private:
+    static RTCRay ray(const Segment& s) {
+        RTCRay r{};
+        r.org_x = static_cast<float>(s.ray.origin.x);
+        r.org_y = static_cast<float>(s.ray.origin.y);
+        r.org_z = static_cast<float>(s.ray.origin.z);
+        r.dir_x = static_cast<float>(s.ray.direction.x);
+        r.dir_y = static_cast<float>(s.ray.direction.y);
+        r.dir_z = static_cast<float>(s.ray.direction.z);
+        r.tfar = static_cast<float>(s.length);
+        r.mask = ~0u;
+        return r;
+    }
+
+    RTCDevice device_;
+    RTCScene scene_;
+};
+#endif
+
+void read_setting(const char* name, double& value) {
+    if (const char* text = std::getenv(name)) value = std::atof(text);
+}
+
+void run(int depth) {
+    const std::vector<Ball> balls = flakes(depth);
+    std::vector<Box> boxes;
+    for (const Ball& b : balls) boxes.push_back(bounds(b));
+    KdTreeSettings settings;
+    double leaf_size = settings.leaf_size;
+    read_setting("TRAVERSAL_COST", settings.traversal_cost);
+    read_setting("INTERSECTION_COST", settings.intersection_cost);
+    read_setting("EMPTY_BONUS", settings.empty_bonus);
+    read_setting("LEAF_SIZE", leaf_size);
+    settings.leaf_size = static_cast<int>(leaf_size);
+
+    const double start = seconds();
+    const KdTree tree = build_kdtree(
+        boxes, [&](std::uint32_t i, const Box& cell) { return clipped(balls[i], cell); }, settings,
+        1);
+    const double build_time = seconds() - start;
+    const KdTreeStatistics s = statistics(tree);
+    std::printf(
+        "\nsphereflake pair, depth %d: %zu spheres, %.1f bytes a sphere, %zu nodes, %zu leaves "
+        "(%zu empty), depth %d,\n"
+        "%.2f items a leaf (at most %zu), %.2f leaves an item, cost %.2f\n",
+        depth, balls.size(), static_cast<double>(s.bytes) / static_cast<double>(balls.size()),
+        s.nodes, s.leaves, s.empty_leaves, s.max_depth, s.mean_items_per_leaf, s.max_items_per_leaf,
+        s.duplication, s.cost);
+    std::printf("%-12s %12s %13s %-12s %12s %13s %10s\n", "case", "kd-tree", "", "opponent", "its",
+                "", "ratio");
+
+    const Rays rays = make_rays(tree, balls, 512);
+    const auto meets = [&](const auto& index) {
+        return [&](const Segment& r) { return first_hit(index, balls, r.ray).t < far_away; };
+    };
+    const auto blocks = [&](const auto& index) {
+        return [&](const Segment& r) { return blocked(index, balls, r.ray, r.length); };
+    };
+    const Speed camera = measure(rays.camera, 1, meets(tree));
+    const Speed bounce = measure(rays.bounce, 1, meets(tree));
+    const Speed shadow = measure(rays.shadow, 1, blocks(tree));
+    if (balls.size() < 100000) {
+        const BruteForce brute(balls.size());
+        const std::size_t step = 1 + balls.size() / 100;
+        print_speed("camera M/s", "brute force", camera, measure(rays.camera, step, meets(brute)));
+        print_speed("bounce M/s", "brute force", bounce, measure(rays.bounce, step, meets(brute)));
+        print_speed("shadow M/s", "brute force", shadow, measure(rays.shadow, step, blocks(brute)));
+    }
+#ifdef WITH_EMBREE
+    const double embree_start = seconds();
+    const Embree embree(balls);
+    const double embree_time = seconds() - embree_start;
+    std::printf("%-12s %12.3f %13s %-12s %12.3f %13s %10.2f\n", "build s", build_time, "", "Embree",
+                embree_time, "", build_time / embree_time);
+    const auto embree_meets = [&](const Segment& r) { return embree.meets(r); };
+    const auto embree_blocks = [&](const Segment& r) { return embree.blocks(r); };
+    print_speed("camera M/s", "Embree", camera, measure(rays.camera, 1, embree_meets));
+    print_speed("bounce M/s", "Embree", bounce, measure(rays.bounce, 1, embree_meets));
+    print_speed("shadow M/s", "Embree", shadow, measure(rays.shadow, 1, embree_blocks));
+#else
+    std::printf("%-12s %12.3f\n", "build s", build_time);
+#endif
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 1) {
+        for (const int depth : {4, 5, 6}) run(depth);
+    }
+    for (int i = 1; i < argc; ++i) run(std::atoi(argv[i]));
+}

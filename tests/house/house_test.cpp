@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules of the source's layout, checked: who may include whom, who may include which library, a test for each source
+// file, the README's map, licence lines, file sizes, and no mutable globals.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = CANDELABRA_SOURCE_DIR;
+
+std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+std::vector<std::string> lines_of(const fs::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::string>& extensions) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && extensions.count(entry.path().extension().string())) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+struct Module {
+    std::set<std::string> uses;
+    std::set<std::string> libraries;
+};
+
+/// The table of modules in CMakeLists.txt.
+std::map<std::string, Module> modules() {
+    std::map<std::string, Module> result;
+    const std::string text = read(root / "CMakeLists.txt");
+    const std::regex line(R"(\nadd_module\((\w+)([^)]*)\))");
+    for (std::sregex_iterator i(text.begin(), text.end(), line), end; i != end; ++i) {
+        Module& module = result[(*i)[1]];
+        std::istringstream words((*i)[2].str());
+        std::string section;
+        for (std::string word; words >> word;) {
+            if (word == "USES" || word == "WITH" || word == "GENERATED") section = word;
+            else if (section == "USES") module.uses.insert(word);
+            else if (section == "WITH") module.libraries.insert(word);
+        }
+    }
+    return result;
+}
+
+std::vector<std::string> includes_of(const fs::path& path, const std::regex& form) {
+    std::vector<std::string> result;
+    for (const std::string& line : lines_of(path)) {
+        std::smatch match;
+        if (std::regex_search(line, match, form)) result.push_back(match[1]);
+    }
+    return result;
+}
+
+std::string output_of(const std::string& command) {
+    std::string output;
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
+    REQUIRE(pclose(pipe) == 0);
+    return output;
+}
+
+}  // namespace
+
+TEST_CASE("a module includes only the modules that its line in CMakeLists.txt names", "[house]") {
+    const auto table = modules();
+    REQUIRE(table.size() > 15);
+    const std::regex own(R"re(^#include "(\w+)/)re");
+    for (const auto& [name, module] : table)
+        for (const fs::path& file : files_below(root / "src" / name, {".h", ".cpp"}))
+            for (const std::string& other : includes_of(file, own)) {
+                INFO(file << " includes " << other);
+                CHECK((other == name || module.uses.count(other) == 1));
+            }
+}
+
+TEST_CASE("each folder of src is a module", "[house]") {
+    const auto table = modules();
+    for (const auto& entry : fs::directory_iterator(root / "src"))
+        CHECK(table.count(entry.path().filename().string()) == 1);
+}
+
+TEST_CASE("a library is included only where its use is stated", "[house]") {
+    const std::vector<std::pair<std::string, std::set<std::string>>> rules = {
+        {"CGAL/", {}}, {"OpenImageIO/", {"picture"}}, {"glm/", {"base"}}, {"iostream", {"app"}}, {"oneapi/", {"base", "index", "lighting"}}};
+    const std::regex library(R"(^#include <(\S+)>)");
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
+        const std::string module = file.parent_path().filename().string();
+        for (const std::string& header : includes_of(file, library))
+            for (const auto& [prefix, allowed] : rules) {
+                INFO(file << " includes " << header);
+                CHECK((header.rfind(prefix, 0) != 0 || allowed.count(module) == 1));
+            }
+    }
+}
+
+TEST_CASE("each source file has a test, and each test a source file", "[house]") {
+    // What is tested through what uses it, by the folder or file that does.
+    const std::set<std::string> elsewhere = {"app/main.cpp"};
+    for (const fs::path& file : files_below(root / "src", {".cpp"})) {
+        const fs::path name = fs::relative(file, root / "src");
+        fs::path test = root / "tests" / name;
+        test.replace_filename(file.stem().string() + "_test.cpp");
+        INFO(name << " has no " << test);
+        CHECK((fs::exists(test) || elsewhere.count(name.string()) == 1));
+        INFO(name << " needs no exemption any more");
+        CHECK_FALSE((fs::exists(test) && elsewhere.count(name.string()) == 1));
+    }
+    for (const auto& entry : fs::directory_iterator(root / "src"))
+        for (const fs::path& test : fs::exists(root / "tests" / entry.path().filename())
+                                        ? files_below(root / "tests" / entry.path().filename(), {".cpp"})
+                                        : std::vector<fs::path>()) {
+            std::string stem = test.stem().string();
+            REQUIRE(stem.size() > 5);
+            stem.resize(stem.size() - 5);
+            const fs::path base = entry.path() / stem;
+            INFO(test << " tests nothing of that name");
+            CHECK((fs::exists(base.string() + ".cpp") || fs::exists(base.string() + ".h")));
+        }
+}
+
+TEST_CASE("the README's map names every module and every file of it", "[house]") {
+    const std::string readme = read(root / "README.md");
+    const auto begin = readme.find("## Map");
+    REQUIRE(begin != std::string::npos);
+    const std::string map = readme.substr(begin, readme.find("\n## ", begin + 1) - begin);
+    std::set<std::string> named;
+    const std::regex row(R"(\n- `(src/)?(\w+)/`)");
+    for (std::sregex_iterator i(map.begin(), map.end(), row), end; i != end; ++i)
+        if ((*i)[1].matched) named.insert((*i)[2]);
+    std::set<std::string> present;
+    for (const auto& entry : fs::directory_iterator(root / "src")) present.insert(entry.path().filename().string());
+    CHECK(named == present);
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
+        INFO("the map does not name " << file);
+        CHECK(map.find("`" + file.stem().string() + "`") != std::string::npos);
+    }
+}
+
+TEST_CASE("each file states its licence", "[house]") {
+    const auto check = [](const fs::path& file, const std::string& licence) {
+        std::vector<std::string> lines = lines_of(file);
+        lines.resize(std::max<std::size_t>(lines.size(), 2));
+        INFO(file << " does not state " << licence);
+        CHECK((lines[0] + lines[1]).find("SPDX-License-Identifier: " + licence) != std::string::npos);
+    };
+    for (const char* folder : {"src", "tests", "grammar", "man"})
+        for (const fs::path& file : files_below(root / folder, {".h", ".cpp", ".yy", ".re", ".in", ".sh", ".cmake"}))
+            check(file, "GPL-3.0-or-later");
+    for (const char* folder : {"stdlib", "examples"})
+        for (const fs::path& file : files_below(root / folder, {".pov", ".inc"})) check(file, "CC0-1.0");
+}
+
+TEST_CASE("files stay short and lines narrow", "[house]") {
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
+        const auto lines = lines_of(file);
+        INFO(file);
+        CHECK(lines.size() <= 400);
+        for (const std::string& line : lines) {
+            // Characters, not bytes: a continuation byte is none.
+            const auto width = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xc0) != 0x80; });
+            INFO(line);
+            CHECK(width <= 100);
+        }
+    }
+}
+
+TEST_CASE("there are no mutable globals", "[house]") {
+    for (const auto& [name, module] : modules()) {
+        const fs::path archive = fs::path(CANDELABRA_BINARY).parent_path() / ("lib" + name + ".a");
+        if (!fs::exists(archive)) continue;  // headers only
+        std::istringstream symbols(output_of("objdump -tC '" + archive.string() + "'"));
+        // Objects in writable sections; what the compiler guards or the libraries' headers bring along is not ours.
+        const std::regex writable(R"(^\S+\s+.*\sO\s+(\.data|\.bss|\.tbss|\.tdata)(\.(?!rel\.ro)\S*)?\s+\S+\s+(.*)$)");
+        const std::regex foreign(R"(^(guard variable|\.hidden|DW\.|std::|tbb::|oneapi::|OpenImageIO|fmt::|__))");
+        for (std::string line; std::getline(symbols, line);) {
+            std::smatch match;
+            if (!std::regex_match(line, match, writable) || std::regex_search(match[3].str(), foreign)) continue;
+            FAIL_CHECK("lib" << name << ".a: " << match[3].str());
+        }
+    }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/read.h"
+
+#include "picture/file.h"
+#include "picture/write.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own that goes when the test ends.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("candelabra_read_test_" + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+    std::string file(const std::string& name) const { return (path / name).string(); }
+};
+
+Image sample() {
+    Image image(3, 2);
+    image.at(0, 0) = Vec3(1, 0, 0);
+    image.at(1, 0) = Vec3(0.25, 0.5, 0.75);
+    image.at(2, 0) = Vec3(0.01, 0.1, 0.9);
+    image.at(0, 1) = Vec3(0);
+    image.at(1, 1) = Vec3(0.5, 0.5, 0.5);
+    image.at(2, 1) = Vec3(0, 0, 1);
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("what is written is read back, as exactly as the format allows") {
+    struct Case {
+        PictureFormat format;
+        double tolerance;
+    };
+    const Case cases[] = {
+        {{PictureType::png, 8}, 5e-3},  {{PictureType::png, 16}, 3e-5}, {{PictureType::exr, 8}, 1e-7},
+        {{PictureType::hdr, 8}, 5e-3},  {{PictureType::ppm, 8}, 5e-3},
+        {{PictureType::tga, 8}, 5e-3},  {{PictureType::bmp, 8}, 5e-3},
+    };
+    const Folder folder;
+    const Image image = sample();
+    for (const Case& each : cases) {
+        const std::string path = folder.file("picture." + std::string(extension(each.format.type)));
+        CAPTURE(path, each.format.bits);
+        Diagnostics diagnostics;
+        REQUIRE(write_picture(image, path, each.format, diagnostics));
+        const auto back = read_picture(path, diagnostics);
+        REQUIRE(back);
+        REQUIRE(back->width == image.width);
+        REQUIRE(back->height == image.height);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            CAPTURE(i);
+            CHECK(max_abs_component(back->pixels[i] - image.pixels[i]) <= each.tolerance);
+        }
+    }
+}
+
+TEST_CASE("the linear formats keep what no display can show") {
+    const Folder folder;
+    Image image(1, 1);
+    image.at(0, 0) = Vec3(1000, 0.001, 2);
+    Diagnostics diagnostics;
+    for (const PictureType type : {PictureType::exr, PictureType::hdr}) {
+        const std::string path = folder.file("bright." + std::string(extension(type)));
+        REQUIRE(write_picture(image, path, {type}, diagnostics));
+        const auto back = read_picture(path, diagnostics);
+        REQUIRE(back);
+        CHECK(std::abs(back->at(0, 0).x - 1000) < 4);
+        CHECK(std::abs(back->at(0, 0).z - 2) < 4);
+    }
+}
+
+TEST_CASE("what is no picture is an error that names the file") {
+    const Folder folder;
+    std::ofstream(folder.file("text.png")) << "this is no picture";
+    std::ofstream(folder.file("empty.exr"));
+    for (const char* name : {"missing.png", "text.png", "empty.exr", "unknown.kind"}) {
+        CAPTURE(name);
+        Diagnostics diagnostics;
+        const Span span{0, 3, 5};
+        CHECK_FALSE(read_picture(folder.file(name), diagnostics, span));
+        REQUIRE(diagnostics.error_count() == 1);
+        CHECK(diagnostics.all()[0].fault == Fault::io);
+        CHECK(diagnostics.all()[0].span == span);
+        CHECK(diagnostics.all()[0].message.find(name) != std::string::npos);
+    }
+}

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/write.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+Image ramp(int width, int height) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) image.at(x, y) = Vec3(x * 0.01, y * 0.02, -0.5 + x * y);
+    return image;
+}
+
+constexpr PictureFormat formats[] = {
+    {PictureType::png, 8},  {PictureType::png, 16}, {PictureType::exr, 8},       {PictureType::hdr, 8},  {PictureType::ppm, 8},
+    {PictureType::tga, 8},  {PictureType::tga, 8, true}, {PictureType::jpeg, 8}, {PictureType::bmp, 8},
+};
+
+}  // namespace
+
+TEST_CASE("values are clipped, encoded as sRGB and rounded") {
+    struct Case {
+        double linear;
+        unsigned most;
+        unsigned expected;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const Case cases[] = {
+        {0, 255, 0},         {1, 255, 255},     {0.5, 255, 188},  {0.2141, 255, 128},
+        {-3, 255, 0},        {7, 255, 255},     {nan, 255, 0},    {infinite, 255, 255},
+        {-infinite, 255, 0}, {0.001, 255, 3},   {0.5, 65535, 48192}, {1, 65535, 65535},
+        // 12.92 v = 0.5/255 is the border between 0 and 1
+        {0.5 / 255 / 12.92 * 0.999, 255, 0},    {0.5 / 255 / 12.92 * 1.001, 255, 1},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.linear, each.most);
+        CHECK(quantised(each.linear, each.most) == each.expected);
+    }
+}
+
+TEST_CASE("values of another gamma are made linear first, and old scenes' are left as they are") {
+    PictureFormat squared;
+    squared.gamma = 2;
+    PictureFormat plain;
+    plain.gamma = 2;
+    plain.encoded = false;
+    for (const double value : {0.0, 0.1, 0.5, 0.9, 1.0, 3.0}) {
+        CAPTURE(value);
+        CHECK(quantised(value, 255, squared) == quantised(value * value, 255));
+        CHECK(quantised(value, 255, plain) == std::floor(std::min(value, 1.0) * 255 + 0.5));
+    }
+}
+
+TEST_CASE("the type of a picture is known by the end of its name") {
+    struct Case {
+        const char* name;
+        std::optional<PictureType> expected;
+    };
+    const Case cases[] = {
+        {"a.png", PictureType::png},   {"dir.x/A.PNG", PictureType::png}, {"a.exr", PictureType::exr},
+        {"a.hdr", PictureType::hdr},   {"a.ppm", PictureType::ppm},       {"a.tga", PictureType::tga},
+        {"a.jpg", PictureType::jpeg},  {"a.jpeg", PictureType::jpeg},     {"a.bmp", PictureType::bmp},
+        {"a.gif", std::nullopt},       {"png", std::nullopt},             {"dir.png/a", std::nullopt},
+        {"", std::nullopt},            {"-", std::nullopt},               {"a.b.exr", PictureType::exr},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.name);
+        CHECK(type_of_name(each.name) == each.expected);
+    }
+    for (const PictureFormat& format : formats)
+        CHECK(type_of_name("a." + std::string(extension(format.type))) == format.type);
+}
+
+TEST_CASE("the same picture gives the same bytes in every format") {
+    const Image image = ramp(19, 11);
+    for (const PictureFormat& format : formats) {
+        CAPTURE(extension(format.type), format.bits);
+        Diagnostics diagnostics;
+        const auto once = encode(image, format, diagnostics);
+        REQUIRE(once);
+        CHECK(once->size() > 50);
+        CHECK(encode(image, format, diagnostics) == once);
+        CHECK(diagnostics.all().empty());
+    }
+}
+
+TEST_CASE("a compressed tga file is smaller") {
+    Diagnostics diagnostics;
+    const Image black(64, 64);
+    const auto plain = encode(black, {PictureType::tga, 8, false}, diagnostics);
+    const auto packed = encode(black, {PictureType::tga, 8, true}, diagnostics);
+    REQUIRE((plain && packed));
+    CHECK(plain->size() >= 64 * 64 * 3);
+    CHECK(packed->size() < 1000);
+}
+
+TEST_CASE("a picture that cannot be encoded is an error, not a crash") {
+    Diagnostics diagnostics;
+    CHECK_FALSE(encode(Image(), {PictureType::png, 8}, diagnostics));
+    REQUIRE(diagnostics.error_count() == 1);
+    CHECK(diagnostics.all()[0].fault == Fault::io);
+    CHECK(diagnostics.all()[0].message.starts_with("cannot make a png file of 0 by 0 pixels"));
+}

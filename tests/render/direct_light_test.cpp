@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/direct_light.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// Mean direct light at the origin of a floor in y, over many keys.
+double mean_light(const World& world, int shadow_rays, int count) {
+    Hit hit;
+    const Ray ray{Vec3(0, 3, 0), Vec3(0, -1, 0)};
+    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+    DirectLight light(world, shadow_rays);
+    RayCounts rays;
+    double sum = 0;
+    for (int i = 0; i < count; ++i) {
+        Key key;
+        key.sample = static_cast<std::uint32_t>(i);
+        sum += light(shading_at(world, ray, hit), key, rays).x;
+    }
+    return sum / count;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]") {
+    // A sphere of radius r straight above at distance d: E = pi L (r/d)^2; albedo 0.8.
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+    )");
+    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+    CHECK(mean_light(world, 4, 5000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+}
+
+TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 0.5 } }
+        light_source { <0, 4, 3>, rgb 2 }
+        sphere { <0, 8, 6>, 1 }
+    )");
+    CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pixels that POV-Ray 3.7 computes (povray.json: scene text and printed values), for the part of its vocabulary that
+// this version has.
+#include "render/render.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/render/povray.json");
+    const nlohmann::json cases = nlohmann::json::parse(file);
+    REQUIRE(cases.size() > 80);
+    for (const auto& c : cases) {
+        const std::string name = c["name"];
+        INFO(name);
+        const World world = world_of(c["scene"]);
+        RenderSettings settings;
+        settings.width = c["width"];
+        settings.height = c["height"];
+        settings.antialias = false;
+        const Image image = render(world, settings).image;
+        // Files of 16 bits round to this; they clip to 0..1 as well.
+        const double tolerance = std::max(c["tolerance"].get<double>(), 3e-5);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (int channel = 0; channel < 3; ++channel) {
+                    const double expected = c["pixels"][static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]
+                                             [static_cast<std::size_t>(channel)];
+                    const double found = glm::clamp(image.at(x, y)[channel], 0.0, 1.0);
+                    INFO("pixel " << x << ' ' << y << " channel " << channel);
+                    CHECK(found == Approx(expected).margin(tolerance));
+                }
+    }
+}

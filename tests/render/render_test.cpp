@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/render.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const char* const lamps = R"(
+    #version 3.7;
+    camera { location <0, 3, -8> look_at <0, 1, 0> right x up y angle 50 }
+    plane { y, 0 pigment { checker rgb 0.9, rgb 0.4 } finish { ambient 0 diffuse 0.8 } }
+    sphere { <0, 1, 0>, 1 pigment { rgb 0.6 } finish { ambient 0 diffuse 0.7 reflection 0.2 } }
+    #for (I, 0, 11)
+        sphere { <2, 0.4, 0>, 0.2 rotate 30*I*y pigment { rgb <1, 0.8, 0.5> } finish { diffuse 0 emission 6 } }
+    #end
+)";
+
+RenderSettings small(int threads) {
+    RenderSettings settings;
+    settings.width = 45;
+    settings.height = 37;
+    settings.threads = threads;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("the picture has the same bytes for any number of threads", "[render]") {
+    const World world = world_of(lamps);
+    const Rendering one = render(world, small(1));
+    for (const int threads : {2, 7}) {
+        const Rendering many = render(world, small(threads));
+        CHECK(many.image.pixels == one.image.pixels);
+        CHECK(many.rays.shadow == one.rays.shadow);
+    }
+}
+
+TEST_CASE("another seed gives other noise around the same mean", "[render]") {
+    const World world = world_of(lamps);
+    RenderSettings settings = small(0);
+    settings.samples = 64;
+    const Image first = render(world, settings).image;
+    settings.seed = 1;
+    const Image second = render(world, settings).image;
+    CHECK(first.pixels != second.pixels);
+    double sum1 = 0, sum2 = 0;
+    for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+        sum1 += grey(first.pixels[i]);
+        sum2 += grey(second.pixels[i]);
+    }
+    CHECK(sum1 == Approx(sum2).epsilon(0.01));
+}
+
+TEST_CASE("samples are as many as asked for", "[render]") {
+    const World world = world_of(lamps);
+    RenderSettings settings = small(0);
+    settings.samples = 3;
+    CHECK(render(world, settings).rays.camera == 3u * 45 * 37);
+    const World dark = world_of("sphere { <0, 0, 5>, 1 }");
+    settings.samples = 0;
+    settings.antialias = false;
+    CHECK(render(dark, settings).rays.camera == 45u * 37);
+}
+
+TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
+    // A pixel of low chance: small bright things that few rays find tempt a scheme that looks at its own samples.
+    const World world = world_of(R"(
+        camera { orthographic location <0, 0, -9> right 10*x up 10*y }
+        #declare R = seed(1);
+        #for (I, 1, 150)
+            sphere { <10*rand(R) - 5, 10*rand(R) - 5, 0>, 0.02 + 0.05*rand(R) pigment { rgb 1 } finish { ambient 1 diffuse 0 } }
+        #end
+    )");
+    RenderSettings settings;
+    settings.width = settings.height = 24;
+    settings.samples = 2000;
+    const auto mean = [&] {
+        double sum = 0;
+        for (const Vec3& pixel : render(world, settings).image.pixels) sum += pixel.x;
+        return sum / (24 * 24);
+    };
+    const double exact = mean();
+    settings.samples = 0;
+    double sum = 0, squares = 0;
+    const int runs = 40;
+    for (settings.seed = 1; settings.seed <= runs; ++settings.seed) {
+        const double m = mean();
+        sum += m;
+        squares += m * m;
+    }
+    const double average = sum / runs;
+    const double error = std::sqrt((squares / runs - average * average) / (runs - 1));
+    CHECK(std::abs(average - exact) < 4 * error + 1e-4);
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/dump.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+ObjectHandle object(const Shape& shape) {
+    Object result;
+    result.form = shape;
+    return std::make_shared<const Object>(result);
+}
+
+ObjectHandle together(std::vector<ObjectHandle> children) {
+    Object result;
+    result.form = Union{std::move(children)};
+    return std::make_shared<const Object>(result);
+}
+
+const std::string head = "#version 3.7;\ncamera { perspective }\n";
+
+std::string body(std::vector<ObjectHandle> objects) {
+    Scene scene;
+    scene.objects = std::move(objects);
+    const std::string text = dump(scene);
+    REQUIRE(text.starts_with(head));
+    return text.substr(head.size());
+}
+
+}  // namespace
+
+TEST_CASE("an empty scene is all defaults") {
+    CHECK(dump(Scene()) == head);
+}
+
+TEST_CASE("every shape is written with its places in their order") {
+    Mesh mesh;
+    mesh.vertices = {Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    mesh.faces = {{0, 1, 2}};
+    Triangle triangle;
+    struct Case {
+        Shape shape;
+        std::string expected;
+    };
+    const Case cases[] = {
+        {Sphere{Vec3(1, 2, 3), 0.1}, "sphere { <1, 2, 3>, 0.1 }\n"},
+        {Sphere{Vec3(0), 1.0 / 3}, "sphere { 0, 0.3333333333333333 }\n"},
+        {Cuboid{Vec3(-1), Vec3(1)}, "box { -1, 1 }\n"},
+        {Shared<Mesh>(mesh), "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } face_indices { 1, <0, 1, 2> } }\n"},
+    };
+    for (const Case& each : cases) CHECK(body({object(each.shape)}) == each.expected);
+}
+
+TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
+    Object glass;
+    glass.form = Sphere();
+    glass.transform = std::make_shared<const Transform>(Transform::translation(Vec3(1, 2, 3)));
+    glass.no_shadow = true;
+    glass.hollow = true;
+    glass.interior = std::make_shared<const Interior>(Interior{1.5});
+    Texture texture;
+    texture.pigment.colour = {Vec3(1), 0.5, 0};
+    texture.finish.ambient = Vec3(0);
+    texture.finish.reflection.least = Vec3(0.25);
+    texture.finish.reflection.greatest = Vec3(0.5);
+    texture.finish.reflection.fresnel = true;
+    glass.texture = std::make_shared<const Texture>(texture);
+    CHECK(body({std::make_shared<const Object>(glass)}) ==
+          "sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3> no_shadow hollow interior { ior 1.5 } "
+          "texture { pigment { rgbft <1, 1, 1, 0.5, 0> } "
+          "finish { ambient rgb 0 reflection { rgb 0.25, rgb 0.5 fresnel } } } }\n");
+}
+
+TEST_CASE("patterns are written with their colours") {
+    Object floor;
+    floor.form = Plane();
+    Texture texture;
+    texture.pigment.pattern = Checker();
+    texture.pigment.map = {{0, {Vec3(0)}}, {1, {Vec3(1, 0, 0)}}};
+    texture.pigment.transform = Transform::scaling(Vec3(2));
+    floor.texture = std::make_shared<const Texture>(texture);
+    const std::string checkered = body({std::make_shared<const Object>(floor)});
+    CHECK(checkered.find("texture { pigment { checker rgb 0, rgb <1, 0, 0> matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0> } }") !=
+          std::string::npos);
+
+    texture.pigment = {};
+    texture.pigment.pattern = Gradient{Vec3(1, 0, 0)};
+    texture.pigment.map = {{0, {Vec3(0)}}, {0.5, {Vec3(1), 0, 1}}};
+    floor.texture = std::make_shared<const Texture>(texture);
+    const std::string graded = body({std::make_shared<const Object>(floor)});
+    CHECK(graded.find("texture { pigment { gradient <1, 0, 0> color_map { [0 rgb 0] [0.5 rgbft <1, 1, 1, 0, 1>] } } }") !=
+          std::string::npos);
+}
+
+TEST_CASE("settings, background, camera and lights stand before the objects") {
+    Scene scene;
+    scene.language_version = 3.6;
+    scene.gamma_handling = false;
+    scene.settings.max_trace_level = 7;
+    LightOctree octree;
+    octree.threshold = 0.1;
+    scene.settings.light_sampler = octree;
+    scene.background.colour.rgb = Vec3(0, 0, 1);
+    Orthographic camera;
+    camera.location = Vec3(0, 0, -5);
+    camera.look_at = Vec3(0);
+    camera.angle = 40;
+    scene.camera = camera;
+    PointLight light;
+    light.location = Vec3(9);
+    light.colour = Vec3(1, 1, 0.5);
+    light.shadowless = true;
+    scene.lights.push_back({light, {}});
+    scene.objects.push_back(object(Sphere()));
+    CHECK(dump(scene) ==
+          "#version 3.6;\n"
+          "global_settings { max_trace_level 7 light_sampler { light_octree threshold 0.1 } }\n"
+          "background { rgb <0, 0, 1> }\n"
+          "camera { orthographic location <0, 0, -5> look_at 0 angle 40 }\n"
+          "light_source { 9, rgb <1, 1, 0.5> shadowless }\n"
+          "sphere { 0, 1 }\n");
+}
+
+TEST_CASE("before version 3.7 it is written that there is a gamma") {
+    Scene scene;
+    scene.language_version = 3.6;
+    CHECK(dump(scene) == "#version 3.6;\nglobal_settings { assumed_gamma 1 }\ncamera { perspective }\n");
+    scene.settings.assumed_gamma = 2.2;
+    CHECK(dump(scene) == "#version 3.6;\nglobal_settings { assumed_gamma 2.2 }\ncamera { perspective }\n");
+    scene.gamma_handling = false;
+    scene.settings.assumed_gamma = 1;
+    CHECK(dump(scene) == "#version 3.6;\ncamera { perspective }\n");
+}
+
+TEST_CASE("an object that occurs more than once is declared once, before its first use") {
+    const ObjectHandle lamp = object(Sphere());
+    const ObjectHandle pair = together({lamp, object(Cuboid{Vec3(0), Vec3(2)}), lamp});
+    CHECK(body({pair, pair, lamp}) ==
+          "#declare Object_1 = sphere { 0, 1 }\n"
+          "#declare Object_2 = union {\n"
+          "    object { Object_1 }\n"
+          "    box { 0, 2 }\n"
+          "    object { Object_1 }\n"
+          "}\n"
+          "object { Object_2 }\n"
+          "object { Object_2 }\n"
+          "object { Object_1 }\n");
+}
+
+TEST_CASE("sharing and depth beyond all bounds give a text of a sensible size") {
+    ObjectHandle doubled = object(Sphere());
+    for (int i = 0; i < 60; ++i) doubled = together({doubled, doubled});
+    CHECK(body({doubled}).size() < 10000);
+
+    ObjectHandle deep = object(Sphere());
+    for (int i = 0; i < 2000; ++i) deep = together({deep});
+    const std::string text = body({deep});
+    CHECK(text.size() < 500000);
+    CHECK(text.find(std::string(4 * 20, ' ')) == std::string::npos);
+}

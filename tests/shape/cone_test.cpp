@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/cone.h"
+
+#include "support/draw.h"
+#include "support/hits.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const double w = std::sqrt(0.5);
+const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+}  // namespace
+
+TEST_CASE("rays cross a cone where they should", "[shape]") {
+    const Cone solid{Vec3(0), 1, y, 0, false}, open{Vec3(0), 1, y, 0, true};
+    struct Row {
+        Ray ray;
+        std::vector<ExpectedHit> solid, open;
+    };
+    const std::vector<Row> table = {
+        {{Vec3(0.5, 5, 0), -y},
+         {{4.5, Vec3(w, w, 0), true}, {5, -y, false}},
+         {{4.5, Vec3(w, w, 0), true}}},
+        {{Vec3(-5, 0.5, 0), x},
+         {{4.5, Vec3(-w, w, 0), true}, {5.5, Vec3(w, w, 0), false}},
+         {{4.5, Vec3(-w, w, 0), true}, {5.5, Vec3(w, w, 0), false}}},
+        {{Vec3(0, 3, 0), -2.0 * y}, {{1, y, true}, {1.5, -y, false}}, {{1, y, true}}},
+        {{Vec3(-5, 1, 0), x}, {}, {}},
+        {{Vec3(-5, 1.5, 0), x}, {}, {}},
+        {{Vec3(0.5, -1, 0), Vec3(-1, 1, 0)},
+         {{1, -y, true}, {1.25, Vec3(-w, w, 0), false}},
+         {{1.25, Vec3(-w, w, 0), false}}},
+        {{Vec3(2, -1, 0), Vec3(-1, 1, 0)}, {}, {}},
+        {{Vec3(0), Vec3(0)}, {}, {}},
+    };
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        INFO("row " << i);
+        CHECK(answers(solid, {table[i].ray, table[i].solid}));
+        CHECK(answers(open, {table[i].ray, table[i].open}));
+    }
+}
+
+TEST_CASE("a cone with equal radii is a cylinder, and either end may be the wide one", "[shape]") {
+    const Cone straight{Vec3(0), 1, y, 1, false};
+    CHECK(answers(straight, {{Vec3(-5, 0.5, 0), x}, {{4, -x, true}, {6, x, false}}}));
+    const Cone upside_down{Vec3(0), 0, y, 1, false};
+    CHECK(answers(upside_down, {{Vec3(-5, 0.5, 0), x},
+                                {{4.5, Vec3(-w, -w, 0), true}, {5.5, Vec3(w, -w, 0), false}}}));
+    CHECK(answers(upside_down, {{Vec3(0, 5, 0), -y}, {{4, y, true}, {5, -y, false}}}));
+}
+
+TEST_CASE("inside and bounds of a cone", "[shape]") {
+    const Cone cone{Vec3(0), 1, y, 0, false};
+    CHECK(inside(cone, Vec3(0.5, 0.4, 0)));
+    CHECK_FALSE(inside(cone, Vec3(0.5, 0.6, 0)));
+    CHECK_FALSE(inside(cone, Vec3(0, 1, 0)));
+    CHECK_FALSE(inside(cone, Vec3(0, 1.1, 0)));
+    CHECK(inside(Cone{Vec3(0), 1, y, 0, true}, Vec3(0, 1, 0)));
+    CHECK(bounds(cone).low == Vec3(-1, 0, -1));
+    CHECK(bounds(cone).high == Vec3(1));
+}
+
+TEST_CASE("cones of all forms are met on their surface", "[shape]") {
+    Draw draw(4);
+    for (const double base_radius : {0.0, 1e-3, 1.0, 1e3})
+        for (const double cap_radius : {0.0, 1e-2, 1.0})
+            for (const double height : {1e-2, 1.0, 1e4}) {
+                if (base_radius + cap_radius == 0) continue;
+                INFO("radii " << base_radius << " " << cap_radius << " height " << height);
+                const double size = base_radius + cap_radius + height;
+                for (int i = 0; i < 100; ++i) {
+                    const Vec3 base = draw.point(size), cap = base + height * draw.direction();
+                    const Vec3 up = unit(cap - base);
+                    const Cone cone{base, base_radius, cap, cap_radius, false};
+                    const double along = draw.between(0.1, 0.9);
+                    const double radius = base_radius + along * (cap_radius - base_radius);
+                    const Vec3 aside = unit(cross(up, draw.direction()));
+                    const Vec3 target =
+                        base + along * height * up + draw.between(0, 0.9) * radius * aside;
+                    const Vec3 origin =
+                        target + std::pow(10, draw.between(-2, 3)) * size * draw.direction();
+                    const Ray ray{origin, std::exp(draw.between(-9, 9)) * (target - origin)};
+                    const std::vector<Crossing> found = hits(cone, ray);
+                    REQUIRE(found.size() == 2);
+                    for (const Crossing& c : found) {
+                        const Vec3 p = ray.at(c.t) - base;
+                        const double h = dot(p, up), off = length(p - h * up);
+                        const double slope = (cap_radius - base_radius) / length(cap - base);
+                        const double from_side =
+                            std::abs(off - base_radius - slope * h) / std::hypot(1, slope);
+                        const double from_end =
+                            std::fmin(std::abs(h), std::abs(dot(ray.at(c.t) - cap, up)));
+                        const bool at_end = std::abs(dot(c.normal, up)) > 1 - 1e-12;
+                        const double far = length(origin - base) + size;
+                        CHECK((at_end ? from_end : from_side) <= 1e-13 * far);
+                    }
+                }
+            }
+}
+
+TEST_CASE("a cone needs two ends and a radius", "[shape]") {
+    CHECK(problem(Cone{}) == "");
+    CHECK(problem(Cone{y, 1, y, 0, false}) == "a `cone` needs two different end points");
+    CHECK(problem(Cone{Vec3(0), 0, y, 0, false}) ==
+          "a `cone` needs a radius above 0 at one of its ends");
+}

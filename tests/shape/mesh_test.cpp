@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/mesh.h"
+
+#include "support/draw.h"
+#include "support/hits.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+/// The cube from -1 to 1, each side two triangles that face outward.
+Mesh cube() {
+    Mesh mesh;
+    for (int i = 0; i < 8; ++i)
+        mesh.vertices.push_back(Vec3(i & 1, i >> 1 & 1, i >> 2) * 2.0 - Vec3(1));
+    mesh.faces = {{0, 2, 4}, {4, 2, 6}, {1, 5, 3}, {3, 5, 7}, {0, 4, 1}, {1, 4, 5},
+                  {2, 3, 6}, {6, 3, 7}, {0, 1, 2}, {2, 1, 3}, {4, 6, 5}, {5, 6, 7}};
+    mesh.inside_vector = y;
+    return mesh;
+}
+
+Mesh corner_mesh() {
+    Mesh mesh;
+    mesh.vertices = {o, x, y, z};
+    mesh.faces = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("rays cross a mesh where they should", "[shape]") {
+    CHECK(answers(corner_mesh(), {{Vec3(0.2, 0.2, -5), z}, {{5, -z, true}}}));
+    CHECK(answers(corner_mesh(), {{Vec3(-5, 0.2, 0.2), 2.0 * x}, {{2.5, -x, true}}}));
+    const Vec3 a(0.3, 0.2, -5);
+    CHECK(answers(cube(), {{a, z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(cube(), {{Vec3(0, 0, -5), z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(cube(), {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
+    CHECK(answers(cube(), {{Vec3(0, 5, 0), -y}, {{4, y, true}, {6, -y, false}}}));
+    CHECK(answers(Mesh{}, {{a, z}, {}}));
+}
+
+TEST_CASE("normals of a mesh come from vertices, from normal_indices, or from the face",
+          "[shape]") {
+    Mesh mesh;
+    mesh.vertices = {o, x, y};
+    mesh.faces = {{0, 1, 2}};
+    const Ray ray{Vec3(0.2, 0.3, -5), z};
+    CHECK(answers(mesh, {ray, {{5, -z, true}}}));
+    mesh.normals = {-z, Vec3(1, 0, -1), Vec3(0, 1, -1)};
+    const Vec3 blended = unit(0.5 * -z + 0.2 * unit(Vec3(1, 0, -1)) + 0.3 * unit(Vec3(0, 1, -1)));
+    CHECK(answers(mesh, {ray, {{5, blended, true}}}));
+    mesh.normal_faces = {{1, 1, 1}};
+    CHECK(answers(mesh, {ray, {{5, unit(Vec3(1, 0, -1)), true}}}));
+    mesh.normals[1] = o;
+    CHECK(answers(mesh, {ray, {{5, -z, true}}}));
+    CHECK(face(mesh, 0).smooth);
+
+    mesh.faces.push_back({0, 2, 1});
+    CHECK(problem(mesh) == "");
+    CHECK_FALSE(face(mesh, 1).smooth);
+    CHECK(face(mesh, 1).normals[2] == z);
+}
+
+TEST_CASE("faces without area are not met", "[shape]") {
+    Mesh mesh;
+    mesh.vertices = {o, x, 2.0 * x};
+    mesh.normals = {z, z, z};
+    mesh.faces = {{0, 1, 2}, {1, 1, 1}};
+    CHECK(problem(mesh) == "");
+    CHECK(answers(mesh, {{Vec3(0.5, 0, -5), z}, {}}));
+    CHECK(answers(mesh, {{Vec3(1, 0, -5), z}, {}}));
+}
+
+TEST_CASE("the inside of a closed mesh is found by counting, also through edges and corners",
+          "[shape]") {
+    Mesh mesh = cube();
+    Draw draw(7);
+    for (const Vec3& vector :
+         {y, Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(0, 0, -3), Vec3(0.3, 0.1, 0.7)}) {
+        mesh.inside_vector = vector;
+        CHECK(inside(mesh, o));
+        CHECK(inside(mesh, Vec3(0.5, 0, 0.5)));
+        CHECK_FALSE(inside(mesh, -2.0 * vector));
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 p = draw.point(2);
+            CHECK(inside(mesh, p) == (max_abs_component(p) < 1));
+        }
+    }
+    mesh.inside_vector = o;
+    CHECK_FALSE(inside(mesh, o));
+    mesh.inside_vector.reset();
+    CHECK_FALSE(inside(mesh, o));
+}
+
+TEST_CASE("bounds of a mesh hold its faces", "[shape]") {
+    Mesh mesh = corner_mesh();
+    mesh.vertices.push_back(Vec3(100));
+    CHECK(bounds(mesh).low == o);
+    CHECK(bounds(mesh).high == Vec3(1));
+}
+
+TEST_CASE("what can be wrong with a mesh is said", "[shape]") {
+    const auto with = [](auto change) {
+        Mesh mesh = corner_mesh();
+        change(mesh);
+        return problem(mesh);
+    };
+    CHECK(problem(cube()) == "");
+    CHECK(problem(Mesh{}) == "a `mesh2` needs `vertex_vectors`");
+    CHECK(with([](Mesh& m) { m.faces.clear(); }) ==
+          "a `mesh2` needs at least one face in `face_indices`");
+    CHECK(with([](Mesh& m) {
+              m.faces[1] = {0, 4, 1};
+          }) ==
+          "entry 1 of `face_indices` names vertex 4, but there are 4 vertices, counted from 0");
+    CHECK(with([](Mesh& m) {
+              m.faces[0] = {0, 1, -1};
+          }) ==
+          "entry 0 of `face_indices` names vertex -1, but there are 4 vertices, counted from 0");
+    CHECK(with([](Mesh& m) { m.normals = {z}; }) ==
+          "a `mesh2` with 1 normal for 4 vertices needs `normal_indices`");
+    CHECK(with([](Mesh& m) {
+              m.normal_faces = {{0, 0, 0}};
+          }) ==
+          "entry 0 of `normal_indices` names normal 0, but there are no normals, counted from 0");
+    CHECK(with([](Mesh& m) {
+              m.normals = {z}, m.normal_faces = {{0, 0, 0}, {0, 0, 1}};
+          }) ==
+          "entry 1 of `normal_indices` names normal 1, but there is 1 normal, counted from 0");
+    CHECK(with([](Mesh& m) {
+              m.normals = {z}, m.normal_faces = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+          }) == "`normal_indices` has 3 entries, but there are only 2 faces");
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers, points and directions for tests: the same in every run.
+#pragma once
+
+#include "base/random.h"
+#include "base/vector.h"
+
+#include <numbers>
+
+class Draw {
+public:
+    explicit Draw(std::uint64_t seed) : key_{mix(seed)} {}
+
+    /// Uniform in [0, 1).
+    double number() {
+        ++key_.sample;
+        return uniform(key_, Purpose::light_u);
+    }
+    double between(double low, double high) { return low + number() * (high - low); }
+    /// Uniform in the cube of this half width around the origin.
+    Vec3 point(double half = 1) {
+        const double x = between(-half, half), y = between(-half, half);
+        return {x, y, between(-half, half)};
+    }
+    /// Uniform on the unit sphere.
+    Vec3 direction() {
+        const double z = between(-1, 1), angle = between(0, 2 * std::numbers::pi);
+        return {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z};
+    }
+
+private:
+    Key key_;
+};

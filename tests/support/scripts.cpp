@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/scripts.h"
+
+#include "evaluate/evaluate.h"
+#include "text/excerpt.h"
+#include "world/compile.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+const std::string root = CANDELABRA_SOURCE_DIR;
+
+Scene checked(Evaluated result) {
+    if (result.failed) throw std::runtime_error(result.diagnostics);
+    return std::move(result.scene);
+}
+
+Evaluated evaluate_text(const std::string& name, const std::string& text, const Declares& declares) {
+    SourceStore sources;
+    Diagnostics diagnostics;
+    const Loader loader(disk_reader(), root, {root + "/stdlib"});
+    Evaluated result;
+    EvaluateOptions options;
+    options.declares = declares;
+    options.print = [&](std::string_view said) { result.printed += said; };
+    const SourceId main = sources.add(name, text);
+    result.scene = evaluate(sources, loader, main, options, diagnostics);
+    for (const Diagnostic& d : diagnostics.all()) result.diagnostics += format(d, sources, false);
+    result.failed = diagnostics.failed();
+    return result;
+}
+
+}  // namespace
+
+Evaluated evaluated(const std::string& script, const Declares& declares) {
+    return evaluate_text("script.pov", script, declares);
+}
+
+Scene scene_of(const std::string& script) { return checked(evaluated(script)); }
+
+World world_of(const std::string& script) {
+    Diagnostics diagnostics;
+    return compile(scene_of(script), {}, diagnostics);
+}
+
+World world_of_file(const std::string& path, const Declares& declares, const std::optional<LightSampler>& sampler) {
+    std::ifstream file(root + "/" + path);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    Diagnostics diagnostics;
+    CompileOptions options;
+    options.light_sampler = sampler;
+    return compile(checked(evaluate_text(path, text.str(), declares)), options, diagnostics);
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes and worlds from the text of a script or an example's file, for tests and benchmarks.
+#pragma once
+
+#include "lighting/settings.h"
+#include "scene/scene.h"
+#include "text/diagnostic.h"
+#include "world/world.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+using Declares = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
+/// The scene of a script, with its diagnostics as one text (empty when there are none).
+struct Evaluated {
+    Scene scene;
+    std::string diagnostics;
+    bool failed = false;
+    std::string printed;  ///< what #debug said
+};
+Evaluated evaluated(const std::string& script, const Declares& = {});
+
+/// Throw std::runtime_error with the diagnostics when the script has an error.
+Scene scene_of(const std::string& script);
+World world_of(const std::string& script);
+World world_of_file(const std::string& path_below_source, const Declares&, const std::optional<LightSampler>&);

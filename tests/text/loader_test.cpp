@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/loader.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Paths = std::vector<std::string>;
+
+/// A reader of files that hold their own path, so that the text tells which was found.
+Reader files(const Paths& paths) {
+    return [paths](const std::string& path) -> std::optional<std::string> {
+        for (const std::string& each : paths) {
+            if (each == path) return "text of " + path;
+        }
+        return {};
+    };
+}
+
+std::string found(const Paths& paths, const std::string& name, const std::string& from = "parts",
+                  FileKind kind = FileKind::include) {
+    const Loader loader(files(paths), "scenes", {"lib", "more/"});
+    const auto result = loader.load(name, from, kind);
+    if (!result) return "";
+    CHECK(result->text == "text of " + result->path);
+    return result->path;
+}
+
+} // namespace
+
+TEST_CASE("places are searched in order") {
+    Paths paths = {"parts/a.inc", "scenes/a.inc", "a.inc", "lib/a.inc", "more/a.inc"};
+    while (!paths.empty()) {
+        CHECK(found(paths, "a.inc") == paths.front());
+        paths.erase(paths.begin());
+    }
+    CHECK(found(paths, "a.inc") == "");
+}
+
+TEST_CASE("the extension may be left out, and unknown ones are tried last") {
+    CHECK(found({"lib/a.inc"}, "a") == "lib/a.inc");
+    CHECK(found({"lib/a.INC"}, "a") == "lib/a.INC");
+    CHECK(found({"lib/a.INC", "more/a.inc"}, "a") == "more/a.inc");
+    CHECK(found({"parts/a", "lib/a.inc"}, "a") == "lib/a.inc");
+    CHECK(found({"parts/a"}, "a") == "parts/a");
+    CHECK(found({"a.txt", "a.txt.inc"}, "a.txt") == "a.txt.inc");
+    CHECK(found({"a.inc", "a.inc.inc"}, "a.inc") == "a.inc");
+    CHECK(found({"a.inc.inc"}, "a.inc") == "a.inc.inc");
+    CHECK(found({"a.INC", "a.inc"}, "a.INC") == "a.INC");
+    CHECK(found({"a.inc"}, "A.inc") == "");
+    CHECK(found({"a.Inc", "a.Inc.inc"}, "a.Inc") == "a.Inc.inc");
+    CHECK(found({"x/y.inc"}, "x/y") == "x/y.inc");
+}
+
+TEST_CASE("data files are found under their exact name only") {
+    CHECK(found({"a.inc", "lib/a"}, "a", "parts", FileKind::data) == "lib/a");
+    CHECK(found({"a.inc"}, "a", "parts", FileKind::data) == "");
+}
+
+TEST_CASE("absolute names are taken as they are") {
+    CHECK(found({"/lib/a.inc"}, "/lib/a") == "/lib/a.inc");
+    CHECK(found({"parts//a.inc", "a.inc"}, "/a.inc") == "");
+}
+
+TEST_CASE("a name of nothing or of a folder finds nothing") {
+    CHECK(found({".inc", "parts/.inc", ""}, "") == "");
+    CHECK(found({"x/", "x/.inc"}, "x/") == "");
+}
+
+TEST_CASE("searched paths are listed once each") {
+    const Loader loader(files({}), "./scenes/", {"lib", "scenes", "."});
+    CHECK(loader.searched("a.inc", "scenes") ==
+          Paths{"scenes/a.inc", "a.inc", "lib/a.inc", "scenes/a.inc.inc", "a.inc.inc",
+                "lib/a.inc.inc", "scenes/a.inc.INC", "a.inc.INC", "lib/a.inc.INC"});
+    CHECK(loader.searched("b", "", FileKind::data) == Paths{"scenes/b", "b", "lib/b"});
+    CHECK(loader.searched("b", ".", FileKind::data) == Paths{"b", "scenes/b", "lib/b"});
+    CHECK(loader.searched("/b", "scenes", FileKind::data) == Paths{"/b"});
+    CHECK(loader.searched("b", "/", FileKind::data).front() == "/b");
+}
+
+TEST_CASE("the note names the places") {
+    const Loader loader(files({}), "scenes", {"lib"});
+    CHECK(loader.searched_note("a") == "looked in `scenes`, the current directory, `lib`");
+    CHECK(loader.searched_note("a", "parts") ==
+          "looked in `parts`, `scenes`, the current directory, `lib`");
+    CHECK(loader.searched_note("/a") == "an absolute name is looked for only where it says");
+}
+
+TEST_CASE("the folder of a path") {
+    const std::map<std::string, std::string> cases = {
+        {"a.pov", "."}, {"x/a.pov", "x"}, {"/x/y/a", "/x/y"}, {"/a", "/"}, {"", "."}, {"x/", "x"},
+    };
+    for (const auto& [path, folder] : cases) CHECK(directory_of(path) == folder);
+}
+
+TEST_CASE("the disk reader reads files byte for byte and nothing else") {
+    const auto folder = std::filesystem::temp_directory_path() / "candelabra_loader_test";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    const std::string path = folder / "a.inc";
+    const std::string text = std::string("a\r\n\0b\xFF", 6) + std::string(200'000, 'x');
+    std::ofstream(path, std::ios::binary) << text;
+    std::ofstream(folder / "empty.inc");
+
+    const Reader read = disk_reader();
+    CHECK(read(path) == text);
+    CHECK(read(folder / "empty.inc") == std::string());
+    CHECK_FALSE(read(folder));
+    CHECK_FALSE(read(folder / "none.inc"));
+    CHECK_FALSE(read(path + '\0'));
+    CHECK_FALSE(read(""));
+    CHECK_FALSE(read("/dev/zero"));
+    std::filesystem::remove_all(folder);
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/compile.h"
+
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("every object that emits becomes a luminaire", "[world]") {
+    const World world = world_of(R"(
+        #declare Glow = texture { pigment { rgb <1, 0.5, 0> } finish { emission 4 } }
+        sphere { 0, 1 texture { Glow } }
+        triangle { 0, x, y texture { Glow } }
+        box { 2, 3 texture { Glow } }
+        disc { 9, y, 1 pigment { checker rgb 1, rgb 0 } finish { emission 2 } }
+        sphere { 20, 1 pigment { rgb 0 } finish { emission 4 } }
+        sphere { 30, 1 }
+    )");
+    REQUIRE(world.luminaires.size() == 4);
+    CHECK(world.luminaires[0].radiance == Vec3(4, 2, 0));
+    CHECK_FALSE(world.luminaires[0].varying);
+    CHECK(world.luminaires[3].varying);
+    CHECK(world.luminaires[3].radiance == Vec3(2));
+    CHECK(world.objects == 6);
+}
+
+TEST_CASE("the command line's light sampler goes before the scene's", "[world]") {
+    Diagnostics diagnostics;
+    const Scene scene = scene_of("global_settings { light_sampler { every_light } } sphere { 0, 1 }");
+    CHECK(compile(scene, {}, diagnostics).sampler.index() == LightSampler(EveryLight{}).index());
+    CompileOptions options;
+    options.light_sampler = LinearAlpha{};
+    CHECK(compile(scene, options, diagnostics).sampler.index() == LightSampler(LinearAlpha{}).index());
+}
+
+TEST_CASE("an empty scene has a world", "[world]") {
+    const World world = world_of("");
+    Hit hit;
+    CHECK_FALSE(world.first_hit({Vec3(0), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/compile.h"
+
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+Hit first(const World& world, const Vec3& from, const Vec3& to) {
+    Hit hit;
+    world.first_hit({from, unit(to - from)}, 0, RayKind::camera, hit);
+    return hit;
+}
+
+Vec3 between(const World& world, const Vec3& from, const Vec3& to) {
+    return world.transmittance({from, unit(to - from)}, 0, length(to - from));
+}
+
+}  // namespace
+
+TEST_CASE("the nearest of all kinds of primitives is hit", "[world]") {
+    const World world = world_of(R"(
+        plane { y, -1 }
+        sphere { <0, 0, 5>, 1 }
+        triangle { <-1, -1, 3>, <3, -1, 3>, <-1, 3, 3> }
+        box { <-1, -1, 1>, <1, 1, 2> translate 20*x }
+    )");
+    CHECK(first(world, Vec3(0), Vec3(0, 0, 1)).position.z == Approx(3));
+    CHECK(first(world, Vec3(0, 0, 10), Vec3(0)).position.z == Approx(6));
+    CHECK(first(world, Vec3(20, 0, 0), Vec3(20, 0, 1)).position.z == Approx(1));
+    CHECK(first(world, Vec3(0, 5, 0), Vec3(1, -1, 0)).position.y == Approx(-1));
+    CHECK(first(world, Vec3(0), Vec3(0, 1, 0)).primitive == no_primitive);
+}
+
+TEST_CASE("spheres under a similarity stay spheres, others become shapes", "[world]") {
+    const World round = world_of("sphere { <1, 0, 0>, 1 scale 2 rotate 90*y translate 3*z }");
+    REQUIRE(round.spheres.size() == 1);
+    CHECK(length(round.spheres[0].centre - Vec3(0, 0, 1)) < 1e-12);
+    CHECK(round.spheres[0].radius == Approx(2));
+
+    const World oval = world_of("sphere { 0, 1 scale <2, 1, 1> }");
+    REQUIRE(oval.shapes.size() == 1);
+    const Hit hit = first(oval, Vec3(5, 0, 0), Vec3(0));
+    CHECK(hit.position.x == Approx(2));
+    CHECK(hit.normal.x == Approx(1));
+}
+
+TEST_CASE("normals of smooth triangles are interpolated", "[world]") {
+    const World world = world_of("smooth_triangle { <0,0,0>, <-1,0,-1>, <2,0,0>, <1,0,-1>, <1,2,0>, <0,0,-1> }");
+    const Hit hit = first(world, Vec3(1, 0.001, -1), Vec3(1, 0.001, 0));
+    CHECK(std::abs(hit.normal.z) == Approx(1));
+    CHECK(std::abs(dot(hit.smooth_normal, Vec3(0, 0, -1))) == Approx(1).margin(1e-3));
+    CHECK(first(world, Vec3(0.1, 0.001, -1), Vec3(0.1, 0.001, 0)).smooth_normal.x < -0.5);
+}
+
+TEST_CASE("light passes through what is clear, and counts each surface once", "[world]") {
+    const World world = world_of(R"(
+        sphere { <0, 0, 5>, 1 pigment { rgbf <1, 0.5, 0.25, 0.5> } }
+        box { <9, -1, 4>, <11, 1, 5> pigment { rgb 1 } }
+        box { <-11, -1, 4>, <-9, 1, 5> pigment { rgb 1 } no_shadow }
+    )");
+    const Vec3 passed = between(world, Vec3(0), Vec3(0, 0, 20));
+    CHECK(length(passed - Vec3(0.25, 0.0625, 0.015625)) < 1e-12);
+    CHECK(between(world, Vec3(0), Vec3(0, 0, 5)).x == Approx(0.5));
+    CHECK(between(world, Vec3(10, 0, 0), Vec3(10, 0, 20)) == Vec3(0));
+    CHECK(between(world, Vec3(10, 0, 0), Vec3(10, 0, 4)) == Vec3(1));
+    CHECK(between(world, Vec3(-10, 0, 0), Vec3(-10, 0, 20)) == Vec3(1));
+}
+
+TEST_CASE("objects can be left out for some rays", "[world]") {
+    const World world = world_of("sphere { <0, 0, 5>, 1 no_image } sphere { <0, 0, 9>, 1 no_reflection }");
+    Hit hit;
+    const Ray ray{Vec3(0), Vec3(0, 0, 1)};
+    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+    CHECK(hit.position.z == Approx(8));
+    REQUIRE(world.first_hit(ray, 0, RayKind::reflected, hit));
+    CHECK(hit.position.z == Approx(4));
+}
+
+TEST_CASE("a point knows the clear solids that it is in", "[world]") {
+    const World world = world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
+    CHECK(world.containing(Vec3(1, 0, 0)).size() == 1);
+    CHECK(world.containing(Vec3(2.5, 0, 0)).empty());
+}
