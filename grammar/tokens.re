@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tokens of the language. re2c makes the scanner from this file; what a rule does with its text is in syntax/lexer.cpp.
+// The tokens of the language. re2c makes the scanner from this file; what a rule does with its
+// text is in syntax/lexer.cpp.
 #include "syntax/lexer.h"
 
 Token Lexer::scan() {
@@ -36,11 +37,11 @@ Token Lexer::scan() {
         "#"                                     { return read_directive(first); }
         number                                  { return read_number(first); }
         fraction exponent? "." (digit | ".")+   {
-            diagnostics_.add(error(Fault::syntax, span(first, cursor_), "a number has only one point"));
+            second_point(first);
             return read_number(first);
         }
-        // A vector of nothing but numbers is one token: data files consist of them. `(a <1,2> b)` is read
-        // as a vector, too; comparisons beside each other are written (a < 1), (2 > b).
+        // A vector of nothing but numbers is one token: data files consist of them. So is that in
+        // `f(a <1,2> b)`; comparisons beside each other are written (a < 1), (2 > b).
         "<" blank* signed (between signed){1,4} blank* ">" { return read_literal(first); }
         ["]                                     { return read_text(first); }
 

@@ -44,7 +44,9 @@ public:
     }
 
 private:
-    bool is_check() const { return options_.task == Task::check || options_.task == Task::check_syntax; }
+    bool is_check() const {
+        return options_.task == Task::check || options_.task == Task::check_syntax;
+    }
 
     /// Prints what is new; true when there are errors.
     bool say_diagnostics() {
@@ -52,18 +54,21 @@ private:
         for (; said_ < all.size(); ++said_)
             if (options_.verbose || all[said_].severity != Severity::note)
                 console_.err(format(all[said_], sources_, console_.coloured));
-        if (diagnostics_.full()) console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
+        if (diagnostics_.full())
+            console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
         return diagnostics_.failed();
     }
 
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(), options_.stats_file}) {
+        for (const std::string& path :
+             {renders && options_.to_file ? output.path : std::string(), options_.stats_file}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
-            if (fs::equivalent(path, *options_.scene, none)) problem = message("`", harmless(path), "` is the scene itself");
+            if (fs::equivalent(path, *options_.scene, none))
+                problem = message("`", harmless(path), "` is the scene itself");
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }
         return !say_diagnostics();
@@ -71,13 +76,15 @@ private:
 
     std::optional<SourceId> read_scene() {
         std::string path = *options_.scene;
-        if (path == "-") return sources_.add("standard input", {std::istreambuf_iterator<char>(std::cin), {}});
+        if (path == "-")
+            return sources_.add("standard input", {std::istreambuf_iterator<char>(std::cin), {}});
         const Reader read = disk_reader();
         std::optional<std::string> text = read(path);
         if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
         if (!text) {
             const std::string name = harmless(*options_.scene);
-            diagnostics_.add(error(Fault::io, {}, message("there is no scene `", name, "` that can be read")));
+            diagnostics_.add(
+                error(Fault::io, {}, message("there is no scene `", name, "` that can be read")));
             return std::nullopt;
         }
         scene_folder_ = directory_of(path);
@@ -90,7 +97,9 @@ private:
             while (path.size() > 1 && path.ends_with('/')) path.pop_back();
             std::error_code none;
             if (!fs::is_directory(path, none))
-                diagnostics_.add(warning(Fault::option, {}, message("there is no folder `", harmless(path), "` to look for files in")));
+                diagnostics_.add(warning(
+                    Fault::option, {},
+                    message("there is no folder `", harmless(path), "` to look for files in")));
             paths.push_back(std::move(path));
         }
         if (!console_.library.empty()) paths.push_back(console_.library);
@@ -98,7 +107,8 @@ private:
     }
 
     int dispatch(SourceId main, const Output& output) {
-        if (options_.task == Task::dump_tokens) return say(dump_tokens(main, sources_, names_, diagnostics_));
+        if (options_.task == Task::dump_tokens)
+            return say(dump_tokens(main, sources_, names_, diagnostics_));
         if (options_.task == Task::dump_tree || options_.task == Task::check_syntax) {
             const Tree tree = parse(main, sources_, names_, diagnostics_);
             return say(is_check() ? "" : dump(tree, names_));
@@ -109,7 +119,8 @@ private:
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now();
-        const World world = compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);
+        const World world =
+            compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));
         if (say_diagnostics()) return exit_status::scene;
@@ -146,18 +157,24 @@ private:
 
     int render_picture(const World& world, const Output& output) {
         using enum Progress::Style;
-        Progress progress(!options_.verbose ? silent : console_.terminal ? terminal : lines, [] { return time_now().seconds; },
-                          console_.err);
+        Progress progress(
+            !options_.verbose   ? silent
+            : console_.terminal ? terminal
+                                : lines,
+            [] { return time_now().seconds; }, console_.err);
         statistics_.render = time_now();
-        const Rendering rendering = render(world, options_.render, {[&](double done) { progress.update(done); }, {}});
+        const Rendering rendering =
+            render(world, options_.render, {[&](double done) { progress.update(done); }, {}});
         statistics_.render = time_now() - statistics_.render;
         statistics_.rays = rendering.rays;
         progress.finish();
-        if (options_.to_file) write_picture(rendering.image, output.path, output.format, diagnostics_);
+        if (options_.to_file)
+            write_picture(rendering.image, output.path, output.format, diagnostics_);
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (options_.verbose && status == exit_status::done)
-            console_.err(message(options_.to_file ? harmless(output.path) : "no file", ": ", summary(statistics_), "\n"));
+            console_.err(message(options_.to_file ? harmless(output.path) : "no file", ": ",
+                                 summary(statistics_), "\n"));
         return status;
     }
 
@@ -166,8 +183,10 @@ private:
         statistics_.total = time_now() - start_;
         complete_statistics(world);
         if (is_check()) say_correct();
-        if (options_.stats_file == "-") console_.out(to_json(statistics_));
-        else if (!options_.stats_file.empty()) write_file(options_.stats_file, to_json(statistics_), diagnostics_);
+        if (options_.stats_file == "-")
+            console_.out(to_json(statistics_));
+        else if (!options_.stats_file.empty())
+            write_file(options_.stats_file, to_json(statistics_), diagnostics_);
         return say_diagnostics() ? exit_status::file : exit_status::done;
     }
 
@@ -178,10 +197,12 @@ private:
         statistics_.light_sources = world.lights.size();
         statistics_.kdtree = ::statistics(world.tree);
         statistics_.peak_memory_bytes = peak_memory_bytes();
-        statistics_.light_sampler_bytes = std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
+        statistics_.light_sampler_bytes =
+            std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
         const LightSampler& sampler = world.settings.light_sampler;
         statistics_.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
-        if (std::holds_alternative<LightOctree>(sampler)) statistics_.light_octree_bytes = statistics_.light_sampler_bytes;
+        if (std::holds_alternative<LightOctree>(sampler))
+            statistics_.light_octree_bytes = statistics_.light_sampler_bytes;
         const RenderSettings& settings = options_.render;
         statistics_.seed = settings.seed;
         statistics_.threads = settings.threads > 0 ? settings.threads : core_count();
@@ -209,7 +230,8 @@ std::string explanation(const Options& options, Diagnostics& diagnostics) {
 }
 
 int usage_errors(const Console& console, const Diagnostics& diagnostics) {
-    for (const Diagnostic& each : diagnostics.all()) console.err(format(each, SourceStore(), console.coloured));
+    for (const Diagnostic& each : diagnostics.all())
+        console.err(format(each, SourceStore(), console.coloured));
     return exit_status::usage;
 }
 
@@ -219,7 +241,8 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
     const Options options = read_options(arguments, diagnostics);
     if (diagnostics.failed()) return usage_errors(console, diagnostics);
-    if (options.task == Task::help || options.task == Task::version || options.task == Task::describe) {
+    if (options.task == Task::help || options.task == Task::version ||
+        options.task == Task::describe) {
         console.out(explanation(options, diagnostics));
         return diagnostics.failed() ? usage_errors(console, diagnostics) : exit_status::done;
     }

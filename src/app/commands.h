@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program does with its options: renders, checks, dumps, explains. Everything it says goes through Console, so that
-// tests can listen.
+// What the program does with its options: renders, checks, dumps, explains. Everything it says goes
+// through Console, so that tests can listen.
 #pragma once
 
 #include "app/options.h"
@@ -12,9 +12,9 @@
 /// What the shell is told.
 namespace exit_status {
 inline constexpr int done = 0;
-inline constexpr int scene = 1;   ///< an error in the scene
-inline constexpr int usage = 2;   ///< an error in the command line
-inline constexpr int file = 3;    ///< a file could not be read or written
+inline constexpr int scene = 1;  ///< an error in the scene
+inline constexpr int usage = 2;  ///< an error in the command line
+inline constexpr int file = 3;   ///< a file could not be read or written
 }  // namespace exit_status
 
 struct Console {
@@ -22,7 +22,7 @@ struct Console {
     std::function<void(std::string_view)> err;  ///< diagnostics, progress
     bool terminal = false;                      ///< err can rewrite its line
     bool coloured = false;
-    std::string library;                        ///< folder of the standard library; empty: none
+    std::string library;  ///< folder of the standard library; empty: none
 };
 
 /// Does what the program's arguments (without its name) ask for; gives the exit status.

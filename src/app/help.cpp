@@ -31,12 +31,20 @@ std::vector<ManualEntry> entries(bool offered) {
 }
 
 std::string overview() {
-    return message(short_usage(), "\n", manual(entries(true), ManualForm::text),
-                   "\nSwitches start with + or - (on or off) and are read in any case of letters; of two the later counts.\n"
-                   "Keyword=value is the same in words. -- ends the options; what follows is a file name.\n"
-                   "Exit status: 0 done, 1 error in the scene, 2 in the command line, 3 a file cannot be read or written.\n"
-                   "\n--help compatibility lists POV-Ray's other options; --help with a word explains it:\n",
-                   "  sphere, finish, light_octree, +A, --samples, shapes, light samplers ...\n");
+    return message(
+        short_usage(), "\n", manual(entries(true), ManualForm::text), "\n",
+        wrapped("Switches start with + or - (on or off), in either case of letters; of two the "
+                "later counts. Keyword=value "
+                "says the same in words. -- ends the options: what follows is a file name. Exit "
+                "status: 0 done, 1 error in "
+                "the scene, 2 error in the command line, 3 a file cannot be read or written.",
+                0),
+        "\n\n",
+        wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
+                "it: sphere, finish, "
+                "light_octree, vrotate, +A, --samples, shapes, light samplers ...",
+                0),
+        "\n");
 }
 
 bool same_topic(std::string_view name, std::string_view topic) {
@@ -51,7 +59,8 @@ std::string item_help(std::string_view topic) {
     for (const ItemGroup& group : catalogue()) {
         if (same_topic(group.name, topic)) return manual(std::span(&group, 1), ManualForm::text);
         for (const ItemInfo* item : group.items)
-            if (same_letters(item->name, topic)) text += message(text.empty() ? "" : "\n", manual(*item, group.block));
+            if (same_letters(item->name, topic))
+                text += message(text.empty() ? "" : "\n", manual(*item, group.block));
     }
     return text;
 }
@@ -61,7 +70,8 @@ std::string option_help(std::string_view topic) {
     bare.remove_prefix(std::min(bare.find_first_not_of("+-"), bare.size()));
     bare = bare.substr(0, bare.find('='));
     for (const OptionRow& row : option_table())
-        if (!bare.empty() && (same_letters(row.letters, bare) || same_letters(row.keyword, bare) || same_letters(row.word, bare)))
+        if (!bare.empty() && (same_letters(row.letters, bare) || same_letters(row.keyword, bare) ||
+                              same_letters(row.word, bare)))
             return manual(std::array{manual_entry(row)}, ManualForm::text);
     return {};
 }
@@ -89,24 +99,34 @@ std::vector<ManualEntry> function_entries() {
 
 Json json_options(bool offered) {
     Json all = Json::array();
-    for (const ManualEntry& entry : entries(offered)) all.push_back({{"option", entry.term}, {"help", entry.help}});
+    for (const ManualEntry& entry : entries(offered))
+        all.push_back({{"option", entry.term}, {"help", entry.help}});
     return all;
 }
 
 std::string_view class_name(WordClass word_class) {
     switch (word_class) {
-        case WordClass::name: return "name";
+        case WordClass::name:
+            return "name";
         case WordClass::layer:
-        case WordClass::word: return "word";
+        case WordClass::word:
+            return "word";
         case WordClass::unary_function:
-        case WordClass::function: return "function";
-        case WordClass::constant: return "constant";
+        case WordClass::function:
+            return "function";
+        case WordClass::constant:
+            return "constant";
         case WordClass::colour:
-        case WordClass::colour_prefix: return "colour";
-        case WordClass::channel: return "channel";
-        case WordClass::array: return "array";
-        case WordClass::function_literal: return "function_literal";
-        case WordClass::directive: return "directive";
+        case WordClass::colour_prefix:
+            return "colour";
+        case WordClass::channel:
+            return "channel";
+        case WordClass::array:
+            return "array";
+        case WordClass::function_literal:
+            return "function_literal";
+        case WordClass::directive:
+            return "directive";
     }
     return {};
 }
@@ -114,7 +134,8 @@ std::string_view class_name(WordClass word_class) {
 /// The reserved words by class.
 Json json_words() {
     Json all = Json::object();
-    for (const Word& word : reserved_words()) all[std::string(class_name(word.word_class))].push_back(word.spelling);
+    for (const Word& word : reserved_words())
+        all[std::string(class_name(word.word_class))].push_back(word.spelling);
     return all;
 }
 
@@ -124,7 +145,8 @@ std::string words(ManualForm form) {
     std::vector<ManualEntry> list;
     for (const auto& [name, spellings] : all.items()) {
         std::string text;
-        for (const auto& spelling : spellings) text += message(text.empty() ? "" : " ", spelling.get<std::string>());
+        for (const auto& spelling : spellings)
+            text += message(text.empty() ? "" : " ", spelling.get<std::string>());
         list.push_back({name, text});
     }
     return manual(list, form);
@@ -132,13 +154,11 @@ std::string words(ManualForm form) {
 
 }  // namespace
 
-std::string version_text() {
-    return "Candelabra " CANDELABRA_VERSION "\n";
-}
+std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
-           "Renders a scene in the manner of POV-Ray's language, lit by any number of luminaires.\n"
+           "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
 }
 
@@ -147,14 +167,17 @@ std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
     if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
     std::string text = item_help(topic);
     for (const FunctionInfo& each : functions())
-        if (same_letters(each.name, topic)) text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
+        if (same_letters(each.name, topic))
+            text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
     const std::string option = option_help(topic);
     if (!text.empty() && !option.empty()) text += "\n";
     text += option;
     if (text.empty()) {
         const std::string meant = nearest(topic, topics());
-        diagnostics.add(error(Fault::option, {}, message("there is no help on `", harmless(topic), "`"))
-                            .with_help(meant.empty() ? "--help lists the options" : message("did you mean `", meant, "`?")));
+        diagnostics.add(
+            error(Fault::option, {}, message("there is no help on `", harmless(topic), "`"))
+                .with_help(meant.empty() ? "--help lists the options"
+                                         : message("did you mean `", meant, "`?")));
     }
     return text;
 }
@@ -166,12 +189,16 @@ std::string description(std::string_view part, ManualForm form, Diagnostics& dia
     if (part == "functions") return manual(function_entries(), form);
     if (part == "words") return words(form);
     if (!part.empty()) {
-        diagnostics.add(error(Fault::option, {}, message("there is nothing called `", harmless(part), "` to describe"))
+        diagnostics.add(error(Fault::option, {},
+                              message("there is nothing called `", harmless(part), "` to describe"))
                             .with_help("items, functions, options, compatibility or words"));
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);
-    Json all = {{"program", "candelabra"}, {"version", CANDELABRA_VERSION}, {"options", json_options(true)}, {"words", json_words()}};
+    Json all = {{"program", "candelabra"},
+                {"version", CANDELABRA_VERSION},
+                {"options", json_options(true)},
+                {"words", json_words()}};
     all["functions"] = Json::parse(manual(function_entries(), form));
     all["groups"] = Json::parse(manual(catalogue(), form));
     return all.dump(2) + "\n";

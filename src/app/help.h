@@ -13,8 +13,10 @@ std::string version_text();
 /// A few lines: what the program does and how it is called.
 std::string short_usage();
 
-/// The options, or what there is to say about a topic: an option, an item, a group of items. Reports unknown topics.
+/// The options, or what there is to say about a topic: an option, an item, a group of items.
+/// Reports unknown topics.
 std::string help_text(std::string_view topic, Diagnostics&);
 
-/// Tables for the manual and for editors. Part: items, functions, options, compatibility, words, or nothing for items (in JSON: for all).
+/// Tables for the manual and for editors. Part: items, functions, options, compatibility, words, or
+/// nothing for items (in JSON: for all).
 std::string description(std::string_view part, ManualForm, Diagnostics&);

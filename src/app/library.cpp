@@ -3,7 +3,8 @@
 
 #include <filesystem>
 
-// Both are relative to the folder of the program, so that no path of the machine that built it is part of it.
+// Both are relative to the folder of the program, so that no path of the machine that built it is
+// part of it.
 #ifndef CANDELABRA_INSTALLED_STDLIB
 #define CANDELABRA_INSTALLED_STDLIB "../share/candelabra/stdlib"
 #endif

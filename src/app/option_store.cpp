@@ -16,19 +16,19 @@ namespace {
 bool is_identifier(std::string_view name) {
     const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-    return !name.empty() && !digit(name[0]) && std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c) || c == '_'; });
+    return !name.empty() && !digit(name[0]) &&
+           std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c) || c == '_'; });
 }
 
 std::optional<std::variant<double, std::string>> declared_value(std::string_view text) {
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') return std::string(text.substr(1, text.size() - 2));
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
+        return std::string(text.substr(1, text.size() - 2));
     if (const auto value = number(text)) return *value;
     if (const auto value = truth(text)) return *value ? 1.0 : 0.0;
     return std::nullopt;
 }
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
 
@@ -37,7 +37,8 @@ std::optional<double> number(std::string_view text) {
     double result = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), result);
     // from_chars reads "inf" and "nan" as well
-    if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(result)) return std::nullopt;
+    if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(result))
+        return std::nullopt;
     return result;
 }
 
@@ -53,22 +54,29 @@ bool same_letters(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
 }
 
-void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rule, const std::string& help) {
-    diagnostics.add(error(Fault::option, {}, message("`", harmless(given.argument), "`: ", rule)).with_help(help));
+void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rule,
+            const std::string& help) {
+    diagnostics.add(error(Fault::option, {}, message("`", harmless(given.argument), "`: ", rule))
+                        .with_help(help));
 }
 
 std::size_t settings_field(std::string_view name) {
     const auto fields = item_info<RenderSettings>().fields;
-    return static_cast<std::size_t>(std::ranges::find(fields, name, &FieldInfo::name) - fields.begin());
+    return static_cast<std::size_t>(std::ranges::find(fields, name, &FieldInfo::name) -
+                                    fields.begin());
 }
 
-void store::field(std::string_view name, Options& options, const Given& given, Diagnostics& diagnostics) {
+void store::field(std::string_view name, Options& options, const Given& given,
+                  Diagnostics& diagnostics) {
     const std::size_t index = settings_field(name);
     const FieldInfo& info = item_info<RenderSettings>().fields[index];
     const std::optional<double> value = number(given.value.value_or(""));
     const bool whole = info.type != FieldType::integer || (value && std::floor(*value) == *value);
-    if (value && whole && info.range.contains(*value)) return item_info<RenderSettings>().set(&options.render, index, *value);
-    const std::string got = given.value && !given.value->empty() ? message(", but it is `", harmless(*given.value), "`") : "";
+    if (value && whole && info.range.contains(*value))
+        return item_info<RenderSettings>().set(&options.render, index, *value);
+    const std::string got = given.value && !given.value->empty()
+                                ? message(", but it is `", harmless(*given.value), "`")
+                                : "";
     refuse(given, diagnostics, message(info.name, " must be a ", takes(info), got));
 }
 
@@ -83,7 +91,8 @@ void store::antialias(Options& options, const Given& given, Diagnostics& diagnos
 
 void store::bits(Options& options, const Given& given, Diagnostics& diagnostics) {
     const std::optional<double> bits = number(*given.value);
-    if (bits != 8.0 && bits != 16.0) return refuse(given, diagnostics, "a channel can have 8 or 16 bits");
+    if (bits != 8.0 && bits != 16.0)
+        return refuse(given, diagnostics, "a channel can have 8 or 16 bits");
     options.bits = static_cast<int>(*bits);
 }
 
@@ -94,16 +103,19 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
         bool compressed;
     };
     static constexpr std::array letters = {
-        Letter{'n', PictureType::png, false}, Letter{'s', PictureType::png, false}, Letter{'e', PictureType::exr, false},
-        Letter{'h', PictureType::hdr, false}, Letter{'p', PictureType::ppm, false}, Letter{'t', PictureType::tga, false},
-        Letter{'c', PictureType::tga, true},  Letter{'j', PictureType::jpeg, false}, Letter{'b', PictureType::bmp, false},
+        Letter{'n', PictureType::png, false}, Letter{'s', PictureType::png, false},
+        Letter{'e', PictureType::exr, false}, Letter{'h', PictureType::hdr, false},
+        Letter{'p', PictureType::ppm, false}, Letter{'t', PictureType::tga, false},
+        Letter{'c', PictureType::tga, true},  Letter{'j', PictureType::jpeg, false},
+        Letter{'b', PictureType::bmp, false},
     };
     const std::string& text = *given.value;
     const char lower = text.empty() ? ' ' : static_cast<char>(text[0] | 0x20);
     const auto found = std::ranges::find(letters, lower, &Letter::letter);
     if (found == letters.end())
-        return refuse(given, diagnostics, message("`", harmless(text), "` is no picture format"),
-                      "N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp");
+        return refuse(
+            given, diagnostics, message("`", harmless(text), "` is no picture format"),
+            "N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp");
     options.type = found->type;
     options.compressed = found->compressed;
     const std::string rest = text.substr(1);
@@ -121,13 +133,16 @@ void store::declare(Options& options, const Given& given, Diagnostics& diagnosti
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
     if (equals == std::string::npos || !is_identifier(name))
-        return refuse(given, diagnostics, "needs a name and a value", "Declare=Depth=5, 'Declare=Title=\"text\"'");
+        return refuse(given, diagnostics, "needs a name and a value",
+                      "Declare=Depth=5, 'Declare=Title=\"text\"'");
     const Names names;
     if (names.find(name) != no_name)
-        return refuse(given, diagnostics, message("`", name, "` is a word of the language and cannot be declared"));
+        return refuse(given, diagnostics,
+                      message("`", name, "` is a word of the language and cannot be declared"));
     const auto value = declared_value(std::string_view(text).substr(equals + 1));
     if (!value)
-        return refuse(given, diagnostics, message("the value of `", name, "` must be a number or a string in quotes"),
+        return refuse(given, diagnostics,
+                      message("the value of `", name, "` must be a number or a string in quotes"),
                       message("for a string: 'Declare=", name, "=\"text\"'"));
     options.declares.emplace_back(name, *value);
 }
@@ -142,7 +157,8 @@ void store::sampler(Options& options, const Given& given, Diagnostics& diagnosti
         return;
     }
     std::string help = "there are";
-    for (const std::string_view name : names) help += message(name == names.front() ? " " : ", ", name);
+    for (const std::string_view name : names)
+        help += message(name == names.front() ? " " : ", ", name);
     const std::string meant = nearest(*given.value, names);
     refuse(given, diagnostics, message("there is no light sampler `", harmless(*given.value), "`"),
            meant.empty() ? help : message("did you mean `", meant, "`? ", help));
@@ -156,19 +172,24 @@ void store::clock(Options& options, const Given& given, Diagnostics& diagnostics
 
 void store::quality(Options&, const Given& given, Diagnostics& diagnostics) {
     const auto value = number(*given.value);
-    if (!value || *value < 0 || *value > 11) return refuse(given, diagnostics, "quality must be a number from 0 to 11");
+    if (!value || *value < 0 || *value > 11)
+        return refuse(given, diagnostics, "quality must be a number from 0 to 11");
     if (*value < 9)
-        diagnostics.add(warning(Fault::option, {}, message("`", given.argument, "` is ignored: the picture has the full quality")));
+        diagnostics.add(warning(
+            Fault::option, {},
+            message("`", given.argument, "` is ignored: the picture has the full quality")));
 }
 
 void store::gamma(Options&, const Given& given, Diagnostics& diagnostics) {
     if (!same_letters(*given.value, "srgb"))
-        refuse(given, diagnostics, "pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, +FH");
+        refuse(given, diagnostics,
+               "pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, +FH");
 }
 
 void store::check(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.task = given.value ? Task::check_syntax : Task::check;
-    if (given.value && *given.value != "syntax") refuse(given, diagnostics, "only --check and --check=syntax are offered");
+    if (given.value && *given.value != "syntax")
+        refuse(given, diagnostics, "only --check and --check=syntax are offered");
 }
 
 void store::dump(Options& options, const Given& given, Diagnostics& diagnostics) {
@@ -180,7 +201,8 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
             options.task = task;
             return;
         }
-    refuse(given, diagnostics, message("there is no stage `", harmless(*given.value), "`"), "tokens, tree, scene or world");
+    refuse(given, diagnostics, message("there is no stage `", harmless(*given.value), "`"),
+           "tokens, tree, scene or world");
 }
 
 void store::help(Options& options, const Given& given, Diagnostics&) {
@@ -195,10 +217,14 @@ void store::describe(Options& options, const Given& given, Diagnostics&) {
     while (!rest.empty()) {
         const std::string_view word = rest.substr(0, rest.find(' '));
         rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-        if (word == "text") options.form = ManualForm::text;
-        else if (word == "roff") options.form = ManualForm::roff;
-        else if (word == "json") options.form = ManualForm::json;
-        else options.topic = word;
+        if (word == "text")
+            options.form = ManualForm::text;
+        else if (word == "roff")
+            options.form = ManualForm::roff;
+        else if (word == "json")
+            options.form = ManualForm::json;
+        else
+            options.topic = word;
     }
 }
 
@@ -218,6 +244,4 @@ void store::stats(Options& options, const Given& given, Diagnostics&) {
     options.stats_file = *given.value;
 }
 
-void store::version(Options& options, const Given&, Diagnostics&) {
-    options.task = Task::version;
-}
+void store::version(Options& options, const Given&, Diagnostics&) { options.task = Task::version; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of the value of an option: a check and a place in Options. The table of options (app/option_table.h) names
-// these functions; nothing else calls them.
+// What becomes of the value of an option: a check and a place in Options. The table of options
+// (app/option_table.h) names these functions; nothing else calls them.
 #pragma once
 
 #include "app/options.h"
@@ -11,8 +11,8 @@
 
 /// An option as it was met on the command line.
 struct Given {
-    std::string_view argument;         ///< as it was written, for messages
-    bool on = true;                    ///< `-X`, `Keyword=off`: false
+    std::string_view argument;  ///< as it was written, for messages
+    bool on = true;             ///< `-X`, `Keyword=off`: false
     std::optional<std::string> value;
 };
 

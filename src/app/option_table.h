@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every switch, keyword and long option, in one table: how it is written, what it means, where its value goes. The command
-// line is read with it; help and manual are made from it. Switches of POV-Ray that we do not offer have their rows, too.
+// Every switch, keyword and long option, in one table: how it is written, what it means, where its
+// value goes. The command line is read with it; help and manual are made from it. Switches of
+// POV-Ray that we do not offer have their rows, too.
 #pragma once
 
 #include "app/option_store.h"
@@ -32,8 +33,8 @@ struct OptionRow {
     std::string_view word;       ///< of `--word`; empty: none
     std::string_view parameter;  ///< how its value is called in help
     Takes takes;
-    std::string_view help;       ///< empty: the field's
-    std::string_view field = {}; ///< of RenderSettings; empty: `store` is called
+    std::string_view help;        ///< empty: the field's
+    std::string_view field = {};  ///< of RenderSettings; empty: `store` is called
     void (*store)(Options&, const Given&, Diagnostics&) = nullptr;
     Unoffered unoffered = Unoffered::no;
 };

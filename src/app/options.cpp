@@ -14,11 +14,13 @@ bool starts_with_letters(std::string_view text, std::string_view letters) {
     return same_letters(text.substr(0, letters.size()), letters);
 }
 
-/// The switch that the text behind the sign begins with; of several the longest. Null when there is none.
+/// The switch that the text behind the sign begins with; of several the longest. Null when there is
+/// none.
 const OptionRow* find_switch(std::string_view text) {
     const OptionRow* best = nullptr;
     for (const OptionRow& row : option_table())
-        if (!row.letters.empty() && starts_with_letters(text, row.letters) && (!best || row.letters.size() > best->letters.size()))
+        if (!row.letters.empty() && starts_with_letters(text, row.letters) &&
+            (!best || row.letters.size() > best->letters.size()))
             best = &row;
     return best;
 }
@@ -33,7 +35,8 @@ bool keyword_form(std::string_view argument) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string_view::npos || equals == 0) return false;
     return std::ranges::all_of(argument.substr(0, equals), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '_';
     });
 }
 
@@ -46,14 +49,16 @@ std::string meant(std::string_view argument) {
     std::vector<std::string> texts;
     for (const OptionRow& row : option_table()) {
         if (row.unoffered != Unoffered::no) continue;
-        if (!row.letters.empty() && argument.size() < 5) texts.push_back(message(argument.substr(0, 1), row.letters));
+        if (!row.letters.empty() && argument.size() < 5)
+            texts.push_back(message(argument.substr(0, 1), row.letters));
         if (!row.word.empty()) texts.push_back(message("--", row.word));
         if (!row.keyword.empty()) texts.push_back(message(row.keyword, "="));
     }
     std::string_view word = argument.substr(0, argument.find('='));
     const std::string with_equals = message(word, "=");
     const std::vector<std::string_view> names(texts.begin(), texts.end());
-    const std::string found = nearest(argument.size() > word.size() && !argument.starts_with('-') ? with_equals : word, names);
+    const std::string found = nearest(
+        argument.size() > word.size() && !argument.starts_with('-') ? with_equals : word, names);
     return found.empty() ? "" : message("did you mean `", found, "`?");
 }
 
@@ -64,7 +69,8 @@ public:
 
     Options read() {
         // POV-Ray's shortest way to ask for help
-        if (arguments_.size() == 1 && (same_letters(arguments_[0], "-h") || same_letters(arguments_[0], "+h"))) {
+        if (arguments_.size() == 1 &&
+            (same_letters(arguments_[0], "-h") || same_letters(arguments_[0], "+h"))) {
             options_.task = Task::help;
             return options_;
         }
@@ -79,19 +85,28 @@ private:
 
     void read_one(std::string_view argument) {
         if (only_files_) return read_scene(argument);
-        if (argument == "--") only_files_ = true;
-        else if (argument.starts_with("--")) read_long(argument);
-        else if (argument.size() > 1 && (argument[0] == '+' || argument[0] == '-')) read_switch(argument);
-        else if (keyword_form(argument)) read_keyword(argument);
-        else read_scene(argument);
+        if (argument == "--")
+            only_files_ = true;
+        else if (argument.starts_with("--"))
+            read_long(argument);
+        else if (argument.size() > 1 && (argument[0] == '+' || argument[0] == '-'))
+            read_switch(argument);
+        else if (keyword_form(argument))
+            read_keyword(argument);
+        else
+            read_scene(argument);
     }
 
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
-        if (!only_files_ && argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".ini"))
-            return fail(argument, "INI files are not read", "give its settings here, each as one argument: Width=640");
+        if (!only_files_ && argument.size() > 4 &&
+            same_letters(argument.substr(argument.size() - 4), ".ini"))
+            return fail(argument, "INI files are not read",
+                        "give its settings here, each as one argument: Width=640");
         if (bare_scene_)
-            return fail(argument, message("only one scene can be rendered at a time, and there is already `", harmless(*options_.scene), "`"));
+            return fail(argument,
+                        message("only one scene can be rendered at a time, and there is already `",
+                                harmless(*options_.scene), "`"));
         bare_scene_ = true;
         options_.scene = argument;
     }
@@ -99,17 +114,22 @@ private:
     void read_switch(std::string_view argument) {
         const std::string_view text = argument.substr(1);
         const OptionRow* row = find_switch(text);
-        if (find_named(&OptionRow::word, text) || !row) return fail(argument, "there is no such option", help_for(argument));
+        if (find_named(&OptionRow::word, text) || !row)
+            return fail(argument, "there is no such option", help_for(argument));
         std::optional<std::string> value;
         if (text.size() > row->letters.size()) value = text.substr(row->letters.size());
-        if (row->takes == Takes::sign && value) return fail(argument, "there is no such option", help_for(argument));
+        if (row->takes == Takes::sign && value)
+            return fail(argument, "there is no such option", help_for(argument));
         if (row->takes == Takes::value && !value)
-            return fail(argument, message("needs a value directly behind it: `", argument, row->parameter, "`"));
-        apply(*row, options_, {argument, argument[0] == '+' || row->takes == Takes::value, value}, diagnostics_);
+            return fail(argument, message("needs a value directly behind it: `", argument,
+                                          row->parameter, "`"));
+        apply(*row, options_, {argument, argument[0] == '+' || row->takes == Takes::value, value},
+              diagnostics_);
     }
 
     std::string help_for(std::string_view argument) {
-        if (find_named(&OptionRow::word, argument.substr(1))) return message("did you mean `--", argument.substr(1), "`?");
+        if (find_named(&OptionRow::word, argument.substr(1)))
+            return message("did you mean `--", argument.substr(1), "`?");
         return meant(argument);
     }
 
@@ -119,7 +139,9 @@ private:
         if (!row && names_a_scene(argument)) return read_scene(argument);
         if (!row) {
             const std::string near = meant(argument);
-            return fail(argument, "there is no such keyword", near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
+            return fail(
+                argument, "there is no such keyword",
+                near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
         }
         const std::string text(argument.substr(equals + 1));
         if (row->takes == Takes::value) {
@@ -133,15 +155,19 @@ private:
 
     void read_long(std::string_view argument) {
         const std::size_t equals = argument.find('=');
-        const OptionRow* row = find_named(&OptionRow::word, argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
+        const OptionRow* row =
+            find_named(&OptionRow::word,
+                       argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
         if (!row) return fail(argument, "there is no such option", meant(argument));
         Given given{argument, true, {}};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
-        if (!given.value && row->takes == Takes::value && next_ < arguments_.size()) given.value = arguments_[next_++];
+        if (!given.value && row->takes == Takes::value && next_ < arguments_.size())
+            given.value = arguments_[next_++];
         if (!given.value && row->takes == Takes::maybe_words) given.value = following_words();
         if (row->takes == Takes::value && (!given.value || given.value->empty()))
-            return fail(argument, message("needs a value: `--", row->word, " ", row->parameter, "`"));
+            return fail(argument,
+                        message("needs a value: `--", row->word, " ", row->parameter, "`"));
         apply(*row, options_, given, diagnostics_);
     }
 

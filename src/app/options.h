@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line as a value. POV-Ray's switches and keywords and our own long options are read from one table
-// (app/option_table.h); what is wrong is reported, and reading goes on. Reads no file.
+// The command line as a value. POV-Ray's switches and keywords and our own long options are read
+// from one table (app/option_table.h); what is wrong is reported, and reading goes on. Reads no
+// file.
 #pragma once
 
 #include "picture/write.h"
@@ -16,15 +17,26 @@
 #include <variant>
 #include <vector>
 
-enum class Task { render, check, check_syntax, dump_tokens, dump_tree, dump_scene, dump_world, help, version, describe };
+enum class Task {
+    render,
+    check,
+    check_syntax,
+    dump_tokens,
+    dump_tree,
+    dump_scene,
+    dump_world,
+    help,
+    version,
+    describe
+};
 
 /// A name that the scene finds declared, and its value.
 using Declaration = std::pair<std::string, std::variant<double, std::string>>;
 
 struct Options {
     Task task = Task::render;
-    std::optional<std::string> scene;      ///< "-": standard input
-    std::string output;                    ///< as given: a file, a folder, "-" or nothing
+    std::optional<std::string> scene;  ///< "-": standard input
+    std::string output;                ///< as given: a file, a folder, "-" or nothing
     bool to_file = true;
     std::optional<PictureType> type;
     std::optional<int> bits;
@@ -35,8 +47,8 @@ struct Options {
     RenderSettings render;
     bool verbose = true;
     std::string stats_file;
-    std::string topic;                     ///< of --help, or what --describe describes
-    ManualForm form = ManualForm::text;    ///< of --describe
+    std::string topic;                   ///< of --help, or what --describe describes
+    ManualForm form = ManualForm::text;  ///< of --describe
 };
 
 /// The program's arguments, without its name. Everything wrong with them is in the diagnostics.

@@ -38,12 +38,15 @@ std::string path_of(const Options& options, PictureType type) {
 
 Output output_of(const Options& options, Diagnostics& diagnostics) {
     Output output;
-    output.format.type = options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
+    output.format.type =
+        options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
     output.format.bits = options.bits.value_or(8);
     output.format.compressed = options.compressed;
     output.path = path_of(options, output.format.type);
     if (output.format.bits == 16 && output.format.type != PictureType::png)
-        diagnostics.add(error(Fault::option, {}, message("a file of format ", extension(output.format.type), " cannot have 16 bits a channel"))
+        diagnostics.add(error(Fault::option, {},
+                              message("a file of format ", extension(output.format.type),
+                                      " cannot have 16 bits a channel"))
                             .with_help("png can (+FN16); OpenEXR has 32 (+FE)"));
     return output;
 }

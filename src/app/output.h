@@ -9,7 +9,7 @@ struct Output {
     PictureFormat format;
 };
 
-/// The format is that of +F, or else of the ending of +O, or else png. A name without the format's ending gets it. Without a
-/// name it is the scene's, in the current folder or the folder of +O. Devices and pipes are taken by the name that they have.
-/// Reports what does not fit together.
+/// The format is that of +F, or else of the ending of +O, or else png. A name without the format's
+/// ending gets it. Without a name it is the scene's, in the current folder or the folder of +O.
+/// Devices and pipes are taken by the name that they have. Reports what does not fit together.
 Output output_of(const Options&, Diagnostics&);

@@ -9,22 +9,26 @@
 namespace {
 
 constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
-constexpr double line_interval = 10;       ///< seconds after which a line is due even without a tenth of progress
-constexpr double shortest_interval = 1;    ///< lines of a quick rendering would be noise
+constexpr double line_interval =
+    10;  ///< seconds after which a line is due even without a tenth of progress
+constexpr double shortest_interval = 1;  ///< lines of a quick rendering would be noise
 
-std::string two_digits(long number) {
-    return message(number < 10 ? "0" : "", number);
-}
+std::string two_digits(long number) { return message(number < 10 ? "0" : "", number); }
 
 }  // namespace
 
 Progress::Progress(Style style, Seconds clock, Output output)
-    : style_(style), clock_(std::move(clock)), output_(std::move(output)), start_(clock_()), shown_at_(start_) {}
+    : style_(style),
+      clock_(std::move(clock)),
+      output_(std::move(output)),
+      start_(clock_()),
+      shown_at_(start_) {}
 
 bool Progress::worth_showing(double now) const {
     const double passed = now - shown_at_;
     if (style_ == Style::terminal) return passed >= terminal_interval;
-    return passed >= line_interval || (passed >= shortest_interval && std::floor(fraction_ * 10) > std::floor(shown_ * 10));
+    return passed >= line_interval ||
+           (passed >= shortest_interval && std::floor(fraction_ * 10) > std::floor(shown_ * 10));
 }
 
 void Progress::update(double fraction) {
@@ -46,14 +50,16 @@ void Progress::update(double fraction) {
 
 void Progress::finish() {
     const std::lock_guard lock(mutex_);
-    if (style_ == Style::terminal && width_ > 0) output_(message("\r", std::string(width_, ' '), "\r"));
+    if (style_ == Style::terminal && width_ > 0)
+        output_(message("\r", std::string(width_, ' '), "\r"));
     width_ = 0;
 }
 
 std::string progress_text(double fraction, double elapsed) {
     const long tenths = std::lround(std::floor(fraction * 1000));
     std::string text = message(tenths / 10, '.', tenths % 10, " %, ", duration(elapsed), " so far");
-    if (fraction > 0) text += message(", about ", duration(elapsed * (1 - fraction) / fraction), " left");
+    if (fraction > 0)
+        text += message(", about ", duration(elapsed * (1 - fraction) / fraction), " left");
     return text;
 }
 

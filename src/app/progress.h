@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a rendering is, for people. On a terminal one line that is rewritten, elsewhere a line now and then. May be told
-// from several threads; time and output are arguments, so that it can be tested.
+// How far a rendering is, for people. On a terminal one line that is rewritten, elsewhere a line
+// now and then. May be told from several threads; time and output are arguments, so that it can be
+// tested.
 #pragma once
 
 #include <functional>
@@ -16,7 +17,8 @@ public:
 
     Progress(Style style, Seconds clock, Output output);
 
-    /// `fraction` of the work is done. What comes late, from another thread, and says less than before, is left out.
+    /// `fraction` of the work is done. What comes late, from another thread, and says less than
+    /// before, is left out.
     void update(double fraction);
 
     /// Takes the line on a terminal away.
@@ -31,7 +33,7 @@ private:
     std::mutex mutex_;
     double start_;
     double shown_at_;
-    double shown_ = 0;     ///< fraction when something was last shown
+    double shown_ = 0;  ///< fraction when something was last shown
     double fraction_ = 0;
     std::size_t width_ = 0;  ///< of the line on the terminal
 };

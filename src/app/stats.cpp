@@ -23,14 +23,15 @@ double read_clock(clockid_t which) {
 }
 
 Json phases(const RunStatistics& run, double Phase::*which) {
-    return {{"parse", run.parse.*which}, {"compile", run.compile.*which}, {"render", run.render.*which}, {"total", run.total.*which}};
+    return {{"parse", run.parse.*which},
+            {"compile", run.compile.*which},
+            {"render", run.render.*which},
+            {"total", run.total.*which}};
 }
 
 }  // namespace
 
-Phase time_now() {
-    return {read_clock(CLOCK_MONOTONIC), read_clock(CLOCK_PROCESS_CPUTIME_ID)};
-}
+Phase time_now() { return {read_clock(CLOCK_MONOTONIC), read_clock(CLOCK_PROCESS_CPUTIME_ID)}; }
 
 std::size_t peak_memory_bytes() {
     rusage usage{};
@@ -55,10 +56,18 @@ std::string to_json(const RunStatistics& run) {
         {"primitives", run.primitives},
         {"luminaires", run.luminaires},
         {"light_sources", run.light_sources},
-        {"rays", {{"camera", run.rays.camera}, {"shadow", run.rays.shadow}, {"scattered", run.rays.scattered}}},
+        {"rays",
+         {{"camera", run.rays.camera},
+          {"shadow", run.rays.shadow},
+          {"scattered", run.rays.scattered}}},
         {"kdtree",
-         {{"bytes", run.kdtree.bytes}, {"nodes", run.kdtree.nodes}, {"leaves", run.kdtree.leaves}, {"max_depth", run.kdtree.max_depth},
-          {"items_per_leaf", run.kdtree.mean_items_per_leaf}, {"duplication", run.kdtree.duplication}, {"cost", run.kdtree.cost}}},
+         {{"bytes", run.kdtree.bytes},
+          {"nodes", run.kdtree.nodes},
+          {"leaves", run.kdtree.leaves},
+          {"max_depth", run.kdtree.max_depth},
+          {"items_per_leaf", run.kdtree.mean_items_per_leaf},
+          {"duplication", run.kdtree.duplication},
+          {"cost", run.kdtree.cost}}},
         {"light_octree", {{"bytes", run.light_octree_bytes}}},
         {"light_sampler_bytes", run.light_sampler_bytes},
         {"peak_memory_bytes", run.peak_memory_bytes},
@@ -80,8 +89,9 @@ std::string short_count(double count) {
 
 std::string summary(const RunStatistics& run) {
     const auto rays = [](std::uint64_t count) { return short_count(static_cast<double>(count)); };
-    return message(run.width, " x ", run.height, " in ", duration(run.total.seconds), ": ", run.objects,
-                   run.objects == 1 ? " object, " : " objects, ", run.luminaires, run.luminaires == 1 ? " luminaire (" : " luminaires (",
-                   run.light_sampler, "); ", rays(run.rays.camera), " camera, ", rays(run.rays.shadow), " shadow, ",
+    return message(run.width, " x ", run.height, " in ", duration(run.total.seconds), ": ",
+                   run.objects, run.objects == 1 ? " object, " : " objects, ", run.luminaires,
+                   run.luminaires == 1 ? " luminaire (" : " luminaires (", run.light_sampler, "); ",
+                   rays(run.rays.camera), " camera, ", rays(run.rays.shadow), " shadow, ",
                    rays(run.rays.scattered), " scattered rays");
 }

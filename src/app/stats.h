@@ -13,7 +13,9 @@ struct Phase {
     double seconds = 0;
     double cpu_seconds = 0;
 
-    friend Phase operator-(const Phase& a, const Phase& b) { return {a.seconds - b.seconds, a.cpu_seconds - b.cpu_seconds}; }
+    friend Phase operator-(const Phase& a, const Phase& b) {
+        return {a.seconds - b.seconds, a.cpu_seconds - b.cpu_seconds};
+    }
 };
 
 /// The time that has passed since some fixed moment: differences have a meaning.
@@ -26,7 +28,7 @@ struct RunStatistics {
     Phase parse;    ///< reading and evaluating the scene
     Phase compile;  ///< building the world
     Phase render;
-    Phase total;    ///< of the whole run up to here
+    Phase total;  ///< of the whole run up to here
     std::size_t objects = 0;
     std::size_t primitives = 0;
     std::size_t luminaires = 0;
@@ -48,7 +50,8 @@ struct RunStatistics {
 /// An object with a line for each entry; ends in a newline.
 std::string to_json(const RunStatistics&);
 
-/// "640 x 480 in 12.3 s: 7382 objects, 7381 luminaires (light_octree); 2.1 M camera, 9.7 M shadow, 0 scattered rays"
+/// "640 x 480 in 12.3 s: 7382 objects, 7381 luminaires (light_octree); 2.1 M camera, 9.7 M shadow,
+/// 0 scattered rays"
 std::string summary(const RunStatistics&);
 
 /// A count in a few characters: 950, 12.3 k, 4.5 M, 1.2 G.

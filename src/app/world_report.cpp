@@ -9,9 +9,7 @@
 
 namespace {
 
-std::string vector_text(const Vec3& v) {
-    return message("<", v.x, ", ", v.y, ", ", v.z, ">");
-}
+std::string vector_text(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
 
 std::string sampler_text(const World& world) {
     LightSampler sampler = world.settings.light_sampler;
@@ -28,8 +26,8 @@ std::string luminaire_text(const World& world) {
         ++counts[luminaire.emitter.index()];
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
-    return message(world.luminaires.size(), " (", counts[0], " spheres, ", counts[1], " triangles, ", counts[2],
-                   " others), greatest radiance ", greatest);
+    return message(world.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
+                   " triangles, ", counts[2], " others), greatest radiance ", greatest);
 }
 
 }  // namespace
@@ -37,17 +35,15 @@ std::string luminaire_text(const World& world) {
 std::string report(const World& world) {
     const KdTreeStatistics tree = statistics(world.tree);
     const Projection& camera = world.camera;
-    return message("objects: ", world.objects, "\n",
-                   "primitives: ", world.spheres.size(), " spheres, ", world.triangles.size(), " triangles, ", world.shapes.size(),
-                   " other shapes; ", world.unbounded.size(), " unbounded\n",
-                   "materials: ", world.materials.size(), "\n",
-                   "luminaires: ", luminaire_text(world), "\n",
-                   "light sampler: ", sampler_text(world), "\n",
-                   "light sources: ", world.lights.size(), "\n",
-                   "kd-tree: ", tree.nodes, " nodes, ", tree.leaves, " leaves (", tree.empty_leaves, " empty), depth ", tree.max_depth,
-                   ", ", tree.bytes, " bytes\n",
-                   "camera: ", camera.parallel ? "parallel rays" : "rays from a point", ", location ", vector_text(camera.location),
-                   ", direction ", vector_text(camera.direction), ", right ", vector_text(camera.right), ", up ",
-                   vector_text(camera.up), "\n",
-                   "max_trace_level: ", world.settings.max_trace_level, "\n");
+    return message(
+        "objects: ", world.objects, "\n", "primitives: ", world.spheres.size(), " spheres, ",
+        world.triangles.size(), " triangles, ", world.shapes.size(), " other shapes; ",
+        world.unbounded.size(), " unbounded\n", "materials: ", world.materials.size(), "\n",
+        "luminaires: ", luminaire_text(world), "\n", "light sampler: ", sampler_text(world), "\n",
+        "light sources: ", world.lights.size(), "\n", "kd-tree: ", tree.nodes, " nodes, ",
+        tree.leaves, " leaves (", tree.empty_leaves, " empty), depth ", tree.max_depth, ", ",
+        tree.bytes, " bytes\n", "camera: ", camera.parallel ? "parallel rays" : "rays from a point",
+        ", location ", vector_text(camera.location), ", direction ", vector_text(camera.direction),
+        ", right ", vector_text(camera.right), ", up ", vector_text(camera.up), "\n",
+        "max_trace_level: ", world.settings.max_trace_level, "\n");
 }

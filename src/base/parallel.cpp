@@ -7,12 +7,16 @@
 
 int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
-void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job) {
+void run_on_threads(int threads, const std::function<void()>& work) {
     if (threads <= 0) threads = core_count();
     using Control = oneapi::tbb::global_control;
     const Control allowed(Control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     oneapi::tbb::task_arena arena(threads);
-    arena.execute([&] {
+    arena.execute(work);
+}
+
+void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job) {
+    run_on_threads(threads, [&] {
         oneapi::tbb::parallel_for(std::size_t{0}, count, job, oneapi::tbb::simple_partitioner());
     });
 }

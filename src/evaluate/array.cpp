@@ -70,12 +70,17 @@ bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t
         array.elements[next++] = std::move(value);
     };
     walk(*body.tree, body.first, [&](const Element& element) {
-        if (innermost) {
+        if (!good) {
+            ++count;
+        } else if (innermost && element.kind == Element::Kind::braces) {
+            broken(Fault::wrong_type, element.span, "braces for a dimension that this array does not have");
+            good = false;
+        } else if (innermost) {
             put(evaluator.value_of(element), element.span);
         } else if (element.kind == Element::Kind::braces) {
             if (count++ < wanted)
                 good = fill(array, dimension + 1, next, element.body, element.span) && good;
-        } else if (good) {
+        } else {
             broken(Fault::wrong_type, element.span,
                    message("this array has ", array.sizes.size(),
                            " dimensions: its content is braces in braces"));

@@ -37,6 +37,8 @@ public:
     template <class... Readers>
     void read(Body, Readers&...);
 
+    /// What has been passed over has ended: an element came that belongs here.
+    void resume() { passing_over_ = false; }
     /// For an element outside of all readers.
     void refuse(const Element&, const WordList& words);
 

@@ -231,8 +231,10 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const Tree*& known = loaded[found->path];
     if (!known) {
         const std::size_t errors = diagnostics.error_count();
+        frames.push({Frame::include, no_name, found->path, span});
         known = &trees.emplace_back(
             parse(sources.add(found->path, found->text, span), sources, names, diagnostics));
+        frames.pop();
         if (diagnostics.error_count() > errors) stopped_ = true;
     }
     return stopped_ ? nullptr : known;

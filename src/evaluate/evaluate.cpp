@@ -71,6 +71,7 @@ private:
 
     void take_block(const Element& element) {
         const std::string_view word = spelling(element);
+        top_.resume();
         if (word == "light_source") {
             if (auto light = read_light(binder_, element))
                 scene_.lights.push_back(std::move(*light));

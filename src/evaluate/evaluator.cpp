@@ -26,6 +26,7 @@ double Evaluator::version() const { return state_->version; }
 bool Evaluator::version_given() const { return state_->version_given; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
+void Evaluator::stop() { state_->stopped_ = true; }
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }

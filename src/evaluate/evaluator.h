@@ -107,6 +107,8 @@ public:
     void report(Diagnostic);
     /// After #error or too many errors nothing more is evaluated; walk() returns early.
     bool stopped() const;
+    /// Evaluates nothing more: going on makes no sense.
+    void stop();
 
     std::string_view spelling(NameId) const;
     Names& names();

@@ -266,11 +266,15 @@ std::optional<Object> read_object(Binder& binder, const Element& element) {
         std::optional<PlacedLight> light = read_light(binder, element);
         return light ? std::optional(as_object(std::move(*light))) : std::nullopt;
     }
+    const bool holds_objects =
+        Kinds<Shape>::find(binder.evaluator.spelling(element.word)) == Kinds<Shape>::count;
+    if (!holds_objects) return ObjectReader(binder, element).read();
     if (binder.nesting >= deepest_nesting) {
         binder.evaluator.report(
             error(Fault::recursion_limit, element.word_span,
                   message("objects are nested more than ", deepest_nesting, " deep"))
                 .with_help("give the parts to one `union` instead of wrapping each in the next"));
+        binder.evaluator.stop();
         return std::nullopt;
     }
     ++binder.nesting;

@@ -24,7 +24,8 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, Take take) {
     for (NodeId id = first; id != no_node;) {
         if (stopped_) return Flow::stopped;
         const std::size_t kind_here = tree[id].content.index();
-        if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant>) {
+        if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
+            kind_here != kind<node::Channel>) {
             const Flow flow = walk_one(tree, id, take);
             if (flow != Flow::end) return flow;
             id = tree[id].next;

@@ -3,8 +3,9 @@
 
 #include "index/split.h"
 
+#include "base/parallel.h"
+
 #include <oneapi/tbb/parallel_invoke.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <cassert>
@@ -195,7 +196,6 @@ KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
     const Allowance allowance{depth_for(fragments.size(), settings), settings.max_duplication};
     const Task task{clip_item, settings, slack};
     std::optional<Subtree> tree;
-    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
-    arena.execute([&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
+    run_on_threads(threads, [&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
     return KdTree(bounds, tree->take_nodes(), tree->take_items(), settings);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/constant_alpha.h"
 
-void BuiltConstantAlpha::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltConstantAlpha::choose(const ShadingPoint& point, const Key& key,
+                                LightPicks& picks) const {
     if (count_ == 0) return;
-    const auto light = static_cast<LightIndex>(uniform(key, Purpose::light_choice) * static_cast<double>(count_));
+    const auto light =
+        static_cast<LightIndex>(uniform(key, Purpose::light_choice) * static_cast<double>(count_));
     picks.push_back({light, expected(point, key, light)});
 }
 

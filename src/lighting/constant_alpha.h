@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, all with the same probability (the paper, section 4.1). Cannot be wrong, and is hardly ever good.
+// One luminaire, all with the same probability (the paper, section 4.1). Cannot be wrong, and is
+// hardly ever good.
 #pragma once
 
 #include "base/random.h"
@@ -11,7 +12,9 @@ public:
     explicit BuiltConstantAlpha(std::size_t count) : count_(static_cast<LightIndex>(count)) {}
 
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const { return 1 / static_cast<double>(count_); }
+    double expected(const ShadingPoint&, const Key&, LightIndex) const {
+        return 1 / static_cast<double>(count_);
+    }
     std::size_t memory_bytes() const { return 0; }
 
 private:

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The luminaires that are not in a list, drawn by weight. Counting is exact: weights are integers, so no luminaire can get
-// lost in rounding. Used by the light octree, whose cells list the bright luminaires.
+// The luminaires that are not in a list, drawn evenly or by their strength. Counting is exact:
+// strengths are integers, so no luminaire can get lost in rounding. Used by the light octree, whose
+// cells list the bright luminaires.
 #pragma once
 
 #include "lighting/pick.h"
 
-/// All luminaires with a weight for each, laid end to end: light i has the places [before(i), before(i) + weight(i)).
-class LightWeights {
+/// All luminaires laid end to end, each on a number of places in proportion to its intensity: at
+/// least one, unless it is dark.
+class LightPlaces {
 public:
-    LightWeights() = default;
-    /// Most of the weight goes by intensity, a part is shared evenly: a faint luminaire may still be the nearest.
-    explicit LightWeights(std::span<const double> intensities);
+    LightPlaces() = default;
+    explicit LightPlaces(std::span<const double> intensities);
 
+    std::size_t lights() const { return ends_.size(); }
     std::uint64_t total() const { return ends_.empty() ? 0 : ends_.back(); }
     std::uint64_t before(LightIndex light) const { return light == 0 ? 0 : ends_[light - 1]; }
-    std::uint64_t weight(LightIndex light) const { return ends_[light] - before(light); }
-    /// The luminaire that has this place, which is below total().
+    std::uint64_t end(LightIndex light) const { return ends_[light]; }
+    std::uint64_t of(LightIndex light) const { return end(light) - before(light); }
+    /// Whose place it is. Precondition: place < total().
     LightIndex at(std::uint64_t place) const;
     std::size_t memory_bytes() const;
 
@@ -25,22 +28,32 @@ private:
     int guide_shift_ = 0;
 };
 
-/// What is left when the luminaires of a list are taken out. Refers to the list.
+/// What is left when the luminaires of a list, in ascending order, are taken out. Refers to its
+/// arguments.
 class DimSet {
 public:
-    /// places[j] is the weight of the dim luminaires before the j-th of the list: see dim_places().
-    DimSet(const LightWeights& weights, std::span<const LightIndex> bright, std::span<const std::uint64_t> places)
-        : weights_(weights), bright_(bright), places_(places) {}
+    /// dim_before[j] is the number of dim places before the j-th luminaire of the list: see
+    /// dim_places_before().
+    DimSet(const LightPlaces& places, std::span<const LightIndex> bright,
+           std::span<const std::uint64_t> dim_before)
+        : places_(places), bright_(bright), dim_before_(dim_before) {}
 
-    std::uint64_t total() const;
-    /// The dim luminaire that has this place, which is below total().
+    std::size_t lights() const { return places_.lights() - bright_.size(); }
+    /// The dim luminaire that has n others before it. Precondition: n < lights().
+    LightIndex nth(std::uint64_t n) const;
+
+    std::uint64_t places() const;
+    /// The dim luminaire that has this place, counted without the bright ones. Precondition: place
+    /// < places().
     LightIndex at(std::uint64_t place) const;
 
 private:
-    const LightWeights& weights_;
+    const LightPlaces& places_;
     std::span<const LightIndex> bright_;
-    std::span<const std::uint64_t> places_;
+    std::span<const std::uint64_t> dim_before_;
 };
 
-/// Per luminaire of a list in ascending order, the weight of those before it that are not in the list.
-std::vector<std::uint64_t> dim_places(const LightWeights&, std::span<const LightIndex> bright);
+/// Per luminaire of a list in ascending order, the places of those before it that are not in the
+/// list.
+std::vector<std::uint64_t> dim_places_before(const LightPlaces&,
+                                             std::span<const LightIndex> bright);

@@ -12,7 +12,9 @@ inline double draw(const Key& key, Purpose purpose, std::uint64_t n) {
 }
 
 /// The same as an integer in [0, count). Precondition: 0 < count <= 2^53.
-inline std::uint64_t draw_integer(const Key& key, Purpose purpose, std::uint64_t n, std::uint64_t count) {
-    const auto result = static_cast<std::uint64_t>(draw(key, purpose, n) * static_cast<double>(count));
+inline std::uint64_t draw_integer(const Key& key, Purpose purpose, std::uint64_t n,
+                                  std::uint64_t count) {
+    const auto result =
+        static_cast<std::uint64_t>(draw(key, purpose, n) * static_cast<double>(count));
     return result < count ? result : count - 1;
 }

@@ -5,4 +5,6 @@ void BuiltEveryLight::choose(const ShadingPoint&, const Key&, LightPicks& picks)
     for (LightIndex light = 0; light < count_; ++light) picks.push_back({light, 1});
 }
 
-BuiltEveryLight build(const EveryLight&, const LightScene& scene, int) { return BuiltEveryLight(scene.luminaires.size()); }
+BuiltEveryLight build(const EveryLight&, const LightScene& scene, int) {
+    return BuiltEveryLight(scene.luminaires.size());
+}

@@ -9,9 +9,11 @@
 
 namespace {
 
-/// Least share of the full brightness that a node keeps at the edge of the horizon, and seen from the side.
+/// Least share of the full brightness that a node keeps at the edge of the horizon, and seen from
+/// the side.
 constexpr double least_height = 1e-4, least_facing = 1e-2;
-/// Probabilities may fall this far before the random number that is used up level by level is replaced.
+/// Probabilities may fall this far before the random number that is used up level by level is
+/// replaced.
 constexpr double worn_out = 1e-7;
 
 /// cos(max(0, a - b)) for angles from 0 to pi given by cosine and, for b, also by sine.
@@ -20,21 +22,25 @@ double cosine_beyond(double cos_a, double cos_b, double sin_b) {
     return cos_a * cos_b + std::sqrt(std::fmax(0, (1 - cos_a) * (1 + cos_a))) * sin_b;
 }
 
-/// Upper bound, in the manner of the paper, of what the luminaires of a node give at a point: as if all were at the
-/// distance of the middle, each turned to the point and above it as well as any place in the node's sphere may be.
+/// Upper bound, in the manner of the paper, of what the luminaires of a node give at a point: as if
+/// all were at the distance of the middle, each turned to the point and above it as well as any
+/// place in the node's sphere may be.
 double importance(const LightNode& node, const ShadingPoint& point) {
     const Vec3 v = node.centre - point.position;
     const double d2 = dot(v, v), r2 = node.radius * node.radius;
     if (d2 <= r2) return node.intensity / std::fmax(r2, std::numeric_limits<double>::min());
-    const double distance = std::sqrt(d2), sine = node.radius / distance, cosine = std::sqrt((1 - sine) * (1 + sine));
+    const double distance = std::sqrt(d2), sine = node.radius / distance,
+                 cosine = std::sqrt((1 - sine) * (1 + sine));
     const double signed_height = dot(v, point.normal) / distance;
     const double height = point.both_sides ? std::abs(signed_height) : signed_height;
     if (height <= -(sine + horizon_slack)) return 0;
-    const double lifted = std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), least_height);
+    const double lifted =
+        std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), least_height);
     const Vec3 axis(node.axis);
     double turned = 1;
     if (axis != Vec3(0)) {
-        // The spread and the angle that the sphere fills, together; beyond a right angle some normal may face the point.
+        // The spread and the angle that the sphere fills, together; beyond a right angle some
+        // normal may face the point.
         const double cos_both = node.cos_spread * cosine - node.sin_spread * sine;
         const double sin_both = node.sin_spread * cosine + node.cos_spread * sine;
         const double seen = std::fmin(std::abs(dot(axis, v)) / distance, 1);
@@ -57,7 +63,8 @@ void BuiltLightBvh::choose(const ShadingPoint& point, const Key& key, LightPicks
     std::uint32_t here = 0;
     for (std::uint64_t level = 1; !nodes_[here].leaf; ++level) {
         const std::uint32_t first = here + 1, second = nodes_[here].second;
-        const double weight1 = importance(nodes_[first], point), weight2 = importance(nodes_[second], point);
+        const double weight1 = importance(nodes_[first], point),
+                     weight2 = importance(nodes_[second], point);
         const double sum = weight1 + weight2;
         if (!(sum > 0)) return;
         const double share = weight1 / sum;
@@ -73,7 +80,8 @@ void BuiltLightBvh::choose(const ShadingPoint& point, const Key& key, LightPicks
             since_fresh = 1;
         }
     }
-    picks.push_back({nodes_[here].second, std::fmax(probability, std::numeric_limits<double>::min())});
+    picks.push_back(
+        {nodes_[here].second, std::fmax(probability, std::numeric_limits<double>::min())});
 }
 
 double BuiltLightBvh::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
@@ -93,4 +101,6 @@ std::size_t BuiltLightBvh::memory_bytes() const {
     return nodes_.capacity() * sizeof(LightNode) + leaf_of_.capacity() * sizeof(std::uint32_t);
 }
 
-BuiltLightBvh build(const LightBvh&, const LightScene& scene, int) { return BuiltLightBvh(scene.luminaires); }
+BuiltLightBvh build(const LightBvh&, const LightScene& scene, int) {
+    return BuiltLightBvh(scene.luminaires);
+}

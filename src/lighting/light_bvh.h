@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, found by walking down a hierarchy: at each node the two halves are weighed by what they may give
-// (Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018). A half has
-// probability 0 only where all of it is below the horizon. Probabilities do not depend on the scale of the scene.
+// One luminaire, found by walking down a hierarchy: at each node the two halves are weighed by what
+// they may give (Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree
+// Splitting", 2018). A half has probability 0 only where all of it is below the horizon.
+// Probabilities do not depend on the scale of the scene.
 #pragma once
 
 #include "base/random.h"
@@ -13,10 +14,12 @@ struct LightNode {
     Vec3 centre = Vec3(0);
     double radius = 0;
     double intensity = 0;
-    glm::vec<3, float> axis{0};   ///< middle of the normals of flat luminaires; 0 when they look everywhere
+    glm::vec<3, float> axis{
+        0};  ///< middle of the normals of flat luminaires; 0 when they look everywhere
     float cos_spread = 1, sin_spread = 0;  ///< of the angle around the axis that holds all normals
     std::uint32_t parent = 0;
-    std::uint32_t second = 0;     ///< second child, the first is the next node; in leaves the luminaire
+    std::uint32_t second =
+        0;  ///< second child, the first is the next node; in leaves the luminaire
     bool leaf = false;
 };
 
@@ -29,8 +32,8 @@ public:
     std::size_t memory_bytes() const;
 
 private:
-    std::vector<LightNode> nodes_;         ///< depth first; parents before children
-    std::vector<std::uint32_t> leaf_of_;   ///< per luminaire
+    std::vector<LightNode> nodes_;        ///< depth first; parents before children
+    std::vector<std::uint32_t> leaf_of_;  ///< per luminaire
 };
 
 BuiltLightBvh build(const LightBvh&, const LightScene&, int threads);

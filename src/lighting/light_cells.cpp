@@ -12,9 +12,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Entries that all lists together may have. A cell's share of them is divided among its children by the length of their lists.
-constexpr double most_entries = 5e5;
-/// A cell is not cut when its list is still this part of what it was so many levels above: smaller cells would not help.
+/// Entries that all lists together may have. A cell's share of them goes to its children by the
+/// length of their lists.
+constexpr double most_entries = 1e6;
+/// Length of a list; of more luminaires the brightest are taken, and the others count as dim.
+constexpr std::size_t longest_list = 2048;
+/// A cell is not cut when its list is still this part of what it was so many levels above: smaller
+/// cells would not help.
 constexpr double worth_cutting = 0.9;
 constexpr std::size_t patience = 3;
 
@@ -26,13 +30,15 @@ struct Region {
     bool covered = false;                 ///< surfaces may be anywhere in it
     int depth = 0;
     double entries = most_entries;
-    std::array<std::size_t, patience> earlier{};  ///< lengths of the lists of the cells around it, nearest first; 0: none
+    std::array<std::size_t, patience>
+        earlier{};  ///< lengths of the lists of the cells around it, nearest first; 0: none
 };
 
 Box octant(const Box& box, int which) {
     const Vec3 middle = box.centre();
     Box result = box;
-    for (int axis = 0; axis < 3; ++axis) (which >> axis & 1 ? result.low : result.high)[axis] = middle[axis];
+    for (int axis = 0; axis < 3; ++axis)
+        (which >> axis & 1 ? result.low : result.high)[axis] = middle[axis];
     return result;
 }
 
@@ -40,20 +46,24 @@ bool touches(const Box& a, const Box& b) { return !clip(a, b).empty(); }
 
 bool touches(const Plane& plane, const Box& box) {
     const Vec3 normal = unit(plane.normal), half = 0.5 * box.size();
-    return std::abs(dot(normal, box.centre()) - plane.distance) <= dot(glm::abs(normal), half) * (1 + 1e-9);
+    return std::abs(dot(normal, box.centre()) - plane.distance) <=
+           dot(glm::abs(normal), half) * (1 + 1e-9);
 }
 
 class Grower {
 public:
-    Grower(const LightOctree& settings, const LightScene& scene, std::span<const double> reach2)
-        : settings_(settings), scene_(scene), reach2_(reach2) {}
+    Grower(const LightOctree& settings, const LightScene& scene, const std::vector<Vec3>& centres,
+           const std::vector<double>& reach2)
+        : settings_(settings), scene_(scene), centres_(centres), reach2_(reach2) {
+        tree.cells.resize(1);
+    }
 
     /// Makes the region a cell with everything below it.
     void grow(std::uint32_t cell, Region region) {
         std::vector<Region> parts = cut(region);
         if (parts.empty()) {
             tree.cells[cell].list = static_cast<std::uint32_t>(tree.lists.size());
-            tree.lists.push_back(std::move(region.lights));
+            tree.lists.push_back(brightest(region));
             return;
         }
         region = {};
@@ -64,31 +74,55 @@ public:
             if (!parts[i].box.empty()) grow(first + i, std::move(parts[i]));
     }
 
-    /// The eight parts of a region, those without surfaces with an empty box; nothing when it is to stay whole.
+    /// The eight parts of a region, those without surfaces with an empty box; nothing when it is to
+    /// stay whole.
     std::vector<Region> cut(const Region& region) const {
-        if (region.depth >= settings_.max_depth || region.lights.size() <= static_cast<std::size_t>(settings_.max_bright) ||
+        if (region.depth >= settings_.max_depth ||
+            region.lights.size() <= static_cast<std::size_t>(settings_.max_bright) ||
             bright_everywhere(region))
             return {};
-        const std::size_t earlier = region.earlier.back();
-        if (earlier > 0 && static_cast<double>(region.lights.size()) > worth_cutting * static_cast<double>(earlier)) return {};
         std::vector<Region> parts(8);
         double entries = 0;
         for (int i = 0; i < 8; ++i) {
             parts[i] = part(region, octant(region.box, i));
-            entries += static_cast<double>(parts[i].lights.size());
+            entries += length_of_list(parts[i]);
         }
         if (entries > region.entries) return {};
-        for (Region& p : parts) p.entries = entries > 0 ? region.entries * static_cast<double>(p.lights.size()) / entries : 0;
+        for (Region& p : parts)
+            p.entries = entries > 0 ? region.entries * length_of_list(p) / entries : 0;
         return parts;
     }
 
     LightCells tree;
 
 private:
+    static double length_of_list(const Region& region) {
+        return static_cast<double>(std::min(region.lights.size(), longest_list));
+    }
+
+    /// The list of a cell that is not cut.
+    std::vector<LightIndex> brightest(Region& region) const {
+        std::vector<LightIndex>& lights = region.lights;
+        if (lights.size() > longest_list) {
+            // Nearness in terms of the reach tells how far above the threshold each may be.
+            const auto farness = [&](LightIndex light) {
+                return nearest_distance2(region.box, centres_[light]) / reach2_[light];
+            };
+            const auto last = lights.begin() + static_cast<std::ptrdiff_t>(longest_list);
+            std::ranges::nth_element(lights, last, [&](LightIndex a, LightIndex b) {
+                return std::pair(farness(a), a) < std::pair(farness(b), b);
+            });
+            lights.erase(last, lights.end());
+            std::ranges::sort(lights);
+            lights.shrink_to_fit();
+        }
+        return std::move(lights);
+    }
+
     /// All that are bright somewhere in it are bright everywhere in it, and so in all parts.
     bool bright_everywhere(const Region& region) const {
         return std::ranges::all_of(region.lights, [&](LightIndex light) {
-            return farthest_distance2(region.box, centres[light]) < reach2_[light];
+            return farthest_distance2(region.box, centres_[light]) < reach2_[light];
         });
     }
 
@@ -99,7 +133,9 @@ private:
             for (const std::uint32_t surface : whole.surfaces) {
                 if (!touches_surface(surface, box)) continue;
                 result.surfaces.push_back(surface);
-                if (surface < scene_.surfaces.size() && clip(scene_.surfaces[surface], box).size() == box.size()) result.covered = true;
+                if (surface < scene_.surfaces.size() &&
+                    clip(scene_.surfaces[surface], box).size() == box.size())
+                    result.covered = true;
             }
         if (!result.covered && result.surfaces.empty()) return result;
         if (result.covered) result.surfaces.clear();
@@ -108,24 +144,26 @@ private:
         std::copy(whole.earlier.begin(), whole.earlier.end() - 1, result.earlier.begin() + 1);
         result.earlier[0] = whole.lights.size();
         for (const LightIndex light : whole.lights)
-            if (nearest_distance2(box, centres[light]) < reach2_[light]) result.lights.push_back(light);
+            if (nearest_distance2(box, centres_[light]) < reach2_[light])
+                result.lights.push_back(light);
         return result;
     }
 
     bool touches_surface(std::uint32_t surface, const Box& box) const {
         const std::size_t finite = scene_.surfaces.size();
-        return surface < finite ? touches(scene_.surfaces[surface], box) : touches(scene_.planes[surface - finite], box);
+        return surface < finite ? touches(scene_.surfaces[surface], box)
+                                : touches(scene_.planes[surface - finite], box);
     }
 
     const LightOctree& settings_;
     const LightScene& scene_;
-    std::span<const double> reach2_;
-
-public:
-    std::span<const Vec3> centres;
+    const std::vector<Vec3>& centres_;
+    const std::vector<double>&
+        reach2_;  ///< squares of the distances within which luminaires are bright
 };
 
-/// The cube over all surfaces. Where planes have no end, the neighbourhood of the luminaires is what matters.
+/// The cube over all surfaces. Where planes have no end, the neighbourhood of the luminaires is
+/// what matters.
 Box root_box(const LightScene& scene, std::span<const LightBounds> lights) {
     Box all;
     for (const Box& box : scene.surfaces)
@@ -139,13 +177,16 @@ Box root_box(const LightScene& scene, std::span<const LightBounds> lights) {
 /// Cells of a part of the tree, behind those that are there; its first cell takes the given place.
 void splice(LightCells& tree, std::uint32_t place, LightCells&& part) {
     // Cell 0 of the part moves to its place, the others to the end.
-    const auto cells = static_cast<std::uint32_t>(tree.cells.size()) - 1, lists = static_cast<std::uint32_t>(tree.lists.size());
+    const auto cells = static_cast<std::uint32_t>(tree.cells.size()) - 1,
+               lists = static_cast<std::uint32_t>(tree.lists.size());
     for (std::size_t i = 0; i < part.cells.size(); ++i) {
         LightCell cell = part.cells[i];
         if (cell.children != 0) cell.children += cells;
         if (cell.list != LightCell::no_list) cell.list += lists;
-        if (i == 0) tree.cells[place] = cell;
-        else tree.cells.push_back(cell);
+        if (i == 0)
+            tree.cells[place] = cell;
+        else
+            tree.cells.push_back(cell);
     }
     std::ranges::move(part.lists, std::back_inserter(tree.lists));
 }
@@ -158,7 +199,8 @@ double bright_reach(const LightBounds& light, double radiance) {
     const double solid_angle = pi * radiance / light.luminance;
     if (solid_angle >= 4 * pi) return -1;
     const double versine = solid_angle / (2 * pi);
-    const double as_sphere = versine >= 1 ? light.radius : light.radius / std::sqrt(versine * (2 - versine));
+    const double as_sphere =
+        versine >= 1 ? light.radius : light.radius / std::sqrt(versine * (2 - versine));
     // A flat one shows at most its area, any other at most twice what it shows on average.
     const double seen = (light.axis != Vec3(0) ? 1 : 2) * light.intensity / light.luminance;
     return std::fmin(as_sphere, light.radius + std::sqrt(seen / solid_angle));
@@ -182,7 +224,8 @@ std::uint32_t LightCells::list_at(const Vec3& point) const {
     return cells[here].list;
 }
 
-LightCells build_light_cells(const LightOctree& settings, const LightScene& scene, std::span<const LightBounds> lights, int threads) {
+LightCells build_light_cells(const LightOctree& settings, const LightScene& scene,
+                             std::span<const LightBounds> lights, int threads) {
     std::vector<double> reach2;
     std::vector<Vec3> centres;
     for (const LightBounds& light : lights) {
@@ -193,18 +236,15 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
     Region root;
     root.box = root_box(scene, lights);
     if (lights.empty() || root.box.empty()) return {};
-    for (std::uint32_t i = 0; i < scene.surfaces.size() + scene.planes.size(); ++i) root.surfaces.push_back(i);
-    root.covered = std::ranges::any_of(scene.surfaces, [](const Box& box) { return !box.empty() && !finite(box); });
+    for (std::uint32_t i = 0; i < scene.surfaces.size() + scene.planes.size(); ++i)
+        root.surfaces.push_back(i);
+    root.covered = std::ranges::any_of(scene.surfaces,
+                                       [](const Box& box) { return !box.empty() && !finite(box); });
     for (LightIndex light = 0; light < lights.size(); ++light)
-        if (nearest_distance2(root.box, centres[light]) < reach2[light]) root.lights.push_back(light);
+        if (nearest_distance2(root.box, centres[light]) < reach2[light])
+            root.lights.push_back(light);
 
-    const auto grower = [&] {
-        Grower result(settings, scene, reach2);
-        result.centres = centres;
-        result.tree.cells.resize(1);
-        return result;
-    };
-    Grower top = grower();
+    Grower top(settings, scene, centres, reach2);
     top.tree.low = root.box.low;
     top.tree.side = root.box.high.x - root.box.low.x;
     std::vector<Region> parts = top.cut(root);
@@ -212,7 +252,7 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
         top.grow(0, std::move(root));
         return std::move(top.tree);
     }
-    std::vector<Grower> growers(8, grower());
+    std::vector<Grower> growers(8, Grower(settings, scene, centres, reach2));
     run_parallel(8, threads, [&](std::size_t i) {
         if (!parts[i].box.empty()) growers[i].grow(0, std::move(parts[i]));
     });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of the light octree: where space is cut, and which luminaires are bright in each cell (the paper, section 4.3).
-// Built top down, where surfaces are; a luminaire that is dim in a cell is dim in all cells within it.
+// The cells of the light octree: where space is cut, and which luminaires are bright in each cell
+// (the paper, section 4.3). Built top down, where surfaces are; a luminaire that is dim in a cell
+// is dim in all cells within it.
 #pragma once
 
 #include "lighting/pick.h"
 #include "lighting/settings.h"
 
-/// Greatest distance from the luminaire's centre at which a white diffuse surface that faces it may have at least that
-/// radiance by its light alone; below 0: nowhere.
+/// Greatest distance from the luminaire's centre at which a white diffuse surface that faces it may
+/// have at least that radiance by its light alone; below 0: nowhere.
 double bright_reach(const LightBounds&, double radiance);
 
 struct LightCell {
@@ -27,4 +28,5 @@ struct LightCells {
     std::uint32_t list_at(const Vec3& point) const;
 };
 
-LightCells build_light_cells(const LightOctree&, const LightScene&, std::span<const LightBounds>, int threads);
+LightCells build_light_cells(const LightOctree&, const LightScene&, std::span<const LightBounds>,
+                             int threads);

@@ -10,9 +10,11 @@ namespace {
 using std::numbers::pi;
 
 constexpr int bins = 12;
-/// Below this depth nodes are halved by number, so that luminaires in geometric progression make no endless tree.
+/// Below this depth nodes are halved by number, so that luminaires in geometric progression make no
+/// endless tree.
 constexpr int halved_below = 64;
-/// Nodes with more luminaires are only cut across their longest side: which way matters little there, and time does.
+/// Nodes with more luminaires are only cut across their longest side: which way matters little
+/// there, and time does.
 constexpr std::size_t many = 1u << 14;
 
 /// Normals of flat luminaires around an axis, which has no sign because both sides shine.
@@ -36,11 +38,13 @@ Normals join(Normals a, Normals b) {
     return {unit(std::cos(turn) * a.axis + std::sin(turn) * unit(across)), spread};
 }
 
-/// Solid angle into which luminaires with these normals shine, weighed by cosine (Conty Estevez and Kulla, equation 1).
+/// Solid angle into which luminaires with these normals shine, weighed by cosine (Conty Estevez and
+/// Kulla, equation 1).
 double orientation_measure(const Normals& normals) {
     if (normals.spread >= pi / 2) return 4 * pi;
     const double o = normals.spread, w = o + pi / 2;
-    return 2 * pi * (1 - std::cos(o)) + pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+    return 2 * pi * (1 - std::cos(o)) +
+           pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
 }
 
 /// One or several luminaires.
@@ -54,7 +58,9 @@ Cluster join(const Cluster& a, const Cluster& b) {
     return {join(a.box, b.box), join(a.normals, b.normals), a.intensity + b.intensity};
 }
 
-double cost(const Cluster& c) { return c.intensity > 0 ? c.intensity * orientation_measure(c.normals) * area(c.box) : 0; }
+double cost(const Cluster& c) {
+    return c.intensity > 0 ? c.intensity * orientation_measure(c.normals) * area(c.box) : 0;
+}
 
 struct Split {
     double cost = std::numeric_limits<double>::infinity();
@@ -75,7 +81,8 @@ public:
     }
 
     std::vector<LightNode> build() {
-        // The second half waits on the stack while the first is finished: children come after parents, depth first.
+        // The second half waits on the stack while the first is finished: children come after
+        // parents, depth first.
         std::vector<Work> waiting;
         if (!order_.empty()) waiting.push_back({0, order_.size(), 0, 0, false});
         while (!waiting.empty()) {
@@ -107,7 +114,8 @@ private:
     };
 
     int bin_of(LightIndex light, const Box& centres, int axis) const {
-        const double place = (lights_[light].centre[axis] - centres.low[axis]) / (centres.high[axis] - centres.low[axis]);
+        const double place = (lights_[light].centre[axis] - centres.low[axis]) /
+                             (centres.high[axis] - centres.low[axis]);
         return std::clamp(static_cast<int>(place * bins), 0, bins - 1);
     }
 
@@ -141,7 +149,8 @@ private:
     /// Brings the luminaires of a node in order, and says where its second half begins.
     std::size_t divide(const Work& work) {
         Box centres;
-        for (std::size_t i = work.first; i < work.end; ++i) centres = join(centres, lights_[order_[i]].centre);
+        for (std::size_t i = work.first; i < work.end; ++i)
+            centres = join(centres, lights_[order_[i]].centre);
         const Vec3 size = centres.size();
         const int longest = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(work.first);
@@ -149,7 +158,8 @@ private:
         Split best;
         if (work.depth < halved_below)
             for (int axis = 0; axis < 3; ++axis)
-                if (size[axis] > 0 && (work.end - work.first <= many || axis == longest)) consider(work, centres, axis, best);
+                if (size[axis] > 0 && (work.end - work.first <= many || axis == longest))
+                    consider(work, centres, axis, best);
         if (best.axis >= 0) {
             const auto middle = std::stable_partition(begin, end, [&](LightIndex light) {
                 return bin_of(light, centres, best.axis) < best.bin;
@@ -157,10 +167,12 @@ private:
             return static_cast<std::size_t>(middle - order_.begin());
         }
         const std::size_t half = (work.first + work.end) / 2;
-        std::nth_element(begin, order_.begin() + static_cast<std::ptrdiff_t>(half), end, [&](LightIndex a, LightIndex b) {
-            const double x = lights_[a].centre[longest], y = lights_[b].centre[longest];
-            return x != y ? x < y : a < b;
-        });
+        std::nth_element(begin, order_.begin() + static_cast<std::ptrdiff_t>(half), end,
+                         [&](LightIndex a, LightIndex b) {
+                             const double x = lights_[a].centre[longest],
+                                          y = lights_[b].centre[longest];
+                             return x != y ? x < y : a < b;
+                         });
         return half;
     }
 
@@ -169,11 +181,14 @@ private:
         std::vector<Cluster> clusters(nodes_.size());
         for (std::size_t i = nodes_.size(); i-- > 0;) {
             LightNode& node = nodes_[i];
-            clusters[i] = node.leaf ? leaves_[node.second] : join(clusters[i + 1], clusters[node.second]);
+            clusters[i] =
+                node.leaf ? leaves_[node.second] : join(clusters[i + 1], clusters[node.second]);
             const Cluster& c = clusters[i];
             node.centre = node.leaf ? lights_[node.second].centre : c.box.centre();
-            const double rounded = 1e-15 * std::fmax(max_abs_component(c.box.low), max_abs_component(c.box.high));
-            node.radius = node.leaf ? lights_[node.second].radius : 0.5 * length(c.box.size()) * (1 + 1e-12) + rounded;
+            const double rounded =
+                1e-15 * std::fmax(max_abs_component(c.box.low), max_abs_component(c.box.high));
+            node.radius = node.leaf ? lights_[node.second].radius
+                                    : 0.5 * length(c.box.size()) * (1 + 1e-12) + rounded;
             node.intensity = c.intensity;
             if (c.normals.spread >= pi / 2) continue;
             node.axis = glm::vec<3, float>(c.normals.axis);
@@ -190,4 +205,6 @@ private:
 
 }  // namespace
 
-std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire> luminaires) { return Builder(luminaires).build(); }
+std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire> luminaires) {
+    return Builder(luminaires).build();
+}

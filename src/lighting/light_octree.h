@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): those that are bright in the cell in
-// proportion to what they would give at the point if nothing were between, the dim rest by a guess from a few of them.
-// A luminaire has probability 0 only where it is bright and all of it is below the horizon: the rest is never quite 0.
+// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): those that are
+// bright in the cell in proportion to what they would give at the point if nothing were between,
+// the dim rest by a guess from a few of them. A luminaire has probability 0 only where it is bright
+// and all of it is below the horizon: the rest is never quite 0.
 #pragma once
 
 #include "base/random.h"
@@ -28,22 +29,24 @@ private:
     struct Odds {
         LightList list;
         LightTable::Sums bright;
-        double dim_per_place = 0;     ///< of a dim luminaire for each unit of its weight
-        std::uint64_t dim_places = 0;
-        double total = 0;
+        double dim = 0;  ///< of all dim luminaires together
+        double total() const { return bright.total + dim; }
     };
 
     LightList list_at(const Vec3& point) const;
     DimSet dim_set(const LightList&) const;
+    /// Share of one dim luminaire in what all of them have.
+    double share(const DimSet&, LightIndex) const;
     void weigh(const ShadingPoint&, const Key&, Odds&) const;
+    /// What all dim luminaires together give, guessed from some of them; 0 only when all are dark.
     double guess_dim(const ShadingPoint&, const Key&, const DimSet&) const;
 
     int representatives_;
-    LightCells cells_;                       ///< without its lists, which are here:
+    LightCells cells_;  ///< without its lists, which are here:
     std::vector<LightList> lists_;
     LightTable table_;
-    std::vector<std::uint64_t> dim_places_;  ///< per row of the table
-    LightWeights weights_;
+    LightPlaces places_;
+    std::vector<std::uint64_t> dim_before_;  ///< per row of the table: see DimSet
 };
 
 BuiltLightOctree build(const LightOctree&, const LightScene&, int threads);

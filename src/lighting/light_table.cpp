@@ -14,17 +14,22 @@ struct Columns {
 };
 
 template <bool both_sides>
-[[gnu::always_inline]] inline void estimate_even(const Columns& c, std::size_t count, const ShadingPoint& point, double* out) {
+[[gnu::always_inline]] inline void estimate_even(const Columns& c, std::size_t count,
+                                                 const ShadingPoint& point, double* out) {
     const Vec3 p = point.position, n = point.normal;
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = irradiance<both_sides>({c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z}, n, c.radius[i], c.strength[i]);
+        out[i] = irradiance<both_sides>({c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z}, n, c.radius[i],
+                                        c.strength[i]);
 }
 
-/// The sign says that the estimate must be replaced: -0 needs no replacement, nothing is above the horizon then.
-[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t count, const Vec3& p, double* out) {
+/// The sign says that the estimate must be replaced: -0 needs no replacement, nothing is above the
+/// horizon then.
+[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t count, const Vec3& p,
+                                                 double* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 v(c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z);
-        const double estimate = out[i] * facing(v, c.radius[i], {c.axis_x[i], c.axis_y[i], c.axis_z[i]}, c.evenness[i]);
+        const double estimate =
+            out[i] * facing(v, c.radius[i], {c.axis_x[i], c.axis_y[i], c.axis_z[i]}, c.evenness[i]);
         const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
         out[i] = d2 < c.exact_within2[i] ? -estimate : estimate;
     }
@@ -38,8 +43,10 @@ template <bool both_sides>
 
 CANDELABRA_EVERY_MACHINE
 void estimate_rows(const Columns& c, std::size_t count, const ShadingPoint& point, double* out) {
-    if (point.both_sides) estimate_even<true>(c, count, point, out);
-    else estimate_even<false>(c, count, point, out);
+    if (point.both_sides)
+        estimate_even<true>(c, count, point, out);
+    else
+        estimate_even<false>(c, count, point, out);
     if (c.axis_x) turn_to_point(c, count, point.position, out);
 }
 
@@ -48,18 +55,23 @@ double sum_rows(const double* rows, std::size_t count) {
     std::array<double, LightTable::lanes> strand{};
     for (std::size_t i = 0; i < count; i += LightTable::lanes)
         for (std::size_t j = 0; j < LightTable::lanes; ++j) strand[j] += rows[i + j];
-    return ((strand[0] + strand[1]) + (strand[2] + strand[3])) + ((strand[4] + strand[5]) + (strand[6] + strand[7]));
+    return ((strand[0] + strand[1]) + (strand[2] + strand[3])) +
+           ((strand[4] + strand[5]) + (strand[6] + strand[7]));
 }
 
-std::size_t padded(std::size_t count) { return (count + LightTable::lanes - 1) / LightTable::lanes * LightTable::lanes; }
+std::size_t padded(std::size_t count) {
+    return (count + LightTable::lanes - 1) / LightTable::lanes * LightTable::lanes;
+}
 
 }  // namespace
 
-LightTable::LightTable(std::span<const Luminaire> luminaires) : luminaires_(luminaires), records_(luminaires.size()) {
+LightTable::LightTable(std::span<const Luminaire> luminaires)
+    : luminaires_(luminaires), records_(luminaires.size()) {
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
         records_[i].glow = ::glow(bounds(luminaires[i]));
         const double reach = near_radii * records_[i].glow.radius;
-        if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter)) records_[i].exact_within2 = reach * reach;
+        if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
+            records_[i].exact_within2 = reach * reach;
         flat_ = flat_ || records_[i].glow.axis != Vec3(0);
     }
 }
@@ -77,7 +89,8 @@ void LightTable::reserve(std::size_t lists, std::size_t lights) {
     lights_.reserve(rows);
     for (auto* column : {&x_, &y_, &z_, &radius_, &strength_}) column->reserve(rows);
     if (flat_)
-        for (auto* column : {&axis_x_, &axis_y_, &axis_z_, &evenness_, &exact_within2_}) column->reserve(rows);
+        for (auto* column : {&axis_x_, &axis_y_, &axis_z_, &evenness_, &exact_within2_})
+            column->reserve(rows);
 }
 
 LightList LightTable::append(std::span<const LightIndex> lights) {
@@ -102,10 +115,14 @@ LightList LightTable::append(std::span<const LightIndex> lights) {
     return list;
 }
 
-void LightTable::estimate_block(std::size_t first, std::size_t count, const ShadingPoint& point, double* out) const {
-    const auto column = [&](const std::vector<double>& c) { return flat_ ? c.data() + first : nullptr; };
-    estimate_rows({x_.data() + first, y_.data() + first, z_.data() + first, radius_.data() + first, strength_.data() + first,
-                   column(axis_x_), column(axis_y_), column(axis_z_), column(evenness_), column(exact_within2_)},
+void LightTable::estimate_block(std::size_t first, std::size_t count, const ShadingPoint& point,
+                                double* out) const {
+    const auto column = [&](const std::vector<double>& c) {
+        return flat_ ? c.data() + first : nullptr;
+    };
+    estimate_rows({x_.data() + first, y_.data() + first, z_.data() + first, radius_.data() + first,
+                   strength_.data() + first, column(axis_x_), column(axis_y_), column(axis_z_),
+                   column(evenness_), column(exact_within2_)},
                   count, point, out);
     if (!flat_) return;
     for (std::size_t i = 0; i < count; ++i)
@@ -150,15 +167,18 @@ LightTable::Found LightTable::find_among(const double* sums, std::size_t count, 
     return last;
 }
 
-LightTable::Row LightTable::find(const LightList& list, const ShadingPoint& point, const Sums& sums, double target) const {
+LightTable::Row LightTable::find(const LightList& list, const ShadingPoint& point, const Sums& sums,
+                                 double target) const {
     const std::size_t rows = padded(list.count), length = part_length(list);
-    // Rounding may carry the target past the end of the list or of a part: then the last that can be meant is taken.
+    // Rounding may carry the target past the end of the list or of a part: then the last that can
+    // be meant is taken.
     const Found part = find_among(sums.part.data(), (rows + length - 1) / length, target);
     if (length == 1) return {list.first + part.index, part.sum};
     if (!part.passed) target = std::numeric_limits<double>::infinity();
     Block estimates;
     Row found{list.first, 0};
-    for (std::size_t i = part.index * length; i < std::min((part.index + 1) * length, rows); i += block) {
+    for (std::size_t i = part.index * length; i < std::min((part.index + 1) * length, rows);
+         i += block) {
         const std::size_t count = std::min(block, rows - i);
         estimate_block(list.first + i, count, point, estimates.data());
         const Found row = find_among(estimates.data(), count, target);
@@ -169,8 +189,10 @@ LightTable::Row LightTable::find(const LightList& list, const ShadingPoint& poin
 }
 
 std::size_t LightTable::memory_bytes() const {
-    const std::size_t columns = x_.capacity() + y_.capacity() + z_.capacity() + radius_.capacity() + strength_.capacity() +
-                                axis_x_.capacity() + axis_y_.capacity() + axis_z_.capacity() + evenness_.capacity() +
+    const std::size_t columns = x_.capacity() + y_.capacity() + z_.capacity() + radius_.capacity() +
+                                strength_.capacity() + axis_x_.capacity() + axis_y_.capacity() +
+                                axis_z_.capacity() + evenness_.capacity() +
                                 exact_within2_.capacity();
-    return columns * sizeof(double) + lights_.capacity() * sizeof(LightIndex) + records_.capacity() * sizeof(Record);
+    return columns * sizeof(double) + lights_.capacity() * sizeof(LightIndex) +
+           records_.capacity() * sizeof(Record);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists of luminaires, laid out so that a whole list's contributions to a point are estimated in one vectorised loop.
-// Used by the strategies that choose in proportion to them. The same bits come out for every instruction set.
+// Lists of luminaires, laid out so that a whole list's contributions to a point are estimated in
+// one vectorised loop. Used by the strategies that choose in proportion to them. The same bits come
+// out for every instruction set.
 #pragma once
 
 #include "lighting/pick.h"
@@ -16,11 +17,13 @@ struct LightList {
 
 class LightTable {
 public:
-    static constexpr std::size_t lanes = 8;    ///< rows are added up in so many strands; lists are padded to full ones
-    static constexpr std::size_t block = 64;   ///< rows estimated at once
+    static constexpr std::size_t lanes =
+        8;  ///< rows are added up in so many strands; lists are padded to full ones
+    static constexpr std::size_t block = 64;  ///< rows estimated at once
     static constexpr std::size_t most_parts = 512;
 
-    /// Sums of the estimates of a list: of its parts of equal length (the rows themselves when they are not too many), and of all.
+    /// Sums of the estimates of a list: of its parts of equal length (the rows themselves when they
+    /// are not too many), and of all.
     struct Sums {
         std::array<double, most_parts> part;
         double total = 0;
@@ -43,11 +46,14 @@ public:
     double estimate(LightIndex, const ShadingPoint&) const;
     const Glow& glow(LightIndex light) const { return records_[light].glow; }
     LightIndex light(std::size_t row) const { return lights_[row]; }
-    std::span<const LightIndex> lights(const LightList& list) const { return {lights_.data() + list.first, list.count}; }
+    std::span<const LightIndex> lights(const LightList& list) const {
+        return {lights_.data() + list.first, list.count};
+    }
 
     void sum(const LightList&, const ShadingPoint&, Sums&) const;
-    /// The row at which the running sum of the estimates passes target, which is in [0, sums.total). Its estimate is above 0.
-    /// Precondition: sum() gave these sums, and their total is above 0.
+    /// The row at which the running sum of the estimates passes target, which is in [0,
+    /// sums.total). Its estimate is above 0. Precondition: sum() gave these sums, and their total
+    /// is above 0.
     Row find(const LightList&, const ShadingPoint&, const Sums&, double target) const;
 
     std::size_t memory_bytes() const;
@@ -56,7 +62,8 @@ private:
     /// What the estimates need to know of a luminaire.
     struct Record {
         Glow glow;
-        double exact_within2 = 0;  ///< squared distance below which the luminaire itself is asked: the estimate is too rough there
+        double exact_within2 = 0;  ///< squared distance below which the luminaire itself is asked:
+                                   ///< the estimate is too rough there
     };
     using Block = std::array<double, block>;
 
@@ -66,9 +73,11 @@ private:
         bool passed = false;
     };
 
-    void estimate_block(std::size_t first, std::size_t count, const ShadingPoint&, double* out) const;
+    void estimate_block(std::size_t first, std::size_t count, const ShadingPoint&,
+                        double* out) const;
     static std::size_t part_length(const LightList&);
-    /// The first index at which the running sum passes target, else the last one above 0; target is left as what is missing.
+    /// The first index at which the running sum passes target, else the last one above 0; target is
+    /// left as what is missing.
     static Found find_among(const double* sums, std::size_t count, double& target);
 
     std::span<const Luminaire> luminaires_;

@@ -14,7 +14,8 @@ void BuiltLinearAlpha::choose(const ShadingPoint& point, const Key& key, LightPi
     LightTable::Sums sums;
     table_.sum(all_, point, sums);
     if (!(sums.total > 0)) return;
-    const auto [row, estimate] = table_.find(all_, point, sums, uniform(key, Purpose::light_choice) * sums.total);
+    const auto [row, estimate] =
+        table_.find(all_, point, sums, uniform(key, Purpose::light_choice) * sums.total);
     picks.push_back({table_.light(row), estimate / sums.total});
 }
 
@@ -24,4 +25,6 @@ double BuiltLinearAlpha::expected(const ShadingPoint& point, const Key&, LightIn
     return sums.total > 0 ? table_.estimate(light, point) / sums.total : 0;
 }
 
-BuiltLinearAlpha build(const LinearAlpha&, const LightScene& scene, int) { return BuiltLinearAlpha(scene); }
+BuiltLinearAlpha build(const LinearAlpha&, const LightScene& scene, int) {
+    return BuiltLinearAlpha(scene);
+}

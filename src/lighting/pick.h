@@ -20,6 +20,7 @@ using LightPicks = std::vector<LightPick>;
 /// Everything a strategy is built from. The luminaires outlive it.
 struct LightScene {
     std::span<const Luminaire> luminaires;
-    std::span<const Box> surfaces;  ///< bounds of the finite primitives: where points to be lit may be
+    std::span<const Box>
+        surfaces;  ///< bounds of the finite primitives: where points to be lit may be
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
 };

@@ -39,10 +39,10 @@ consteval auto LightBvh::vocabulary() {
 
 /// An octree whose cells list the luminaires that are bright there (the paper, section 4.3).
 struct LightOctree {
-    double threshold = 0.002;
+    double threshold = 0.001;
     double white = 1;
-    int max_depth = 8;
-    int max_bright = 128;
+    int max_depth = 12;
+    int max_bright = 32;
     int representatives = 2;
 
     static consteval auto vocabulary();

@@ -11,7 +11,9 @@ bool closed(const Cuboid&) { return true; }
 bool closed(const Cylinder& c) { return !c.open; }
 bool closed(const Cone& c) { return !c.open; }
 template <ShapeKind T>
-bool closed(const T&) { return false; }
+bool closed(const T&) {
+    return false;
+}
 /// Whether it is a convex solid, of which a point outside sees only what faces it.
 bool closed(const AreaEmitter& e) {
     return visit_shape([](const auto& s) { return closed(s); }, e.shape);
@@ -19,33 +21,52 @@ bool closed(const AreaEmitter& e) {
 
 Vec3 flat_normal(const Disc& d) { return unit(d.normal); }
 Vec3 flat_normal(const Triangle& t) { return triangle_normal(t.corner1, t.corner2, t.corner3); }
-Vec3 flat_normal(const SmoothTriangle& t) { return triangle_normal(t.corner1, t.corner2, t.corner3); }
+Vec3 flat_normal(const SmoothTriangle& t) {
+    return triangle_normal(t.corner1, t.corner2, t.corner3);
+}
 template <ShapeKind T>
-Vec3 flat_normal(const T&) { return Vec3(0); }
-/// Unit normal of flat shapes in their own space, 0 for others. (Smooth triangles are flat: only their shading is not.)
+Vec3 flat_normal(const T&) {
+    return Vec3(0);
+}
+/// Unit normal of flat shapes in their own space, 0 for others. (Smooth triangles are flat: only
+/// their shading is not.)
 Vec3 flat_normal(const AreaEmitter& e) {
     return visit_shape([](const auto& s) { return flat_normal(s); }, e.shape);
 }
 
-Vec3 to_world_point(const AreaEmitter& e, const Vec3& p) { return e.transform ? e.transform->point(p) : p; }
-Vec3 to_world_normal(const AreaEmitter& e, const Vec3& n) { return e.transform ? e.transform->normal(n) : n; }
-Vec3 to_shape_point(const AreaEmitter& e, const Vec3& p) { return e.transform ? e.transform->inverse_point(p) : p; }
-double volume_scale(const AreaEmitter& e) { return e.transform ? std::abs(e.transform->determinant()) : 1; }
+Vec3 to_world_point(const AreaEmitter& e, const Vec3& p) {
+    return e.transform ? e.transform->point(p) : p;
+}
+Vec3 to_world_normal(const AreaEmitter& e, const Vec3& n) {
+    return e.transform ? e.transform->normal(n) : n;
+}
+Vec3 to_shape_point(const AreaEmitter& e, const Vec3& p) {
+    return e.transform ? e.transform->inverse_point(p) : p;
+}
+double volume_scale(const AreaEmitter& e) {
+    return e.transform ? std::abs(e.transform->determinant()) : 1;
+}
 
-/// World area for each unit of the shape's own area around a point, times the world's unit normal there.
-Vec3 stretched_normal(const AreaEmitter& e, const Vec3& normal) { return volume_scale(e) * to_world_normal(e, normal); }
+/// World area for each unit of the shape's own area around a point, times the world's unit normal
+/// there.
+Vec3 stretched_normal(const AreaEmitter& e, const Vec3& normal) {
+    return volume_scale(e) * to_world_normal(e, normal);
+}
 
-/// Whether light leaves the surface there towards the point: solids hide their far side from outside, their near one from inside.
+/// Whether light leaves the surface there towards the point: solids hide their far side from
+/// outside, their near one from inside.
 bool turned_to(const Vec3& normal, const Vec3& from_surface, bool solid, bool within) {
     return !solid || (dot(normal, from_surface) > 0) != within;
 }
 
-/// The greatest factor by which the map stretches any length, or a little more (Gershgorin's circles); exact for similarities.
+/// The greatest factor by which the map stretches any length, or a little more (Gershgorin's
+/// circles); exact for similarities.
 double greatest_stretch(const Transform& transform) {
     const auto& rows = transform.forward().rows;
     double greatest = 0;
     for (const Vec3& row : rows)
-        greatest = std::fmax(greatest, std::abs(dot(row, rows[0])) + std::abs(dot(row, rows[1])) + std::abs(dot(row, rows[2])));
+        greatest = std::fmax(greatest, std::abs(dot(row, rows[0])) + std::abs(dot(row, rows[1])) +
+                                           std::abs(dot(row, rows[2])));
     return std::sqrt(greatest);
 }
 
@@ -63,13 +84,16 @@ LightBounds bounds(const AreaEmitter& e, double luminance) {
     LightBounds result;
     const Box box = bounds(e.shape);
     result.box = e.transform ? e.transform->box(box) : box;
-    const auto [centre, radius] = visit_shape([](const auto& s) { return sphere_around(s); }, e.shape);
+    const auto [centre, radius] =
+        visit_shape([](const auto& s) { return sphere_around(s); }, e.shape);
     result.centre = to_world_point(e, centre);
     const double stretched = radius * (e.transform ? greatest_stretch(*e.transform) : 1);
-    const double size = std::fmax(max_abs_component(result.box.low), max_abs_component(result.box.high));
+    const double size =
+        std::fmax(max_abs_component(result.box.low), max_abs_component(result.box.high));
     result.radius = stretched * (1 + 1e-12) + 16 * std::numeric_limits<double>::epsilon() * size;
     result.axis = unit(to_world_normal(e, flat_normal(e)));
-    // A convex solid shows a quarter of its surface on average (Cauchy); an open one shines on both sides.
+    // A convex solid shows a quarter of its surface on average (Cauchy); an open one shines on both
+    // sides.
     const double seen = result.axis != Vec3(0) ? 1 : closed(e) ? 0.25 : 0.5;
     result.intensity = luminance * seen * emitting_area(e);
     result.luminance = luminance;
@@ -86,10 +110,12 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
     const double distance = length(offset);
     if (!(distance > 0)) return {};
     const Vec3 direction = offset / distance, normal = stretched_normal(e, drawn.normal);
-    if (!turned_to(normal, -direction, closed(e), inside(e.shape, to_shape_point(e, from)))) return {};
+    if (!turned_to(normal, -direction, closed(e), inside(e.shape, to_shape_point(e, from))))
+        return {};
     const double seen = std::abs(dot(normal, direction));
     if (!(seen > 0)) return {};
-    return LightPoint{position, direction, distance, distance * distance / (surface_area(e.shape) * seen)};
+    return LightPoint{position, direction, distance,
+                      distance * distance / (surface_area(e.shape) * seen)};
 }
 
 double density(const AreaEmitter& e, const Vec3& from, const Vec3& direction) {
@@ -114,11 +140,13 @@ double emitting_area(const AreaEmitter& e) {
     if (!(area > 0)) return 0;
     const double scale = e.transform ? e.transform->uniform_scale() : 1;
     if (scale > 0) return area * scale * scale;
-    // The mean stretch of the surface, over a grid: exact for flat shapes, and only steers choices for others.
+    // The mean stretch of the surface, over a grid: exact for flat shapes, and only steers choices
+    // for others.
     constexpr int steps = 16;
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j)
-            sum += length(stretched_normal(e, sample_area(e.shape, {(i + 0.5) / steps, (j + 0.5) / steps}).normal));
+            sum += length(stretched_normal(
+                e, sample_area(e.shape, {(i + 0.5) / steps, (j + 0.5) / steps}).normal));
     return area * sum / (steps * steps);
 }

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A luminaire reduced to a few numbers, and the estimate of its irradiance that is made from them, many millions of times
-// a second. Used by the luminaires and by the light samplers; the formula stands here only.
+// A luminaire reduced to a few numbers, and the estimate of its irradiance that is made from them,
+// many millions of times a second. Used by the luminaires and by the light samplers; the formula
+// stands here only.
 #pragma once
 
 #include "luminaire/luminaire.h"
 
-/// A luminaire as a sphere that glows all over, or, when it is flat, more in the direction of its axis.
+/// A luminaire as a sphere that glows all over, or, when it is flat, more in the direction of its
+/// axis.
 struct Glow {
     Vec3 centre = Vec3(0);
-    double radius = 1;       ///< above 0
-    double strength = 0;     ///< intensity / radius
-    Vec3 axis = Vec3(0);     ///< 0: the same in all directions
-    double evenness = 1;     ///< share of the intensity that goes in all directions
+    double radius = 1;    ///< above 0
+    double strength = 0;  ///< intensity / radius
+    Vec3 axis = Vec3(0);  ///< 0: the same in all directions
+    double evenness = 1;  ///< share of the intensity that goes in all directions
 };
 
-/// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at their centre only.
+/// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
+/// their centre only.
 inline constexpr double flat_evenness = 0.05;
 
 inline Glow glow(const LightBounds& b) {
@@ -25,17 +28,21 @@ inline Glow glow(const LightBounds& b) {
 
 /// Radius over distance at which rounding may still lift a luminaire over the horizon.
 inline constexpr double horizon_slack = 1e-14;
-/// Points whose squared distance from the centre is below this share of the squared radius are inside.
+/// Points whose squared distance from the centre is below this share of the squared radius are
+/// inside.
 inline constexpr double inside_share = 1 - 2e-9;
 
-/// What one sphere gives: elementwise arithmetic without branches, so that loops over it are vectorised, and so that every
-/// instruction set gives the same bits. v goes from the point to the centre, n is the point's normal.
+/// What one sphere gives: elementwise arithmetic without branches, so that loops over it are
+/// vectorised, and so that every instruction set gives the same bits. v goes from the point to the
+/// centre, n is the point's normal.
 ///
-/// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon, and strength (h + r)^2 r / 4 d^3
-/// is put in the place of the exact formula where the horizon cuts it: the two meet at h = r, the second is zero only where
-/// all of the sphere is below, and never below the first. Inside, all directions meet the surface.
+/// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon,
+/// and strength (h + r)^2 r / 4 d^3 is put in the place of the exact formula where the horizon cuts
+/// it: the two meet at h = r, the second is zero only where all of the sphere is below, and never
+/// below the first. Inside, all directions meet the surface.
 template <bool both_sides>
-[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius, double strength) {
+[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
+                                                double strength) {
     const double r2 = radius * radius;
     const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
     const double outside2 = d2 > r2 ? d2 : r2;
@@ -55,7 +62,8 @@ template <bool both_sides>
 }
 
 /// The factor for the direction in which a flat luminaire is seen; 1 for others.
-[[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis, double evenness) {
+[[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis,
+                                            double evenness) {
     const double r2 = radius * radius;
     const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
     const double outside2 = d2 > r2 ? d2 : r2;

@@ -7,18 +7,23 @@
 #include "luminaire/triangle.h"
 
 double luminance(const Vec3& radiance) {
-    const Vec3 shining(std::fmax(radiance.x, 0), std::fmax(radiance.y, 0), std::fmax(radiance.z, 0));
+    const Vec3 shining(std::fmax(radiance.x, 0), std::fmax(radiance.y, 0),
+                       std::fmax(radiance.z, 0));
     if (shining == Vec3(0)) return 0;
-    // Wide enough for any scene, narrow enough that no product of it with lengths leaves the range of a double.
+    // Wide enough for any scene, narrow enough that no product of it with lengths leaves the range
+    // of a double.
     return std::fmin(std::fmax(grey(shining), 1e-100), 1e100);
 }
 
 LightBounds bounds(const Luminaire& luminaire) {
-    return std::visit([&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); }, luminaire.emitter);
+    return std::visit([&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); },
+                      luminaire.emitter);
 }
 
 double unoccluded(const Luminaire& luminaire, const ShadingPoint& point) {
-    return std::visit([&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); }, luminaire.emitter);
+    return std::visit(
+        [&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); },
+        luminaire.emitter);
 }
 
 std::optional<LightPoint> sample(const Luminaire& luminaire, const Vec3& from, const Vec2& u) {
@@ -26,7 +31,8 @@ std::optional<LightPoint> sample(const Luminaire& luminaire, const Vec3& from, c
 }
 
 double density(const Luminaire& luminaire, const Vec3& from, const Vec3& direction) {
-    return std::visit([&](const auto& e) { return density(e, from, direction); }, luminaire.emitter);
+    return std::visit([&](const auto& e) { return density(e, from, direction); },
+                      luminaire.emitter);
 }
 
 double emitting_area(const Emitter& emitter) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thing that emits light, whatever its shape: how bright it may look from afar, and points on it with their density.
-// The light samplers choose among luminaires; the renderer then asks the chosen one for a point.
+// One thing that emits light, whatever its shape: how bright it may look from afar, and points on
+// it with their density. The light samplers choose among luminaires; the renderer then asks the
+// chosen one for a point.
 #pragma once
 
 #include "base/box.h"
@@ -24,9 +25,9 @@ struct ShadingPoint {
 /// A point on a luminaire as seen from a shading point.
 struct LightPoint {
     Vec3 position;
-    Vec3 direction;   ///< unit, from the shading point
+    Vec3 direction;  ///< unit, from the shading point
     double distance;
-    double density;   ///< probability per steradian; above 0
+    double density;  ///< probability per steradian; above 0
 };
 
 /// A glowing sphere, sampled uniformly in the cone that it fills (by its area from inside).
@@ -35,7 +36,8 @@ struct SphereEmitter {
     double radius;
 };
 
-/// A glowing triangle, sampled uniformly in solid angle (Arvo, "Stratified Sampling of Spherical Triangles", 1995).
+/// A glowing triangle, sampled uniformly in solid angle (Arvo, "Stratified Sampling of Spherical
+/// Triangles", 1995).
 struct TriangleEmitter {
     Vec3 corner1, corner2, corner3;
 };
@@ -51,36 +53,41 @@ using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter>;
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
 struct Luminaire {
     Emitter emitter;
-    Vec3 radiance;             ///< greatest radiance anywhere on it, per channel
-    bool varying = false;      ///< whether the radiance changes over the surface
-    std::uint32_t primitive;   ///< the world's primitive that it is
+    Vec3 radiance;            ///< greatest radiance anywhere on it, per channel
+    bool varying = false;     ///< whether the radiance changes over the surface
+    std::uint32_t primitive;  ///< the world's primitive that it is
 };
 
-/// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate and to bound what it gives.
+/// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate
+/// and to bound what it gives.
 struct LightBounds {
     Box box;
-    Vec3 centre = Vec3(0);   ///< of a sphere around it, for a glowing sphere the sphere itself
+    Vec3 centre = Vec3(0);  ///< of a sphere around it, for a glowing sphere the sphere itself
     double radius = 0;
-    Vec3 axis = Vec3(0);     ///< unit normal when it is flat (either sign: both sides shine), 0 when it is not
-    double intensity = 0;    ///< luminance times the area seen: face on when flat, else the mean over all directions
-    double luminance = 0;    ///< of its brightest point
+    Vec3 axis =
+        Vec3(0);  ///< unit normal when it is flat (either sign: both sides shine), 0 when it is not
+    double intensity =
+        0;  ///< luminance times the area seen: face on when flat, else the mean over all directions
+    double luminance = 0;  ///< of its brightest point
 };
 
-/// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above 0.
+/// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above
+/// 0.
 double luminance(const Vec3& radiance);
 
 LightBounds bounds(const Luminaire&);
 
-/// An estimate of the irradiance (times luminance) at the point as if nothing were between; exact for triangles and for
-/// spheres above the horizon. Never 0 when any part of the luminaire is above the point's tangent plane: the paper's
-/// Figure 4 shows what happens otherwise.
+/// An estimate of the irradiance (times luminance) at the point as if nothing were between; exact
+/// for triangles and for spheres above the horizon. Never 0 when any part of the luminaire is above
+/// the point's tangent plane: the paper's Figure 4 shows what happens otherwise.
 double unoccluded(const Luminaire&, const ShadingPoint&);
 
-/// A point of the luminaire that may be seen from the shading point, with its density; u in [0,1)^2. Nothing when the drawn
-/// point cannot be seen (it faces away, or lies on the horizon).
+/// A point of the luminaire that may be seen from the shading point, with its density; u in
+/// [0,1)^2. Nothing when the drawn point cannot be seen (it faces away, or lies on the horizon).
 std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2& u);
 
-/// Density per steradian with which sample() gives this direction from the point; 0 where it cannot.
+/// Density per steradian with which sample() gives this direction from the point; 0 where it
+/// cannot.
 double density(const Luminaire&, const Vec3& from, const Vec3& direction);
 
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).

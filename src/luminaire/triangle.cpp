@@ -11,30 +11,36 @@ namespace {
 
 using std::numbers::pi;
 
-/// Outside these solid angles the triangle is sampled by its area: a small one looks the same all over, and angles of
-/// spherical triangles lose their digits there; a huge one is as good as a plane through the point.
+/// Outside these solid angles the triangle is sampled by its area: a small one looks the same all
+/// over, and angles of spherical triangles lose their digits there; a huge one is as good as a
+/// plane through the point.
 constexpr double least_solid_angle = 3e-4, greatest_solid_angle = 6.22;
-/// Radius over distance from which on the irradiance is that of a small patch, which by then is right to six digits.
+/// Radius over distance from which on the irradiance is that of a small patch, which by then is
+/// right to six digits.
 constexpr double small = 1e-3;
 
 /// The triangle as a point sees it.
 struct View {
     View(const TriangleEmitter& t, const Vec3& from)
-        : corners{t.corner1 - from, t.corner2 - from, t.corner3 - from}, edge1(t.corner2 - t.corner1),
-          edge2(t.corner3 - t.corner1), scaled_normal(cross(edge1, edge2)) {}
+        : corners{t.corner1 - from, t.corner2 - from, t.corner3 - from},
+          edge1(t.corner2 - t.corner1),
+          edge2(t.corner3 - t.corner1),
+          scaled_normal(cross(edge1, edge2)) {}
 
-    /// Formula of van Oosterom and Strackee (1983), with the edges in the triple product so that far triangles keep their digits.
+    /// Formula of van Oosterom and Strackee (1983), with the edges in the triple product so that
+    /// far triangles keep their digits.
     double solid_angle() const {
         const auto& [a, b, c] = corners;
         const double la = length(a), lb = length(b), lc = length(c);
         const double volume = std::abs(dot(a, scaled_normal));
         if (!(volume > 0)) return 0;
-        return 2 * std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        return 2 *
+               std::atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
 
     std::array<Vec3, 3> corners;  ///< from the point
     Vec3 edge1, edge2;
-    Vec3 scaled_normal;           ///< twice the area long
+    Vec3 scaled_normal;  ///< twice the area long
 };
 
 /// The solid angle if it is what the triangle is sampled by, else 0.
@@ -57,22 +63,26 @@ double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
     return std::atan2(length(cross(a, b)), dot(a, b));
 }
 
-/// A direction in the triangle, uniform in solid angle (Arvo 1995): first the part of the triangle up to a new corner on
-/// the third edge, then a point on the arc from the second corner to that one.
+/// A direction in the triangle, uniform in solid angle (Arvo 1995): first the part of the triangle
+/// up to a new corner on the third edge, then a point on the arc from the second corner to that
+/// one.
 Vec3 direction_in(const View& view, double solid_angle, const Vec2& u) {
     const Vec3 a = unit(view.corners[0]), b = unit(view.corners[1]), c = unit(view.corners[2]);
-    const double alpha = angle_at(a, b, c), cos_alpha = std::cos(alpha), sin_alpha = std::sin(alpha);
+    const double alpha = angle_at(a, b, c), cos_alpha = std::cos(alpha),
+                 sin_alpha = std::sin(alpha);
     const double part = u.x * solid_angle - alpha;
     const double s = std::sin(part), t = std::cos(part);
     const double p = t - cos_alpha, q = s + sin_alpha * dot(a, b);
     const double bottom = (q * s + p * t) * sin_alpha;
-    const double cosine = bottom == 0 ? 1 : glm::clamp(((q * t - p * s) * cos_alpha - q) / bottom, -1.0, 1.0);
+    const double cosine =
+        bottom == 0 ? 1 : glm::clamp(((q * t - p * s) * cos_alpha - q) / bottom, -1.0, 1.0);
     const Vec3 corner = cosine * a + std::sqrt((1 - cosine) * (1 + cosine)) * away(c, a);
     const double versine = u.y * (1 - dot(corner, b));
     return (1 - versine) * b + std::sqrt(versine * (2 - versine)) * away(corner, b);
 }
 
-/// Where the direction meets the triangle's plane, moved into the triangle if rounding put it outside; from the point.
+/// Where the direction meets the triangle's plane, moved into the triangle if rounding put it
+/// outside; from the point.
 Vec3 on_triangle(const View& view, const Vec3& direction) {
     const Vec3 p = cross(direction, view.edge2);
     const double determinant = dot(view.edge1, p);
@@ -103,12 +113,14 @@ Polygon above_horizon(const std::array<Vec3, 3>& corners, const Vec3& normal) {
         const Vec3 &from = corners[i], &to = corners[(i + 1) % 3];
         const double height = dot(normal, from), next = dot(normal, to);
         if (height >= 0) result.add(from);
-        if ((height > 0 && next < 0) || (height < 0 && next > 0)) result.add(from + height / (height - next) * (to - from));
+        if ((height > 0 && next < 0) || (height < 0 && next > 0))
+            result.add(from + height / (height - next) * (to - from));
     }
     return result;
 }
 
-/// Lambert's formula: the sum over the edges of their angle times the cosine of the plane through edge and point.
+/// Lambert's formula: the sum over the edges of their angle times the cosine of the plane through
+/// edge and point.
 double polygon_irradiance(const Polygon& polygon, const Vec3& normal) {
     double sum = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -120,7 +132,8 @@ double polygon_irradiance(const Polygon& polygon, const Vec3& normal) {
     return std::abs(sum) / 2;
 }
 
-/// The same for a polygon so far away that all of it is seen alike: Lambert's formula would lose its digits.
+/// The same for a polygon so far away that all of it is seen alike: Lambert's formula would lose
+/// its digits.
 double patch_irradiance(const Polygon& polygon, const Vec3& normal) {
     double result = 0;
     for (std::size_t i = 1; i + 1 < polygon.count; ++i) {
@@ -143,10 +156,18 @@ LightBounds bounds(const TriangleEmitter& t, double luminance) {
     const Box box = join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
     const Vec3 scaled_normal = cross(t.corner2 - t.corner1, t.corner3 - t.corner1);
     const Vec3 centre = (t.corner1 + t.corner2 + t.corner3) / 3.0;
-    const double radius = std::fmax(length(t.corner1 - centre), std::fmax(length(t.corner2 - centre), length(t.corner3 - centre)));
+    const double radius =
+        std::fmax(length(t.corner1 - centre),
+                  std::fmax(length(t.corner2 - centre), length(t.corner3 - centre)));
     // The centre is rounded, the sphere must hold the triangle all the same.
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::fmax(max_abs_component(box.low), max_abs_component(box.high));
-    return {box, centre, radius * (1 + 1e-12) + rounding, unit(scaled_normal), luminance * length(scaled_normal) / 2, luminance};
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                            std::fmax(max_abs_component(box.low), max_abs_component(box.high));
+    return {box,
+            centre,
+            radius * (1 + 1e-12) + rounding,
+            unit(scaled_normal),
+            luminance * length(scaled_normal) / 2,
+            luminance};
 }
 
 double unoccluded(const TriangleEmitter& t, double luminance, const ShadingPoint& point) {
@@ -165,12 +186,14 @@ std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, con
     const View view(t, from);
     const double solid_angle = sampled_solid_angle(view);
     const double root = std::sqrt(u.x);
-    const Vec3 offset = solid_angle > 0 ? on_triangle(view, direction_in(view, solid_angle, u))
-                                        : view.corners[0] + root * ((1 - u.y) * view.edge1 + u.y * view.edge2);
+    const Vec3 offset = solid_angle > 0
+                            ? on_triangle(view, direction_in(view, solid_angle, u))
+                            : view.corners[0] + root * ((1 - u.y) * view.edge1 + u.y * view.edge2);
     const double distance = length(offset);
     if (!(distance > 0)) return {};
     const Vec3 direction = offset / distance;
-    const double density = solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, distance);
+    const double density =
+        solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, distance);
     if (!(density > 0)) return {};
     return LightPoint{from + offset, direction, distance, density};
 }
@@ -183,4 +206,6 @@ double density(const TriangleEmitter& t, const Vec3& from, const Vec3& direction
     return solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t);
 }
 
-double emitting_area(const TriangleEmitter& t) { return length(cross(t.corner2 - t.corner1, t.corner3 - t.corner1)) / 2; }
+double emitting_area(const TriangleEmitter& t) {
+    return length(cross(t.corner2 - t.corner1, t.corner3 - t.corner1)) / 2;
+}

@@ -17,9 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int number) {
-    return std::strerror(number);
-}
+std::string reason(int number) { return std::strerror(number); }
 
 /// 0, or the error number of what went wrong.
 int write_all(int file, std::string_view bytes) {
@@ -98,13 +96,17 @@ std::string problem_with_destination(const std::string& path) {
     const std::string name = harmless(path);
     if (const auto old = state_of(path)) {
         if (S_ISDIR(old->st_mode)) return message("cannot write `", name, "`: it is a folder");
-        if (::access(path.c_str(), W_OK) != 0) return message("cannot write `", name, "`: ", reason(errno));
+        if (::access(path.c_str(), W_OK) != 0)
+            return message("cannot write `", name, "`: ", reason(errno));
         return {};
     }
-    const std::string folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
+    const std::string folder =
+        fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
     const auto there = state_of(folder);
-    if (!there) return message("cannot write `", name, "`: there is no folder `", harmless(folder), "`");
-    if (!S_ISDIR(there->st_mode)) return message("cannot write `", name, "`: `", harmless(folder), "` is not a folder");
+    if (!there)
+        return message("cannot write `", name, "`: there is no folder `", harmless(folder), "`");
+    if (!S_ISDIR(there->st_mode))
+        return message("cannot write `", name, "`: `", harmless(folder), "` is not a folder");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         return message("cannot write `", name, "` in its folder: ", reason(errno));
     return {};

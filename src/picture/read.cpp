@@ -20,7 +20,8 @@ constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 class Decoder {
 public:
     explicit Decoder(const OIIO::ImageSpec& spec)
-        : linear_(spec.format.is_floating_point() || spec.get_string_attribute("oiio:ColorSpace") == "Linear"),
+        : linear_(spec.format.is_floating_point() ||
+                  spec.get_string_attribute("oiio:ColorSpace") == "Linear"),
           gamma_(spec.get_float_attribute("oiio:Gamma", 0)) {}
 
     double operator()(float stored) const {
@@ -38,20 +39,26 @@ std::optional<Image> read(OIIO::ImageInput& input) {
     const int channels = spec.nchannels < 3 ? 1 : 3;
     Image image(spec.width, spec.height);
     std::vector<float> values(image.pixels.size() * static_cast<std::size_t>(channels));
-    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) return std::nullopt;
+    if (!input.read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data()))
+        return std::nullopt;
     const Decoder decode(spec);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        if (channels == 1) image.pixels[i] = Vec3(decode(values[i]));
-        else image.pixels[i] = Vec3(decode(values[3 * i]), decode(values[3 * i + 1]), decode(values[3 * i + 2]));
+        if (channels == 1)
+            image.pixels[i] = Vec3(decode(values[i]));
+        else
+            image.pixels[i] =
+                Vec3(decode(values[3 * i]), decode(values[3 * i + 1]), decode(values[3 * i + 2]));
     }
     return image;
 }
 
 }  // namespace
 
-std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnostics, Span asked_at) {
+std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnostics,
+                                  Span asked_at) {
     const auto refuse = [&](const std::string& why) {
-        diagnostics.add(error(Fault::io, asked_at, message("cannot read the picture `", harmless(path), "`: ", why)));
+        diagnostics.add(error(Fault::io, asked_at,
+                              message("cannot read the picture `", harmless(path), "`: ", why)));
         return std::nullopt;
     };
     OIIO::ImageSpec as_stored;

@@ -24,14 +24,18 @@ struct TypeInfo {
 };
 
 constexpr std::array types = {
-    TypeInfo{PictureType::png, "png", "png", false},  TypeInfo{PictureType::exr, "exr", "exr", true},
-    TypeInfo{PictureType::hdr, "hdr", "rgbe", true},  TypeInfo{PictureType::ppm, "ppm", "pnm", false},
-    TypeInfo{PictureType::tga, "tga", "tpic", false}, TypeInfo{PictureType::jpeg, "jpg", "jpeg", false},
+    TypeInfo{PictureType::png, "png", "png", false},
+    TypeInfo{PictureType::exr, "exr", "exr", true},
+    TypeInfo{PictureType::hdr, "hdr", "rgbe", true},
+    TypeInfo{PictureType::ppm, "ppm", "pnm", false},
+    TypeInfo{PictureType::tga, "tga", "tpic", false},
+    TypeInfo{PictureType::jpeg, "jpg", "jpeg", false},
     TypeInfo{PictureType::bmp, "bmp", "dib", false},
 };
 
 const TypeInfo& info(PictureType type) {
-    return *std::find_if(types.begin(), types.end(), [&](const TypeInfo& each) { return each.type == type; });
+    return *std::find_if(types.begin(), types.end(),
+                         [&](const TypeInfo& each) { return each.type == type; });
 }
 
 template <class Integer>
@@ -40,7 +44,8 @@ std::vector<Integer> integers(const Image& image, const PictureFormat& format) {
     std::vector<Integer> result;
     result.reserve(image.pixels.size() * 3);
     for (const Vec3& pixel : image.pixels)
-        for (int i = 0; i < 3; ++i) result.push_back(static_cast<Integer>(quantised(pixel[i], most, format)));
+        for (int i = 0; i < 3; ++i)
+            result.push_back(static_cast<Integer>(quantised(pixel[i], most, format)));
     return result;
 }
 
@@ -69,22 +74,23 @@ OIIO::ImageSpec specification(const Image& image, const PictureFormat& format, b
     spec.attribute("DateTime", "2000:01:01 00:00:00");
     if (format.type == PictureType::exr) spec.attribute("compression", "zip");
     if (format.type == PictureType::jpeg) spec.attribute("Compression", "jpeg:95");
-    if (format.type == PictureType::tga) spec.attribute("compression", format.compressed ? "rle" : "none");
+    if (format.type == PictureType::tga)
+        spec.attribute("compression", format.compressed ? "rle" : "none");
     return spec;
 }
 
-bool write_pixels(OIIO::ImageOutput& output, const Image& image, const PictureFormat& format, bool linear) {
+bool write_pixels(OIIO::ImageOutput& output, const Image& image, const PictureFormat& format,
+                  bool linear) {
     using OIIO::TypeDesc;
     if (linear) return output.write_image(TypeDesc::FLOAT, floats(image, format).data());
-    if (format.bits == 16) return output.write_image(TypeDesc::UINT16, integers<std::uint16_t>(image, format).data());
+    if (format.bits == 16)
+        return output.write_image(TypeDesc::UINT16, integers<std::uint16_t>(image, format).data());
     return output.write_image(TypeDesc::UINT8, integers<std::uint8_t>(image, format).data());
 }
 
 }  // namespace
 
-std::string_view extension(PictureType type) {
-    return info(type).extension;
-}
+std::string_view extension(PictureType type) { return info(type).extension; }
 
 std::optional<PictureType> type_of_name(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
@@ -105,7 +111,8 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
 
-std::optional<std::string> encode(const Image& image, const PictureFormat& format, Diagnostics& diagnostics) {
+std::optional<std::string> encode(const Image& image, const PictureFormat& format,
+                                  Diagnostics& diagnostics) {
     const TypeInfo& type = info(format.type);
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
@@ -117,12 +124,13 @@ std::optional<std::string> encode(const Image& image, const PictureFormat& forma
     if (done) return std::string(bytes.begin(), bytes.end());
     const std::string why = output ? output->geterror() : OIIO::geterror();
     diagnostics.add(error(Fault::io, {},
-                          message("cannot make a ", type.extension, " file of ", image.width, " by ", image.height,
-                                  " pixels", why.empty() ? "" : ": ", why)));
+                          message("cannot make a ", type.extension, " file of ", image.width,
+                                  " by ", image.height, " pixels", why.empty() ? "" : ": ", why)));
     return std::nullopt;
 }
 
-bool write_picture(const Image& image, const std::string& path, const PictureFormat& format, Diagnostics& diagnostics) {
+bool write_picture(const Image& image, const std::string& path, const PictureFormat& format,
+                   Diagnostics& diagnostics) {
     const auto bytes = encode(image, format, diagnostics);
     return bytes && write_file(path, *bytes, diagnostics);
 }

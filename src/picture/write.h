@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures to files. Formats of 8 or 16 bits are clipped to 0..1, encoded as sRGB and rounded, as POV-Ray 3.7 does;
-// OpenEXR and Radiance HDR keep linear values. The bytes depend on the picture and the format only.
+// Pictures to files. Formats of 8 or 16 bits are clipped to 0..1, encoded as sRGB and rounded, as
+// POV-Ray 3.7 does; OpenEXR and Radiance HDR keep linear values. The bytes depend on the picture
+// and the format only.
 #pragma once
 
 #include "base/image.h"
@@ -17,7 +18,8 @@ struct PictureFormat {
     int bits = 8;             ///< per channel; 16 for png only
     bool compressed = false;  ///< tga only
     double gamma = 1;         ///< the picture's values to this power are linear
-    bool encoded = true;      ///< false: values are neither made linear nor encoded, as before POV-Ray 3.7
+    bool encoded =
+        true;  ///< false: values are neither made linear nor encoded, as before POV-Ray 3.7
 };
 
 /// Without the dot: "png".
@@ -26,10 +28,12 @@ std::string_view extension(PictureType);
 /// The type that a file's name ends in, in any case of letters; nothing when it is none of them.
 std::optional<PictureType> type_of_name(std::string_view path);
 
-/// The value as a whole number of 0..most: clipped, made linear, encoded, rounded. Not-a-number gives 0.
+/// The value as a whole number of 0..most: clipped, made linear, encoded, rounded. Not-a-number
+/// gives 0.
 unsigned quantised(double value, unsigned most, const PictureFormat& = {});
 
-/// The bytes of a file of that format; nothing, with a diagnostic, when the picture does not fit into it.
+/// The bytes of a file of that format; nothing, with a diagnostic, when the picture does not fit
+/// into it.
 std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostics&);
 
 /// Encodes and writes the file as write_file() does.

@@ -7,24 +7,31 @@
 
 namespace {
 
-constexpr std::array surface = {&item_info<Finish>(), &item_info<Reflection>(), &item_info<Interior>()};
+constexpr std::array surface = {&item_info<Finish>(), &item_info<Reflection>(),
+                                &item_info<Interior>()};
 constexpr std::array settings = {&item_info<GlobalSettings>()};
 
 constexpr std::array groups = {
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
-    ItemGroup{"Cameras", "The type is the first word in camera { }; perspective when there is none.", Kinds<Camera>::infos, "camera"},
-    ItemGroup{"Lights", "Lights without size. Every object whose finish has emission is a luminaire and lights the scene as well.",
+    ItemGroup{"Cameras",
+              "The type is the first word in camera { }; perspective when there is none.",
+              Kinds<Camera>::infos, "camera"},
+    ItemGroup{"Lights",
+              "Lights without size. Every object whose finish has emission is a luminaire and "
+              "lights the scene as well.",
               Kinds<Light>::infos},
-    ItemGroup{"Patterns", "What varies over a surface: the first word in pigment { }, usually with a color_map.", Kinds<Pattern>::infos,
-              "pigment"},
+    ItemGroup{
+        "Patterns",
+        "What varies over a surface: the first word in pigment { }, usually with a color_map.",
+        Kinds<Pattern>::infos, "pigment"},
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
-    ItemGroup{"Light samplers", "How luminaires are chosen at each point: global_settings { light_sampler { name ... } }, or --light-sampler.",
+    ItemGroup{"Light samplers",
+              "How luminaires are chosen at each point: global_settings { light_sampler { name ... "
+              "} }, or --light-sampler.",
               Kinds<LightSampler>::infos, "light_sampler"},
 };
 
 }  // namespace
 
-std::span<const ItemGroup> catalogue() {
-    return groups;
-}
+std::span<const ItemGroup> catalogue() { return groups; }

@@ -11,7 +11,8 @@
 
 namespace {
 
-/// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep stack.
+/// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep
+/// stack.
 constexpr int deepest = 16;
 
 struct ObjectFlag {
@@ -41,9 +42,7 @@ std::string block_text(const T& item) {
     return message(item_info<T>().name, " { ", fields, fields.empty() ? "" : " ", "}");
 }
 
-std::string colour_text(const Colour& colour) {
-    return written(colour, FieldType::colour);
-}
+std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
 
 std::string matrix_text(const Transform& transform) {
     if (transform == Transform()) return {};
@@ -56,29 +55,35 @@ std::string matrix_text(const Transform& transform) {
 std::string map_text(const Pigment& pigment) {
     std::string text;
     if (std::holds_alternative<Checker>(*pigment.pattern)) {
-        for (const ColourStop& stop : pigment.map) text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
+        for (const ColourStop& stop : pigment.map)
+            text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
         return text;
     }
-    for (const ColourStop& stop : pigment.map) text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
+    for (const ColourStop& stop : pigment.map)
+        text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
     return message(" color_map { ", text, "}");
 }
 
 std::string pigment_text(const Pigment& pigment) {
     if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
-    return message("pigment { ", item_text(*pigment.pattern), map_text(pigment), matrix_text(pigment.transform), " }");
+    return message("pigment { ", item_text(*pigment.pattern), map_text(pigment),
+                   matrix_text(pigment.transform), " }");
 }
 
 std::string reflection_text(const Reflection& reflection) {
     const Reflection none;
     const std::string fields = written_fields(item_info<Reflection>(), &reflection);
-    return fields == written_fields(item_info<Reflection>(), &none) ? "" : message("reflection { ", fields, " }");
+    return fields == written_fields(item_info<Reflection>(), &none)
+               ? ""
+               : message("reflection { ", fields, " }");
 }
 
 std::string finish_text(const Finish& finish) {
     const std::string fields = written_fields(item_info<Finish>(), &finish);
     const std::string reflection = reflection_text(finish.reflection);
     if (fields.empty() && reflection.empty()) return {};
-    return message(" finish { ", fields, fields.empty() || reflection.empty() ? "" : " ", reflection, " }");
+    return message(" finish { ", fields, fields.empty() || reflection.empty() ? "" : " ",
+                   reflection, " }");
 }
 
 std::string settings_text(const Scene& scene) {
@@ -94,7 +99,8 @@ std::string settings_text(const Scene& scene) {
 }
 
 std::string camera_text(const Camera& camera) {
-    const Transform& transform = std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
+    const Transform& transform =
+        std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
     return message("camera { ", item_text(camera), matrix_text(transform), " }\n");
 }
 
@@ -103,13 +109,40 @@ std::string light_text(Light light) {
     return message(info.name, " { ", written_fields(info, Kinds<Light>::address(light)), " }\n");
 }
 
-std::span<const ObjectHandle> children(const Object& object) {
-    const auto* together = std::get_if<Union>(&object.form);
-    return together ? std::span<const ObjectHandle>(together->children) : std::span<const ObjectHandle>();
+/// What follows an object's own content. The texture comes last: transformations before it do not
+/// move it.
+std::vector<std::string> modifiers(const Object& object) {
+    std::vector<std::string> result;
+    if (object.transform && !(*object.transform == Transform()))
+        result.push_back(matrix_text(*object.transform).substr(1));
+    for (const ObjectFlag& flag : object_flags)
+        if (object.*flag.member) result.emplace_back(flag.name);
+    if (object.interior) result.push_back(block_text(*object.interior));
+    if (object.texture)
+        result.push_back(message("texture { ", pigment_text(object.texture->pigment),
+                                 finish_text(object.texture->finish), " }"));
+    return result;
 }
 
-/// Every object below the roots once, children before their parents. Does not recurse: unions may be nested very deep.
-std::vector<const Object*> in_order(std::span<const ObjectHandle> roots, std::unordered_map<const Object*, int>& references) {
+std::span<const ObjectHandle> children(const Object& object) {
+    const auto* together = std::get_if<Union>(&object.form);
+    return together ? std::span<const ObjectHandle>(together->children)
+                    : std::span<const ObjectHandle>();
+}
+
+/// A union of one object that adds nothing is written as that object: a copy of a declared union is
+/// read as such a union.
+const Object& essence(const Object& object) {
+    const Object* result = &object;
+    while (children(*result).size() == 1 && modifiers(*result).empty())
+        result = children(*result).front().get();
+    return *result;
+}
+
+/// Every object below the roots once, children before their parents. Does not recurse: unions may
+/// be nested very deep.
+std::vector<const Object*> in_order(std::span<const ObjectHandle> roots,
+                                    std::unordered_map<const Object*, int>& references) {
     struct Step {
         const Object* object;
         std::span<const ObjectHandle> rest;
@@ -122,23 +155,11 @@ std::vector<const Object*> in_order(std::span<const ObjectHandle> roots, std::un
             path.pop_back();
             continue;
         }
-        const Object* next = path.back().rest.front().get();
+        const Object* next = &essence(*path.back().rest.front());
         path.back().rest = path.back().rest.subspan(1);
         if (references[next]++ == 0) path.push_back({next, children(*next)});
     }
     return order;
-}
-
-/// What follows an object's own content. The texture comes last: transformations before it do not move it.
-std::vector<std::string> modifiers(const Object& object) {
-    std::vector<std::string> result;
-    if (object.transform && !(*object.transform == Transform())) result.push_back(matrix_text(*object.transform).substr(1));
-    for (const ObjectFlag& flag : object_flags)
-        if (object.*flag.member) result.emplace_back(flag.name);
-    if (object.interior) result.push_back(block_text(*object.interior));
-    if (object.texture)
-        result.push_back(message("texture { ", pigment_text(object.texture->pigment), finish_text(object.texture->finish), " }"));
-    return result;
 }
 
 class Dumper {
@@ -159,7 +180,8 @@ private:
         std::unordered_map<const Object*, int> references, heights;
         for (const Object* object : in_order(roots, references)) {
             int height = 0;
-            for (const ObjectHandle& child : children(*object)) height = std::max(height, heights[child.get()] + 1);
+            for (const ObjectHandle& child : children(*object))
+                height = std::max(height, heights[&essence(*child)] + 1);
             const bool apart = references[object] > 1 || height >= deepest;
             heights[object] = apart ? 0 : height;
             if (!apart) continue;
@@ -170,11 +192,14 @@ private:
         }
     }
 
-    void refer(const Object& object, std::size_t depth) {
+    void refer(const Object& referred, std::size_t depth) {
+        const Object& object = essence(referred);
         out_.append(4 * depth, ' ');
         const auto name = names_.find(&object);
-        if (name == names_.end()) write(object, depth);
-        else out_ += message("object { ", name->second, " }\n");
+        if (name == names_.end())
+            write(object, depth);
+        else
+            out_ += message("object { ", name->second, " }\n");
     }
 
     void write(const Object& object, std::size_t depth) {
@@ -188,7 +213,8 @@ private:
         }
         out_ += "union {\n";
         for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
-        for (const std::string& each : modifiers(object)) out_ += std::string(4 * depth + 4, ' ') + each + "\n";
+        for (const std::string& each : modifiers(object))
+            out_ += std::string(4 * depth + 4, ' ') + each + "\n";
         out_ += std::string(4 * depth, ' ') + "}\n";
     }
 
@@ -198,6 +224,4 @@ private:
 
 }  // namespace
 
-std::string dump(const Scene& scene) {
-    return Dumper().text(scene);
-}
+std::string dump(const Scene& scene) { return Dumper().text(scene); }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Scene as text: what the evaluator made of a file, with all loops, macros and declarations gone. The text depends on the
-// scene only and is a scene itself, which gives the same Scene again. For --dump scene and golden tests.
+// A Scene as text: what the evaluator made of a file, with all loops, macros and declarations gone.
+// The text depends on the scene only and is a scene itself, which gives the same picture. For
+// --dump scene and golden tests.
 #pragma once
 
 #include "scene/scene.h"
 
 #include <string>
 
-/// What has its default value is left out. Objects that occur more than once, or lie deep, are declared first as Object_1, ...
+/// What has its default value is left out. Objects that occur more than once, or lie deep, are
+/// declared first as Object_1, ...
 std::string dump(const Scene&);

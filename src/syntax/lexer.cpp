@@ -334,6 +334,10 @@ void Lexer::stray(const char* first) {
     diagnostics_.add(problem);
 }
 
+void Lexer::second_point(const char* first) {
+    diagnostics_.add(error(Fault::syntax, span(first, cursor_), "a number has only one point"));
+}
+
 void Lexer::double_sign(const char* first, std::string_view instead) {
     diagnostics_.add(
         error(Fault::syntax, span(first, cursor_),

@@ -33,6 +33,7 @@ private:
     void skip_line_comment();
     void skip_comment(const char* first);
     void stray(const char* first);
+    void second_point(const char* first);
     void double_sign(const char* first, std::string_view instead);
     std::string unescaped(std::string_view raw, std::uint32_t offset);
     bool file_name_expected() const;

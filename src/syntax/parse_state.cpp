@@ -100,6 +100,8 @@ List ParseState::parameter(List list, NameId name, Span span) {
 }
 
 NodeId ParseState::stray_semicolon(Span span) {
+    // After an error it may be the end of something that was left out.
+    if (diagnostics.failed()) return no_node;
     diagnostics.add(warning(Fault::semicolon, span, "this `;` has no effect")
                         .with_help("`;` ends a #declare of numbers and nothing else"));
     return no_node;

@@ -112,6 +112,8 @@ void Parser::report_syntax_error(const context& context) const {
             text = message(what,
                            " is a word of the language and cannot be the name of something else");
         Diagnostic problem = ::error(Fault::syntax, place, text);
+        if (expected.has(Kind::S_GREATER) && !expected.comparison())
+            problem.with_help("a vector ends in `>`; comparisons are written in parentheses: (a < b)");
         if (const std::string_view help = advice(found, expected); !help.empty())
             problem.with_help(std::string(help));
         if (const auto open = state.brackets.innermost();

@@ -16,26 +16,39 @@ constexpr std::size_t term_width = 26;  ///< where the explanation of a term sta
 
 std::string_view name_of(FieldType type) {
     switch (type) {
-        case FieldType::number: return "number";
-        case FieldType::integer: return "whole number";
-        case FieldType::boolean: return "on or off";
-        case FieldType::vector2: return "vector of 2";
-        case FieldType::vector3: return "vector";
+        case FieldType::number:
+            return "number";
+        case FieldType::integer:
+            return "whole number";
+        case FieldType::boolean:
+            return "on or off";
+        case FieldType::vector2:
+            return "vector of 2";
+        case FieldType::vector3:
+            return "vector";
         case FieldType::rgb:
-        case FieldType::colour: return "colour";
-        case FieldType::text: return "string";
-        case FieldType::vectors: return "list of vectors";
-        case FieldType::faces: return "list of <index, index, index>";
+        case FieldType::colour:
+            return "colour";
+        case FieldType::text:
+            return "string";
+        case FieldType::vectors:
+            return "list of vectors";
+        case FieldType::faces:
+            return "list of <index, index, index>";
     }
     return {};
 }
 
 std::string_view name_of(Placement place) {
     switch (place) {
-        case Placement::positional: return "positional";
-        case Placement::item: return "item";
-        case Placement::flag: return "flag";
-        case Placement::list: return "list";
+        case Placement::positional:
+            return "positional";
+        case Placement::item:
+            return "item";
+        case Placement::flag:
+            return "flag";
+        case Placement::list:
+            return "list";
     }
     return {};
 }
@@ -45,7 +58,9 @@ std::string limits(const Range& range) {
     const bool high = range.high < std::numeric_limits<double>::infinity();
     if (low && high && !range.low_excluded) return message(" from ", range.low, " to ", range.high);
     std::string text;
-    if (low) text = message(range.low_excluded ? " above " : " from ", range.low, range.low_excluded ? "" : " on");
+    if (low)
+        text = message(range.low_excluded ? " above " : " from ", range.low,
+                       range.low_excluded ? "" : " on");
     if (high) text += message(low ? " to " : " up to ", range.high);
     return text;
 }
@@ -61,12 +76,17 @@ std::string default_text(const ItemInfo& item, std::size_t field) {
 std::string form(const FieldInfo& field) {
     const std::string name(field.name);
     switch (field.place) {
-        case Placement::positional: return name;
-        case Placement::flag: return name;
-        case Placement::list: return name + " { count, ... }";
-        case Placement::item: break;
+        case Placement::positional:
+            return name;
+        case Placement::flag:
+            return name;
+        case Placement::list:
+            return name + " { count, ... }";
+        case Placement::item:
+            break;
     }
-    return message(name, ' ', field.type == FieldType::number || field.type == FieldType::integer ? "n" : "v");
+    return message(name, ' ',
+                   field.type == FieldType::number || field.type == FieldType::integer ? "n" : "v");
 }
 
 std::string explanation(const ItemInfo& item, std::size_t field) {
@@ -83,15 +103,18 @@ std::vector<ManualEntry> entries(const ItemInfo& item) {
 std::string text_entry(const ManualEntry& entry) {
     const std::string indent(term_width, ' ');
     std::string line = "  " + entry.term;
-    if (line.size() + 2 > term_width) line += "\n" + indent;
-    else line.resize(term_width, ' ');
+    if (line.size() + 2 > term_width)
+        line += "\n" + indent;
+    else
+        line.resize(term_width, ' ');
     return line + wrapped(entry.help, term_width) + "\n";
 }
 
 /// A paragraph of the source of a manual page: short lines, none of which is taken for a command.
 std::string roff_lines(std::string_view text) {
     std::string lines = wrapped(roff(text), 0);
-    for (std::size_t at = lines.find("\n."); at != std::string::npos; at = lines.find("\n.", at)) lines.insert(at + 1, "\\&");
+    for (std::size_t at = lines.find("\n."); at != std::string::npos; at = lines.find("\n.", at))
+        lines.insert(at + 1, "\\&");
     return lines + "\n";
 }
 
@@ -109,8 +132,10 @@ std::string text_groups(std::span<const ItemGroup> groups) {
 }
 
 std::string roff_item(const ItemInfo& item, std::string_view block) {
-    std::string text = message(".PP\n.B ", roff(usage(item, block)), "\n.br\n", roff_lines(item.help));
-    if (!item.fields.empty()) text += message(".RS\n", manual(entries(item), ManualForm::roff), ".RE\n");
+    std::string text =
+        message(".PP\n.B ", roff(usage(item, block)), "\n.br\n", roff_lines(item.help));
+    if (!item.fields.empty())
+        text += message(".RS\n", manual(entries(item), ManualForm::roff), ".RE\n");
     return text;
 }
 
@@ -127,7 +152,8 @@ Json json_value(const FieldValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* v = std::get_if<Vec2>(&value)) return {v->x, v->y};
     if (const auto* v = std::get_if<Vec3>(&value)) return {v->x, v->y, v->z};
-    if (const auto* c = std::get_if<Colour>(&value)) return {c->rgb.x, c->rgb.y, c->rgb.z, c->filter, c->transmit};
+    if (const auto* c = std::get_if<Colour>(&value))
+        return {c->rgb.x, c->rgb.y, c->rgb.z, c->filter, c->transmit};
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     if (std::holds_alternative<std::monostate>(value)) return nullptr;
     return Json::array();
@@ -135,9 +161,13 @@ Json json_value(const FieldValue& value) {
 
 Json json_field(const ItemInfo& item, std::size_t index) {
     const FieldInfo& field = item.fields[index];
-    Json json = {{"name", field.name}, {"place", name_of(field.place)}, {"type", name_of(field.type)},
-                 {"default", json_value(item.default_value(index))}, {"optional", field.place != Placement::positional || field.may_be_left_out}};
-    if (std::isfinite(field.range.low)) json[field.range.low_excluded ? "above" : "minimum"] = field.range.low;
+    Json json = {{"name", field.name},
+                 {"place", name_of(field.place)},
+                 {"type", name_of(field.type)},
+                 {"default", json_value(item.default_value(index))},
+                 {"optional", field.place != Placement::positional || field.may_be_left_out}};
+    if (std::isfinite(field.range.low))
+        json[field.range.low_excluded ? "above" : "minimum"] = field.range.low;
     if (std::isfinite(field.range.high)) json["maximum"] = field.range.high;
     json["help"] = field.help;
     return json;
@@ -146,7 +176,10 @@ Json json_field(const ItemInfo& item, std::size_t index) {
 Json json_item(const ItemInfo& item, std::string_view block) {
     Json fields = Json::array();
     for (std::size_t i = 0; i < item.fields.size(); ++i) fields.push_back(json_field(item, i));
-    return {{"name", item.name}, {"usage", usage(item, block)}, {"help", item.help}, {"fields", fields}};
+    return {{"name", item.name},
+            {"usage", usage(item, block)},
+            {"help", item.help},
+            {"fields", fields}};
 }
 
 std::string json_groups(std::span<const ItemGroup> groups) {
@@ -167,8 +200,10 @@ std::string usage(const ItemInfo& item, std::string_view block) {
     for (const FieldInfo& field : item.fields) {
         const bool positional = field.place == Placement::positional;
         std::string piece = form(field);
-        if (!positional || field.may_be_left_out) piece = message(positional && !first ? "[, " : "[", piece, "]");
-        else if (!first) piece = ", " + piece;
+        if (!positional || field.may_be_left_out)
+            piece = message(positional && !first ? "[, " : "[", piece, "]");
+        else if (!first)
+            piece = ", " + piece;
         text += (piece.starts_with(',') || piece.starts_with("[,") ? "" : " ") + piece;
         first = false;
     }
@@ -188,14 +223,18 @@ std::string values(const ItemInfo& item, std::size_t field) {
 }
 
 std::string manual(const ItemInfo& item, std::string_view block) {
-    return message(wrapped(usage(item, block), 4), "\n  ", wrapped(item.help, 2), "\n", manual(entries(item), ManualForm::text));
+    return message(wrapped(usage(item, block), 4), "\n  ", wrapped(item.help, 2), "\n",
+                   manual(entries(item), ManualForm::text));
 }
 
 std::string manual(std::span<const ItemGroup> groups, ManualForm form) {
     switch (form) {
-        case ManualForm::text: return text_groups(groups);
-        case ManualForm::roff: return roff_groups(groups);
-        case ManualForm::json: break;
+        case ManualForm::text:
+            return text_groups(groups);
+        case ManualForm::roff:
+            return roff_groups(groups);
+        case ManualForm::json:
+            break;
     }
     return json_groups(groups);
 }
@@ -203,11 +242,13 @@ std::string manual(std::span<const ItemGroup> groups, ManualForm form) {
 std::string manual(std::span<const ManualEntry> list, ManualForm form) {
     if (form == ManualForm::json) {
         Json all = Json::array();
-        for (const ManualEntry& entry : list) all.push_back({{"term", entry.term}, {"help", entry.help}});
+        for (const ManualEntry& entry : list)
+            all.push_back({{"term", entry.term}, {"help", entry.help}});
         return all.dump(2) + "\n";
     }
     std::string text;
-    for (const ManualEntry& entry : list) text += form == ManualForm::text ? text_entry(entry) : roff_entry(entry);
+    for (const ManualEntry& entry : list)
+        text += form == ManualForm::text ? text_entry(entry) : roff_entry(entry);
     return text;
 }
 
@@ -215,15 +256,24 @@ std::string roff(std::string_view text) {
     std::string result;
     if (text.starts_with('.')) result = "\\&";
     for (const char c : text) {
-        if (c == '\\') result += "\\e";
-        else if (c == '-') result += "\\-";
-        else if (c == '^') result += "\\(ha";
-        else if (c == '~') result += "\\(ti";
-        else if (c == '`') result += "\\(ga";
-        else if (c == '\'') result += "\\(aq";
-        else if (c == '"') result += "\\(dq";
-        else if (c == '\n') result += ' ';
-        else result += c;
+        if (c == '\\')
+            result += "\\e";
+        else if (c == '-')
+            result += "\\-";
+        else if (c == '^')
+            result += "\\(ha";
+        else if (c == '~')
+            result += "\\(ti";
+        else if (c == '`')
+            result += "\\(ga";
+        else if (c == '\'')
+            result += "\\(aq";
+        else if (c == '"')
+            result += "\\(dq";
+        else if (c == '\n')
+            result += ' ';
+        else
+            result += c;
     }
     return result;
 }

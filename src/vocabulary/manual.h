@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vocabulary as something to read: plain text for --help, roff for the manual pages, JSON for editors. Everything comes
-// from the same tables that the language is read with. Called by the application only.
+// The vocabulary as something to read: plain text for --help, roff for the manual pages, JSON for
+// editors. Everything comes from the same tables that the language is read with. Called by the
+// application only.
 #pragma once
 
 #include "vocabulary/schema.h"
@@ -17,7 +18,8 @@ struct ItemGroup {
     std::string_view name;
     std::string_view help;
     std::span<const ItemInfo* const> items;
-    std::string_view block = {};  ///< the block whose first word is the item's name; empty: the item is a block itself
+    std::string_view block =
+        {};  ///< the block whose first word is the item's name; empty: the item is a block itself
 };
 
 /// One line of a list: what is written, and what it means.
@@ -26,7 +28,8 @@ struct ManualEntry {
     std::string help;
 };
 
-/// How the item is written: "sphere { centre, radius }", or in a block "camera { perspective ... }".
+/// How the item is written: "sphere { centre, radius }", or in a block "camera { perspective ...
+/// }".
 std::string usage(const ItemInfo&, std::string_view block = {});
 
 /// What the field takes: "number above 0".
@@ -47,5 +50,6 @@ std::string manual(std::span<const ManualEntry>, ManualForm);
 /// The text with whatever roff would take for a command made harmless.
 std::string roff(std::string_view text);
 
-/// The text broken between words into lines of at most `width` characters, all but the first indented.
+/// The text broken between words into lines of at most `width` characters, all but the first
+/// indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 80);

@@ -18,16 +18,22 @@ struct Writer {
     FieldType type;
 
     std::string operator()(std::monostate) const { return {}; }
-    std::string operator()(double x) const { return type == FieldType::boolean ? (x > 0 ? "on" : "off") : message(x); }
+    std::string operator()(double x) const {
+        return type == FieldType::boolean ? (x > 0 ? "on" : "off") : message(x);
+    }
     std::string operator()(const Vec2& v) const { return numbers(&v.x, 2); }
-    std::string operator()(const Vec3& v) const { return (type == FieldType::rgb ? "rgb " : "") + numbers(&v.x, 3); }
+    std::string operator()(const Vec3& v) const {
+        return (type == FieldType::rgb ? "rgb " : "") + numbers(&v.x, 3);
+    }
     std::string operator()(const Colour& c) const {
         const double all[] = {c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
-        return c.filter == 0 && c.transmit == 0 ? "rgb " + numbers(all, 3) : "rgbft " + numbers(all, 5);
+        return c.filter == 0 && c.transmit == 0 ? "rgb " + numbers(all, 3)
+                                                : "rgbft " + numbers(all, 5);
     }
     std::string operator()(const std::string& content) const {
         std::string text = "\"";
-        for (const char c : content) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+        for (const char c : content)
+            text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
         return text + '"';
     }
     std::string operator()(const std::vector<Vec3>& list) const {
@@ -37,7 +43,8 @@ struct Writer {
     }
     std::string operator()(const std::vector<Face>& list) const {
         std::string text = message("{ ", list.size());
-        for (const Face& face : list) text += message(", <", face[0], ", ", face[1], ", ", face[2], ">");
+        for (const Face& face : list)
+            text += message(", <", face[0], ", ", face[1], ", ", face[2], ">");
         return text + " }";
     }
 };

@@ -11,7 +11,9 @@
 namespace fs = std::filesystem;
 
 TEST_CASE("the standard library lies beside an installed program, or where one says") {
-    const fs::path root = fs::temp_directory_path() / ("candelabra_library_test_" + std::to_string(::getpid()));
+    const fs::path folder =
+        fs::temp_directory_path() / ("candelabra_library_test_" + std::to_string(::getpid()));
+    const fs::path root = folder / "so/deep/that/nothing/is/near";
     fs::create_directories(root / "bin");
     fs::create_directories(root / "share/candelabra/stdlib");
     const std::string program = root / "bin/candelabra";
@@ -22,9 +24,7 @@ TEST_CASE("the standard library lies beside an installed program, or where one s
     CHECK(standard_library(program, "/elsewhere") == "/elsewhere");
     CHECK(standard_library(program, "") == (root / "share/candelabra/stdlib").string());
     CHECK_FALSE(standard_library("", nullptr));
-    fs::remove_all(root);
+    fs::remove_all(folder);
 }
 
-TEST_CASE("a program knows its own file") {
-    CHECK(fs::is_regular_file(own_path()));
-}
+TEST_CASE("a program knows its own file") { CHECK(fs::is_regular_file(own_path())); }

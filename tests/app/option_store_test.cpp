@@ -9,8 +9,9 @@ TEST_CASE("a number is all of a text or nothing") {
         std::optional<double> expected;
     };
     const Case cases[] = {
-        {"1", 1},      {"-1.5", -1.5}, {"+2", 2},   {".5", 0.5},   {"5.", 5},      {"1e3", 1000},  {"", {}},     {"+", {}},
-        {"+-1", {}},   {"1 ", {}},     {" 1", {}},  {"0x10", {}},  {"nan", {}},    {"inf", {}},    {"1,5", {}},  {"1e999", {}},
+        {"1", 1},    {"-1.5", -1.5}, {"+2", 2},   {".5", 0.5},   {"5.", 5},  {"1e3", 1000},
+        {"", {}},    {"+", {}},      {"+-1", {}}, {"1 ", {}},    {" 1", {}}, {"0x10", {}},
+        {"nan", {}}, {"inf", {}},    {"1,5", {}}, {"1e999", {}},
     };
     for (const Case& each : cases) {
         CAPTURE(each.text);
@@ -36,7 +37,8 @@ TEST_CASE("a setting outside its range is refused and not stored") {
     Diagnostics diagnostics;
     store::field("seed", options, {"--seed", true, "12"}, diagnostics);
     CHECK(options.render.seed == 12);
-    for (const char* wrong : {"-1", "1.5", "many", "1e12", ""}) store::field("seed", options, {"--seed", true, wrong}, diagnostics);
+    for (const char* wrong : {"-1", "1.5", "many", "1e12", ""})
+        store::field("seed", options, {"--seed", true, wrong}, diagnostics);
     CHECK(options.render.seed == 12);
     CHECK(diagnostics.error_count() == 5);
 }

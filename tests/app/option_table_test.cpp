@@ -37,7 +37,8 @@ TEST_CASE("an option is shown in all of its forms") {
         return ManualEntry();
     };
     CHECK(shown("W").term == "+Wn, Width=n");
-    CHECK(shown("W").help == "width of the picture in pixels (whole number from 1 to 65535, default 640)");
+    CHECK(shown("W").help ==
+          "width of the picture in pixels (whole number from 1 to 65535, default 640)");
     CHECK(shown("A").term == "+At, -A, Antialias=on");
     CHECK(shown("WT").term == "+WTn, Work_Threads=n, --threads n");
     CHECK(shown("V").term == "+V, -V, Verbose=on");

@@ -19,7 +19,8 @@ Options read(const Words& words) {
 std::string complaint(const Words& words, Severity severity = Severity::error) {
     Diagnostics diagnostics;
     read_options(words, diagnostics);
-    if (diagnostics.all().size() != 1) return "complaints: " + std::to_string(diagnostics.all().size());
+    if (diagnostics.all().size() != 1)
+        return "complaints: " + std::to_string(diagnostics.all().size());
     const Diagnostic& only = diagnostics.all()[0];
     CHECK(only.severity == severity);
     CHECK(only.fault == Fault::option);
@@ -29,7 +30,8 @@ std::string complaint(const Words& words, Severity severity = Severity::error) {
 }  // namespace
 
 TEST_CASE("sizes, in every form and either case of letters") {
-    for (const char* words : {"+W800", "-W800", "+w800", "Width=800", "WIDTH=800", "width=800", "+W+800", "+W8e2"}) {
+    for (const char* words :
+         {"+W800", "-W800", "+w800", "Width=800", "WIDTH=800", "width=800", "+W+800", "+W8e2"}) {
         CAPTURE(words);
         CHECK(read({words}).render.width == 800);
     }
@@ -72,10 +74,17 @@ TEST_CASE("formats") {
         bool compressed;
     };
     const Case cases[] = {
-        {"+FN", PictureType::png, {}, false},  {"+fn16", PictureType::png, 16, false}, {"+FE", PictureType::exr, {}, false},
-        {"+FH", PictureType::hdr, {}, false},  {"+FP", PictureType::ppm, {}, false},   {"+FT", PictureType::tga, {}, false},
-        {"+FC", PictureType::tga, {}, true},   {"+FJ", PictureType::jpeg, {}, false},  {"+FB", PictureType::bmp, {}, false},
-        {"+FS", PictureType::png, {}, false},  {"Output_File_Type=E", PictureType::exr, {}, false},
+        {"+FN", PictureType::png, {}, false},
+        {"+fn16", PictureType::png, 16, false},
+        {"+FE", PictureType::exr, {}, false},
+        {"+FH", PictureType::hdr, {}, false},
+        {"+FP", PictureType::ppm, {}, false},
+        {"+FT", PictureType::tga, {}, false},
+        {"+FC", PictureType::tga, {}, true},
+        {"+FJ", PictureType::jpeg, {}, false},
+        {"+FB", PictureType::bmp, {}, false},
+        {"+FS", PictureType::png, {}, false},
+        {"Output_File_Type=E", PictureType::exr, {}, false},
     };
     for (const Case& each : cases) {
         CAPTURE(each.word);
@@ -88,13 +97,16 @@ TEST_CASE("formats") {
 }
 
 TEST_CASE("our own options, with a blank or an equals sign") {
-    for (const Words& words : {Words{"--samples", "64"}, Words{"--samples=64"}, Words{"--SAMPLES=64"}}) CHECK(read(words).render.samples == 64);
+    for (const Words& words :
+         {Words{"--samples", "64"}, Words{"--samples=64"}, Words{"--SAMPLES=64"}})
+        CHECK(read(words).render.samples == 64);
     CHECK(read({"--shadow-rays", "4"}).render.shadow_rays == 4);
     CHECK(read({"--seed=7"}).render.seed == 7);
     CHECK(read({"--threads", "3"}).render.threads == 3);
     CHECK(read({"+WT3"}).render.threads == 3);
     CHECK(read({"--stats", "a b.json"}).stats_file == "a b.json");
-    CHECK(std::holds_alternative<ConstantAlpha>(*read({"--light-sampler", "constant_alpha"}).render.light_sampler));
+    CHECK(std::holds_alternative<ConstantAlpha>(
+        *read({"--light-sampler", "constant_alpha"}).render.light_sampler));
     CHECK(read({"--check"}).task == Task::check);
     CHECK(read({"--check=syntax"}).task == Task::check_syntax);
     CHECK(read({"--dump", "tokens"}).task == Task::dump_tokens);
@@ -103,7 +115,8 @@ TEST_CASE("our own options, with a blank or an equals sign") {
     CHECK(read({"--dump", "world"}).task == Task::dump_world);
     CHECK(read({"--version"}).task == Task::version);
     CHECK(read({"+K0.5"}).clock == 0.5);
-    CHECK(read({"+Lone", "Library_Path=two"}).library_paths == std::vector<std::string>{"one", "two"});
+    CHECK(read({"+Lone", "Library_Path=two"}).library_paths ==
+          std::vector<std::string>{"one", "two"});
 }
 
 TEST_CASE("help and descriptions take words behind them") {
@@ -124,31 +137,46 @@ TEST_CASE("scenes have any name") {
         const char* scene;
     };
     const Case cases[] = {
-        {{"scene.pov"}, "scene.pov"},        {{"a b.pov"}, "a b.pov"},        {{"a=b.pov"}, "a=b.pov"},
-        {{"./a=b"}, "./a=b"},                {{"--", "-dash.pov"}, "-dash.pov"}, {{"--", "+W1"}, "+W1"},
-        {{"--", "--help"}, "--help"},        {{"a%%%.pov"}, "a%%%.pov"},      {{"bücher.pov"}, "bücher.pov"},
-        {{"+Iscene.pov"}, "scene.pov"},      {{"+I-"}, "-"},                  {{"-"}, "-"},
-        {{"Input_File_Name=a=b"}, "a=b"},    {{"+Ia", "+Ib"}, "b"},           {{"a", "+W10", "-V"}, "a"},
+        {{"scene.pov"}, "scene.pov"},
+        {{"a b.pov"}, "a b.pov"},
+        {{"a=b.pov"}, "a=b.pov"},
+        {{"./a=b"}, "./a=b"},
+        {{"--", "-dash.pov"}, "-dash.pov"},
+        {{"--", "+W1"}, "+W1"},
+        {{"--", "--help"}, "--help"},
+        {{"a%%%.pov"}, "a%%%.pov"},
+        {{"bücher.pov"}, "bücher.pov"},
+        {{"+Iscene.pov"}, "scene.pov"},
+        {{"+I-"}, "-"},
+        {{"-"}, "-"},
+        {{"Input_File_Name=a=b"}, "a=b"},
+        {{"+Ia", "+Ib"}, "b"},
+        {{"a", "+W10", "-V"}, "a"},
     };
     for (const Case& each : cases) CHECK(read(each.words).scene == each.scene);
 }
 
 TEST_CASE("names are declared with numbers and strings") {
-    const Options options = read({"Declare=Depth=5", "declare=Name=\"a = b\"", "Declare=Half=.5", "Declare=On=yes", "Declare=Depth=6"});
-    const std::vector<Declaration> expected = {{"Depth", 5.0}, {"Name", "a = b"}, {"Half", 0.5}, {"On", 1.0}, {"Depth", 6.0}};
+    const Options options = read({"Declare=Depth=5", "declare=Name=\"a = b\"", "Declare=Half=.5",
+                                  "Declare=On=yes", "Declare=Depth=6"});
+    const std::vector<Declaration> expected = {
+        {"Depth", 5.0}, {"Name", "a = b"}, {"Half", 0.5}, {"On", 1.0}, {"Depth", 6.0}};
     CHECK(options.declares == expected);
 }
 
 TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
-    for (const char* word : {"+D", "-D", "+D0C", "+P", "-P", "Display=on", "Pause_When_Done=off", "+Q9", "+Q11", "+HR", "File_Gamma=sRGB", "-UA", "-C", "-KC"}) {
+    for (const char* word : {"+D", "-D", "+D0C", "+P", "-P", "Display=on", "Pause_When_Done=off",
+                             "+Q9", "+Q11", "+HR", "File_Gamma=sRGB", "-UA", "-C", "-KC"}) {
         CAPTURE(word);
         read({word});
     }
 }
 
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
-    CHECK(complaint({"+AM2"}, Severity::warning) == "`+AM2` is ignored: one method is offered, which is adaptive");
-    for (const char* word : {"+Q3", "-J", "+J0.5", "+BS16", "+MB1", "-UR", "+SP8", "+WL5", "+GA", "+GRlog.txt", "Bounding=on"}) {
+    CHECK(complaint({"+AM2"}, Severity::warning) ==
+          "`+AM2` is ignored: one method is offered, which is adaptive");
+    for (const char* word : {"+Q3", "-J", "+J0.5", "+BS16", "+MB1", "-UR", "+SP8", "+WL5", "+GA",
+                             "+GRlog.txt", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);
     }
@@ -169,7 +197,8 @@ TEST_CASE("every wrong argument has one message") {
         {{"+Anan"}, "`+Anan`: antialias_threshold must be a number from 0 on, but it is `nan`"},
         {{"--samples"}, "`--samples`: needs a value: `--samples n`"},
         {{"--samples="}, "`--samples=`: needs a value: `--samples n`"},
-        {{"--samples", "-4"}, "`--samples`: samples must be a whole number from 0 to 1000000, but it is `-4`"},
+        {{"--samples", "-4"},
+         "`--samples`: samples must be a whole number from 0 to 1000000, but it is `-4`"},
         {{"--sample=4"}, "`--sample=4`: there is no such option | did you mean `--samples`?"},
         {{"--version=2"}, "`--version=2`: takes no value"},
         {{"-samples"}, "`-samples`: there is no such option | did you mean `--samples`?"},
@@ -177,24 +206,41 @@ TEST_CASE("every wrong argument has one message") {
         {{"Widht=5"}, "`Widht=5`: there is no such keyword | did you mean `Width=`?"},
         {{"banana=5"}, "`banana=5`: there is no such keyword | if it is a file: `./banana=5`"},
         {{"Verbose=maybe"}, "`Verbose=maybe`: the value must be on or off"},
-        {{"+FX"}, "`+FX`: `X` is no picture format | N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp"},
+        {{"+FX"},
+         "`+FX`: `X` is no picture format | N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C "
+         "compressed tga, J jpeg, B bmp"},
         {{"+FN12"}, "`+FN12`: a channel can have 8 or 16 bits"},
         {{"+FNg"}, "`+FNg`: grey output is not offered"},
-        {{"--light-sampler", "octree"}, "`--light-sampler`: there is no light sampler `octree` | there are every_light, constant_alpha, linear_alpha, light_bvh, light_octree"},
-        {{"--light-sampler=ligth_octree"}, "`--light-sampler=ligth_octree`: there is no light sampler `ligth_octree` | did you mean `light_octree`? there are every_light, constant_alpha, linear_alpha, light_bvh, light_octree"},
+        {{"--light-sampler", "octree"},
+         "`--light-sampler`: there is no light sampler `octree` | there are every_light, "
+         "constant_alpha, linear_alpha, light_bvh, light_octree"},
+        {{"--light-sampler=ligth_octree"},
+         "`--light-sampler=ligth_octree`: there is no light sampler `ligth_octree` | did you mean "
+         "`light_octree`? there are every_light, constant_alpha, linear_alpha, light_bvh, "
+         "light_octree"},
         {{"--dump", "film"}, "`--dump`: there is no stage `film` | tokens, tree, scene or world"},
         {{"--check=all"}, "`--check=all`: only --check and --check=syntax are offered"},
-        {{"Declare=Depth"}, "`Declare=Depth`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},
-        {{"Declare=1a=2"}, "`Declare=1a=2`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},
-        {{"Declare=sphere=2"}, "`Declare=sphere=2`: `sphere` is a word of the language and cannot be declared"},
-        {{"Declare=a=1+2"}, "`Declare=a=1+2`: the value of `a` must be a number or a string in quotes | for a string: 'Declare=a=\"text\"'"},
-        {{"a.pov", "b.pov"}, "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
-        {{"render.ini"}, "`render.ini`: INI files are not read | give its settings here, each as one argument: Width=640"},
+        {{"Declare=Depth"},
+         "`Declare=Depth`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},
+        {{"Declare=1a=2"},
+         "`Declare=1a=2`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},
+        {{"Declare=sphere=2"},
+         "`Declare=sphere=2`: `sphere` is a word of the language and cannot be declared"},
+        {{"Declare=a=1+2"},
+         "`Declare=a=1+2`: the value of `a` must be a number or a string in quotes | for a string: "
+         "'Declare=a=\"text\"'"},
+        {{"a.pov", "b.pov"},
+         "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
+        {{"render.ini"},
+         "`render.ini`: INI files are not read | give its settings here, each as one argument: "
+         "Width=640"},
         {{""}, "``: a file name cannot be empty"},
         {{"+SR10"}, "`+SR10`: is not offered: only whole pictures are rendered"},
         {{"+KFF30"}, "`+KFF30`: is not offered: one picture is made at a time; set clock with +K"},
         {{"+UA"}, "`+UA`: is not offered: pictures have no alpha channel"},
-        {{"File_Gamma=2.2"}, "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, +FH"},
+        {{"File_Gamma=2.2"},
+         "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, "
+         "+FH"},
         {{"+\x1b[2J"}, "`+\xe2\x90\x9b[2J`: there is no such option"},
     };
     for (const Case& each : cases) CHECK(complaint(each.words) == each.expected);

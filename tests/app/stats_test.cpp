@@ -52,7 +52,9 @@ TEST_CASE("counts are told in a few characters") {
         double count;
         const char* expected;
     };
-    const Case cases[] = {{0, "0"}, {950, "950"}, {999, "999"}, {1000, "1.0 k"}, {12345, "12.3 k"}, {999960, "1.0 M"}, {4.5e6, "4.5 M"}, {1.23e9, "1.2 G"}, {5e15, "5000.0 T"}};
+    const Case cases[] = {{0, "0"},         {950, "950"},      {999, "999"},
+                          {1000, "1.0 k"},  {12345, "12.3 k"}, {999960, "1.0 M"},
+                          {4.5e6, "4.5 M"}, {1.23e9, "1.2 G"}, {5e15, "5000.0 T"}};
     for (const Case& each : cases) CHECK(short_count(each.count) == each.expected);
 }
 
@@ -65,7 +67,9 @@ TEST_CASE("the summary fits on a line") {
     run.luminaires = 1;
     run.light_sampler = "light_octree";
     run.rays = {2'100'000, 9'700'000, 0};
-    CHECK(summary(run) == "640 x 480 in 12 s: 7382 objects, 1 luminaire (light_octree); 2.1 M camera, 9.7 M shadow, 0 scattered rays");
+    CHECK(summary(run) ==
+          "640 x 480 in 12 s: 7382 objects, 1 luminaire (light_octree); 2.1 M camera, 9.7 M "
+          "shadow, 0 scattered rays");
 }
 
 TEST_CASE("clocks run forward and memory is used") {

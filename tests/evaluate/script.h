@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A script evaluated in memory, with everything that was said about it: for the tests of the readers of blocks.
+// A script evaluated in memory, with everything that was said about it: for the tests of the
+// readers of blocks.
 #pragma once
 
 #include "evaluate/evaluate.h"
@@ -25,7 +26,8 @@ struct Script {
 };
 
 /// `files` are what the script may include.
-inline Script run(const std::string& script, const std::map<std::string, std::string>& files = {}, const EvaluateOptions& options = {}) {
+inline Script run(const std::string& script, const std::map<std::string, std::string>& files = {},
+                  const EvaluateOptions& options = {}) {
     SourceStore sources;
     Diagnostics diagnostics;
     const Loader loader([&](const std::string& path) -> std::optional<std::string> {
@@ -35,7 +37,8 @@ inline Script run(const std::string& script, const std::map<std::string, std::st
     Script result;
     result.scene = evaluate(sources, loader, sources.add("main.pov", script), options, diagnostics);
     result.said = diagnostics.all();
-    for (const Diagnostic& diagnostic : result.said) result.text += format(diagnostic, sources, false);
+    for (const Diagnostic& diagnostic : result.said)
+        result.text += format(diagnostic, sources, false);
     return result;
 }
 
@@ -45,5 +48,6 @@ inline std::string complaint(const std::string& script) {
     if (done.said.empty()) return "nothing";
     if (done.said.size() > 1) return "several:\n" + done.text;
     const Diagnostic& only = done.said.front();
-    return std::string(only.severity == Severity::error ? "error " : "warning ") + std::string(name(only.fault)) + ": " + only.message;
+    return std::string(only.severity == Severity::error ? "error " : "warning ") +
+           std::string(name(only.fault)) + ": " + only.message;
 }

@@ -27,15 +27,19 @@ Setup room(int count, std::uint64_t seed) {
     Draw draw(seed);
     Setup result;
     for (int i = 0; i < count; ++i)
-        result.luminaires.push_back(glowing(emitter(i % emitter_kinds, draw.point(10), draw.between(0.02, 0.2), draw), draw.between(0.1, 20)));
-    result.surfaces = {Box{Vec3(-10), Vec3(10, -9, 10)}, Box{Vec3(-10), Vec3(-9, 10, 10)}, Box{Vec3(2), Vec3(3)}};
+        result.luminaires.push_back(
+            glowing(emitter(i % emitter_kinds, draw.point(10), draw.between(0.02, 0.2), draw),
+                    draw.between(0.1, 20)));
+    result.surfaces = {Box{Vec3(-10), Vec3(10, -9, 10)}, Box{Vec3(-10), Vec3(-9, 10, 10)},
+                       Box{Vec3(2), Vec3(3)}};
     return result;
 }
 
 int depth(const LightCells& cells, std::uint32_t cell = 0) {
     if (cells.cells[cell].children == 0) return 0;
     int deepest = 0;
-    for (std::uint32_t i = 0; i < 8; ++i) deepest = std::max(deepest, depth(cells, cells.cells[cell].children + i));
+    for (std::uint32_t i = 0; i < 8; ++i)
+        deepest = std::max(deepest, depth(cells, cells.cells[cell].children + i));
     return 1 + deepest;
 }
 
@@ -47,7 +51,8 @@ double straight_on(const Luminaire& luminaire, const Vec3& position) {
 
 }  // namespace
 
-TEST_CASE("no luminaire is left out of a list where it may be brighter than the threshold", "[lighting]") {
+TEST_CASE("no luminaire is left out of a list where it may be brighter than the threshold",
+          "[lighting]") {
     Setup setup = room(600, 1);
     LightOctree settings;
     settings.threshold = 0.004;
@@ -58,7 +63,8 @@ TEST_CASE("no luminaire is left out of a list where it may be brighter than the 
     std::size_t bright = 0;
     for (int i = 0; i < 400; ++i) {
         const Box& box = setup.surfaces[static_cast<std::size_t>(i) % 3];
-        const Vec3 point = glm::mix(box.low, box.high, Vec3(draw.number(), draw.number(), draw.number()));
+        const Vec3 point =
+            glm::mix(box.low, box.high, Vec3(draw.number(), draw.number(), draw.number()));
         const std::uint32_t list = cells.list_at(point);
         REQUIRE(list != LightCell::no_list);
         bright += cells.lists[list].size();
@@ -66,7 +72,8 @@ TEST_CASE("no luminaire is left out of a list where it may be brighter than the 
         for (LightIndex light = 0; light < setup.luminaires.size(); ++light) {
             if (std::ranges::binary_search(cells.lists[list], light)) continue;
             ++checked;
-            if (straight_on(setup.luminaires[light], point) > settings.threshold) CHECK(setup.luminaires.empty());
+            if (straight_on(setup.luminaires[light], point) > settings.threshold)
+                CHECK(setup.luminaires.empty());
         }
     }
     CHECK(checked > 10000);
@@ -76,19 +83,23 @@ TEST_CASE("no luminaire is left out of a list where it may be brighter than the 
 TEST_CASE("the reach of a luminaire bounds what it can give beyond", "[lighting]") {
     Draw draw(3);
     for (int i = 0; i < 20000; ++i) {
-        const Luminaire luminaire = glowing(emitter(i % emitter_kinds, Vec3(0), 1, draw), std::pow(10, draw.between(-2, 3)));
+        const Luminaire luminaire = glowing(emitter(i % emitter_kinds, Vec3(0), 1, draw),
+                                            std::pow(10, draw.between(-2, 3)));
         const double threshold = std::pow(10, draw.between(-3, 1));
         const LightBounds b = bounds(luminaire);
         const double reach = bright_reach(b, threshold);
-        const Vec3 from = b.centre + std::fmax(reach, b.radius * 1.001) * (1 + draw.number()) * draw.direction();
+        const Vec3 from =
+            b.centre + std::fmax(reach, b.radius * 1.001) * (1 + draw.number()) * draw.direction();
         // The estimates of flat luminaires exceed the truth by their evenness.
         CHECK(straight_on(luminaire, from) <= threshold * (b.axis == Vec3(0) ? 1.0001 : 1.0501));
         if (i % emitter_kinds == 0 && reach > 1.01)
-            CHECK(straight_on(luminaire, b.centre + 0.999 * reach * draw.direction()) < threshold * std::numbers::pi);
+            CHECK(straight_on(luminaire, b.centre + 0.999 * reach * draw.direction()) <
+                  threshold * std::numbers::pi);
     }
 }
 
-TEST_CASE("cells are no deeper than allowed, and lists that are short enough are not cut", "[lighting]") {
+TEST_CASE("cells are no deeper than allowed, and lists that are short enough are not cut",
+          "[lighting]") {
     for (const int deepest : {0, 1, 3}) {
         Setup setup = room(300, 4);
         LightOctree settings;
@@ -104,7 +115,8 @@ TEST_CASE("cells are no deeper than allowed, and lists that are short enough are
 
 TEST_CASE("a cell in which everything is bright everywhere is not cut", "[lighting]") {
     Setup setup;
-    for (int i = 0; i < 50; ++i) setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0.01 * i, 50, 0), 1}, 100));
+    for (int i = 0; i < 50; ++i)
+        setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0.01 * i, 50, 0), 1}, 100));
     setup.surfaces = {Box{Vec3(-1), Vec3(1)}};
     LightOctree settings;
     settings.max_bright = 10;
@@ -120,7 +132,8 @@ TEST_CASE("cells without surfaces have no list", "[lighting]") {
     CHECK(setup.build(settings).list_at(Vec3(8, 8, -8)) == LightCell::no_list);
     setup.planes = {Plane{Vec3(0, 2, 0), 8}};
     const LightCells cells = setup.build(settings);
-    for (const double x : {-9.0, 3.0, 9.0, 1e6}) CHECK(cells.list_at(Vec3(x, 8, 1)) != LightCell::no_list);
+    for (const double x : {-9.0, 3.0, 9.0, 1e6})
+        CHECK(cells.list_at(Vec3(x, 8, 1)) != LightCell::no_list);
 }
 
 TEST_CASE("cells do not depend on the number of threads", "[lighting]") {

@@ -7,7 +7,8 @@
 
 namespace {
 
-/// Depth of the tree, after checking that each luminaire is in one leaf and each node's sphere holds what is below it.
+/// Depth of the tree, after checking that each luminaire is in one leaf and each node's sphere
+/// holds what is below it.
 int checked_depth(const std::vector<Luminaire>& luminaires) {
     const std::vector<LightNode> nodes = build_light_hierarchy(luminaires);
     REQUIRE(nodes.size() == 2 * luminaires.size() - 1);
@@ -19,7 +20,8 @@ int checked_depth(const std::vector<Luminaire>& luminaires) {
         if (!nodes[i].leaf) {
             CHECK(nodes[i + 1].parent == i);
             CHECK(nodes[nodes[i].second].parent == i);
-            CHECK(nodes[i].intensity == Approx(nodes[i + 1].intensity + nodes[nodes[i].second].intensity));
+            CHECK(nodes[i].intensity ==
+                  Approx(nodes[i + 1].intensity + nodes[nodes[i].second].intensity));
             continue;
         }
         ++seen[nodes[i].second];
@@ -27,7 +29,8 @@ int checked_depth(const std::vector<Luminaire>& luminaires) {
         for (std::uint32_t above = i; above != 0; above = nodes[above].parent) {
             const LightNode& parent = nodes[nodes[above].parent];
             for (int axis = 0; axis < 3; ++axis)
-                CHECK(std::abs(parent.centre[axis] - b.box.low[axis]) <= parent.radius * (1 + 1e-9));
+                CHECK(std::abs(parent.centre[axis] - b.box.low[axis]) <=
+                      parent.radius * (1 + 1e-9));
             if (parent.axis == decltype(parent.axis)(0)) continue;
             // Normals are within the cone, whichever way they point.
             REQUIRE(b.axis != Vec3(0));
@@ -40,12 +43,15 @@ int checked_depth(const std::vector<Luminaire>& luminaires) {
 
 }  // namespace
 
-TEST_CASE("a light hierarchy holds every luminaire once, in spheres and cones that are wide enough", "[lighting]") {
+TEST_CASE("a light hierarchy holds every luminaire once, in spheres and cones that are wide enough",
+          "[lighting]") {
     Draw draw(1);
     for (const int count : {1, 2, 3, 10, 200})
         for (const int kinds : {1, 2, emitter_kinds}) {
             std::vector<Luminaire> luminaires;
-            for (int i = 0; i < count; ++i) luminaires.push_back(glowing(emitter(i % kinds, draw.point(5), draw.between(0.01, 0.3), draw)));
+            for (int i = 0; i < count; ++i)
+                luminaires.push_back(
+                    glowing(emitter(i % kinds, draw.point(5), draw.between(0.01, 0.3), draw)));
             CHECK(checked_depth(luminaires) < 40);
         }
 }
@@ -56,7 +62,8 @@ TEST_CASE("triangles that lie in one plane keep a narrow cone", "[lighting]") {
     for (int i = 0; i < 50; ++i) {
         const Vec3 at(draw.point(5).x, draw.point(5).y, 0);
         // Half of them the other way round: they shine on both sides all the same.
-        const Vec3 side = i % 2 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), other = i % 2 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+        const Vec3 side = i % 2 ? Vec3(1, 0, 0) : Vec3(0, 1, 0),
+                   other = i % 2 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
         luminaires.push_back(glowing(TriangleEmitter{at, at + 0.1 * side, at + 0.1 * other}));
     }
     const std::vector<LightNode> nodes = build_light_hierarchy(luminaires);
@@ -64,9 +71,12 @@ TEST_CASE("triangles that lie in one plane keep a narrow cone", "[lighting]") {
     CHECK(std::abs(nodes[0].axis.z) == Approx(1));
 }
 
-TEST_CASE("luminaires in geometric progression, or all in one place, make no endless tree", "[lighting]") {
+TEST_CASE("luminaires in geometric progression, or all in one place, make no endless tree",
+          "[lighting]") {
     std::vector<Luminaire> progression, together;
-    for (int i = 0; i < 400; ++i) progression.push_back(glowing(SphereEmitter{Vec3(std::pow(0.5, i), 0, 0), std::pow(0.5, i) / 8}));
+    for (int i = 0; i < 400; ++i)
+        progression.push_back(
+            glowing(SphereEmitter{Vec3(std::pow(0.5, i), 0, 0), std::pow(0.5, i) / 8}));
     for (int i = 0; i < 300; ++i) together.push_back(glowing(SphereEmitter{Vec3(1, 2, 3), 0.5}));
     const int deep = checked_depth(progression);
     CHECK(deep > 64);

@@ -12,7 +12,9 @@ namespace {
 std::vector<Luminaire> mixed(int count, bool spheres_only, Draw& draw) {
     std::vector<Luminaire> result;
     for (int i = 0; i < count; ++i)
-        result.push_back(glowing(emitter(spheres_only ? 0 : i % emitter_kinds, draw.point(5), draw.between(0.01, 0.5), draw), draw.between(0.1, 10)));
+        result.push_back(glowing(emitter(spheres_only ? 0 : i % emitter_kinds, draw.point(5),
+                                         draw.between(0.01, 0.5), draw),
+                                 draw.between(0.1, 10)));
     return result;
 }
 
@@ -25,14 +27,16 @@ std::vector<LightIndex> some(std::size_t count, double share, Draw& draw) {
 
 }  // namespace
 
-TEST_CASE("a list's sum is the sum of its luminaires' estimates, and find() follows it", "[lighting]") {
+TEST_CASE("a list's sum is the sum of its luminaires' estimates, and find() follows it",
+          "[lighting]") {
     Draw draw(1);
     for (const bool spheres_only : {true, false})
         for (const int count : {1, 7, 8, 9, 65, 500, 513, 3000}) {
             const std::vector<Luminaire> luminaires = mixed(count, spheres_only, draw);
             LightTable table(luminaires);
             table.append(some(luminaires.size(), 0.3, draw));
-            const std::vector<LightIndex> lights = some(luminaires.size(), count == 1 ? 1 : 0.9, draw);
+            const std::vector<LightIndex> lights =
+                some(luminaires.size(), count == 1 ? 1 : 0.9, draw);
             const LightList list = table.append(lights);
             for (int i = 0; i < 20; ++i) {
                 const ShadingPoint point{draw.point(5), draw.direction(), i % 4 == 0};
@@ -69,7 +73,8 @@ TEST_CASE("a vectorised loop and a single estimate agree to the last bit", "[lig
         table.sum(list, point, sums);
         // So short a list has its rows as parts.
         int different = 0;
-        for (const LightIndex light : all) different += sums.part[light] != table.estimate(light, point);
+        for (const LightIndex light : all)
+            different += sums.part[light] != table.estimate(light, point);
         CHECK(different == 0);
     }
 }
@@ -85,9 +90,11 @@ TEST_CASE("estimates for near triangles are exact", "[lighting]") {
     }
 }
 
-TEST_CASE("targets that rounding carried past the end find the last luminaire that shines", "[lighting]") {
+TEST_CASE("targets that rounding carried past the end find the last luminaire that shines",
+          "[lighting]") {
     std::vector<Luminaire> luminaires;
-    for (int i = 0; i < 700; ++i) luminaires.push_back(glowing(SphereEmitter{Vec3(0, 0, i < 600 ? 5 : -5), 1}));
+    for (int i = 0; i < 700; ++i)
+        luminaires.push_back(glowing(SphereEmitter{Vec3(0, 0, i < 600 ? 5 : -5), 1}));
     for (const std::size_t count : {20u, 700u}) {
         LightTable table(luminaires);
         std::vector<LightIndex> lights(count);

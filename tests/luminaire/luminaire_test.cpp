@@ -15,7 +15,8 @@ TEST_CASE("luminance is above 0 when any channel is, and drops what is below 0",
 }
 
 TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizon", "[luminaire]") {
-    // The paper's Figure 4, for 10^5 random luminaires, points and normals; most straddle the tangent plane.
+    // The paper's Figure 4, for 10^5 random luminaires, points and normals; most straddle the
+    // tangent plane.
     Draw draw(1);
     int lit = 0, straddling = 0;
     for (int i = 0; i < 100000; ++i) {
@@ -26,7 +27,9 @@ TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizo
         const auto s = sample(luminaire, point.position, {draw.number(), draw.number()});
         if (!s) continue;
         // Tilted so that the sampled point is just above the horizon.
-        if (i % 2 == 0) point.normal = unit(cross(cross(s->direction, point.normal), s->direction) + 1e-3 * draw.number() * s->direction);
+        if (i % 2 == 0)
+            point.normal = unit(cross(cross(s->direction, point.normal), s->direction) +
+                                1e-3 * draw.number() * s->direction);
         const double cosine = dot(s->direction, point.normal);
         if (!(cosine > 1e-12) && !point.both_sides) continue;
         ++lit;
@@ -46,7 +49,8 @@ TEST_CASE("estimates are 0 where all of a luminaire is below the horizon", "[lum
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, place, 1, draw));
         const LightBounds b = bounds(luminaire);
         const Vec3 normal = draw.direction();
-        const ShadingPoint point{b.centre + normal * b.radius * 1.001 + cross(normal, draw.point(3)), normal};
+        const ShadingPoint point{
+            b.centre + normal * b.radius * 1.001 + cross(normal, draw.point(3)), normal};
         CHECK(unoccluded(luminaire, point) == 0);
     }
 }
@@ -60,8 +64,10 @@ TEST_CASE("estimates grow with the radiance and not with the scale of the scene"
         again.point();
         again.direction();
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, place, 1, draw), 1);
-        const Luminaire larger = glowing(emitter(i % emitter_kinds, scale * place, scale, again), 7);
-        CHECK(unoccluded(larger, {scale * from, normal}) == Approx(7 * unoccluded(luminaire, {from, normal})).margin(1e-300));
+        const Luminaire larger =
+            glowing(emitter(i % emitter_kinds, scale * place, scale, again), 7);
+        CHECK(unoccluded(larger, {scale * from, normal}) ==
+              Approx(7 * unoccluded(luminaire, {from, normal})).margin(1e-300));
     }
 }
 
@@ -71,7 +77,8 @@ TEST_CASE("bounds hold every point that is sampled", "[luminaire]") {
         const Vec3 place = draw.point(10);
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, place, 1, draw));
         const LightBounds b = bounds(luminaire);
-        const auto s = sample(luminaire, point_around(place, 1, draw), {draw.number(), draw.number()});
+        const auto s =
+            sample(luminaire, point_around(place, 1, draw), {draw.number(), draw.number()});
         if (s) CHECK(length(s->position - b.centre) <= b.radius * (1 + 1e-9));
         CHECK(b.intensity > 0);
         CHECK(b.luminance == Approx(1));

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180;
 
-/// A point below a unit sphere of which the sphere fills a cone of half angle sigma, at the zenith angle t.
+/// A point below a unit sphere of which the sphere fills a cone of half angle sigma, at the zenith
+/// angle t.
 struct Seen {
     SphereEmitter sphere{Vec3(0), 1};
     ShadingPoint point;
@@ -39,13 +40,17 @@ Moments moments(const SphereEmitter& sphere, const ShadingPoint& point, int step
 }  // namespace
 
 TEST_CASE("a sphere's cone has the variance that the closed form says", "[luminaire]") {
-    // Relative variance of the cosine over a cone, for a diffuse receiver: what the paper's Figure 2 shows.
+    // Relative variance of the cosine over a cone, for a diffuse receiver: what the paper's Figure
+    // 2 shows.
     const std::vector<std::array<double, 3>> rows = {
-        {5, 0, 1.2e-6}, {5, 45, .0019}, {5, 75, .027}, {15, 0, .0001}, {15, 30, .0059}, {15, 75, .243}, {30, 0, .0017},
-        {30, 30, .026}, {30, 45, .075}, {30, 60, .222}, {45, 0, .0098}, {45, 30, .070}, {60, 0, .037}, {60, 30, .16}};
+        {5, 0, 1.2e-6}, {5, 45, .0019}, {5, 75, .027},  {15, 0, .0001}, {15, 30, .0059},
+        {15, 75, .243}, {30, 0, .0017}, {30, 30, .026}, {30, 45, .075}, {30, 60, .222},
+        {45, 0, .0098}, {45, 30, .070}, {60, 0, .037},  {60, 30, .16}};
     for (const auto& [sigma, t, table] : rows) {
-        const double c = std::cos(sigma * degree), z = std::cos(t * degree), m2 = (1 + c + c * c) / 3;
-        const double closed = (z * z * m2 + (1 - z * z) * (1 - m2) / 2) / (z * z * (1 + c) * (1 + c) / 4) - 1;
+        const double c = std::cos(sigma * degree), z = std::cos(t * degree),
+                     m2 = (1 + c + c * c) / 3;
+        const double closed =
+            (z * z * m2 + (1 - z * z) * (1 - m2) / 2) / (z * z * (1 + c) * (1 + c) / 4) - 1;
         INFO(sigma << " " << t);
         CHECK(closed == Approx(table).epsilon(0.3));  // the table is rounded to one or two digits
         const Seen seen(sigma * degree, t * degree);
@@ -60,11 +65,13 @@ TEST_CASE("a sphere's irradiance is exact above the horizon", "[luminaire]") {
         for (const double t : {0.0, 10.0, 45.0}) {
             const Seen seen(sigma * degree, t * degree);
             CHECK(unoccluded(seen.sphere, 3, seen.point) ==
-                  Approx(3 * pi * std::pow(std::sin(sigma * degree), 2) * std::cos(t * degree)).epsilon(1e-9));
+                  Approx(3 * pi * std::pow(std::sin(sigma * degree), 2) * std::cos(t * degree))
+                      .epsilon(1e-9));
         }
 }
 
-TEST_CASE("a sphere's irradiance falls to 0 exactly where all of it is below the horizon", "[luminaire]") {
+TEST_CASE("a sphere's irradiance falls to 0 exactly where all of it is below the horizon",
+          "[luminaire]") {
     const double sigma = 30 * degree;
     double last = unoccluded(SphereEmitter{Vec3(0), 1}, 1, Seen(sigma, 60 * degree).point);
     for (double t = 61; t < 120; ++t) {
@@ -85,7 +92,8 @@ TEST_CASE("a sphere cut by the horizon is estimated to within a quarter", "[lumi
             INFO(sigma << " " << t);
             const double exact = sampled_irradiance(glowing(seen.sphere), seen.point, 300);
             const double estimate = unoccluded(seen.sphere, 1, seen.point);
-            CHECK(std::abs(estimate - exact) < 0.25 * exact + 0.02 * pi * std::pow(std::sin(sigma * degree), 2));
+            CHECK(std::abs(estimate - exact) <
+                  0.25 * exact + 0.02 * pi * std::pow(std::sin(sigma * degree), 2));
         }
 }
 
@@ -96,7 +104,8 @@ TEST_CASE("a surface that is lit on both sides gets what both get", "[luminaire]
         ShadingPoint front{draw.point(3), draw.direction()}, back = front, both = front;
         back.normal = -front.normal;
         both.both_sides = true;
-        CHECK(unoccluded(sphere, 1, both) == Approx(unoccluded(sphere, 1, front) + unoccluded(sphere, 1, back)));
+        CHECK(unoccluded(sphere, 1, both) ==
+              Approx(unoccluded(sphere, 1, front) + unoccluded(sphere, 1, back)));
     }
 }
 
@@ -105,25 +114,29 @@ TEST_CASE("inside a glowing sphere the irradiance is pi times the radiance", "[l
     for (int i = 0; i < 20; ++i) {
         const ShadingPoint point{0.95 * draw.number() * draw.direction(), draw.direction()};
         CHECK(unoccluded(SphereEmitter{Vec3(0), 1}, 1, point) == Approx(pi));
-        CHECK(sampled_irradiance(glowing(SphereEmitter{Vec3(0), 1}), point, 400) == Approx(pi).epsilon(0.01));
+        CHECK(sampled_irradiance(glowing(SphereEmitter{Vec3(0), 1}), point, 400) ==
+              Approx(pi).epsilon(0.01));
     }
 }
 
 TEST_CASE("a sphere's density integrates to 1", "[luminaire]") {
     const SphereEmitter sphere{Vec3(1, 2, 3), 2};
-    for (const Vec3& from : {Vec3(1, 2, 3), Vec3(1, 2, 4.5), Vec3(2, 3, 4), Vec3(1, 2, 5.5), Vec3(5, 5, 5)}) {
+    for (const Vec3& from :
+         {Vec3(1, 2, 3), Vec3(1, 2, 4.5), Vec3(2, 3, 4), Vec3(1, 2, 5.5), Vec3(5, 5, 5)}) {
         double sum = 0;
         constexpr int steps = 400;
         for (int i = 0; i < steps; ++i)
             for (int j = 0; j < steps; ++j) {
-                const double z = -1 + 2 * (i + 0.5) / steps, r = std::sqrt(1 - z * z), angle = 2 * pi * (j + 0.5) / steps;
+                const double z = -1 + 2 * (i + 0.5) / steps, r = std::sqrt(1 - z * z),
+                             angle = 2 * pi * (j + 0.5) / steps;
                 sum += density(sphere, from, {r * std::cos(angle), r * std::sin(angle), z});
             }
         CHECK(sum * 4 * pi / (steps * steps) == Approx(1).epsilon(0.01));
     }
 }
 
-TEST_CASE("sphere samples lie on the sphere, near side, with their density, at any distance", "[luminaire]") {
+TEST_CASE("sphere samples lie on the sphere, near side, with their density, at any distance",
+          "[luminaire]") {
     Draw draw(3);
     for (const double gap : {1e-6, 1e-3, 0.5, 3.0, 1e3, 1e6, 1e9})
         for (const double radius : {1e-6, 1.0, 1e6})
@@ -134,8 +147,10 @@ TEST_CASE("sphere samples lie on the sphere, near side, with their density, at a
                 INFO(gap << " " << radius);
                 REQUIRE(s);
                 CHECK(length(s->direction) == Approx(1).epsilon(1e-14));
-                CHECK(std::abs(length(s->position - sphere.centre) - radius) < radius * 1e-9 + 1e-15 * length(from));
-                CHECK(length(from + s->distance * s->direction - s->position) < radius * (1e-7 + 1e-14 * gap));
+                CHECK(std::abs(length(s->position - sphere.centre) - radius) <
+                      radius * 1e-9 + 1e-15 * length(from));
+                CHECK(length(from + s->distance * s->direction - s->position) <
+                      radius * (1e-7 + 1e-14 * gap));
                 CHECK(dot(s->position - sphere.centre, s->direction) < radius * 1e-6);
                 CHECK(s->density > 0);
                 CHECK(std::isfinite(s->density));
@@ -143,7 +158,8 @@ TEST_CASE("sphere samples lie on the sphere, near side, with their density, at a
             }
 }
 
-TEST_CASE("a point on a glowing sphere gets no light from it, and one in its middle can be asked", "[luminaire]") {
+TEST_CASE("a point on a glowing sphere gets no light from it, and one in its middle can be asked",
+          "[luminaire]") {
     Draw draw(4);
     for (int i = 0; i < 200; ++i) {
         const SphereEmitter sphere{draw.point(100), 0.01};

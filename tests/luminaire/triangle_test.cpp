@@ -20,7 +20,8 @@ double quadrature(const TriangleEmitter& t, const ShadingPoint& point, int steps
             const double root = std::sqrt((i + 0.5) / steps), v = (j + 0.5) / steps;
             const Vec3 offset = t.corner1 + root * ((1 - v) * e1 + v * e2) - point.position;
             const double d2 = dot(offset, offset), height = dot(offset, point.normal);
-            if (height > 0 || point.both_sides) sum += std::abs(height * dot(offset, scaled)) / (2 * d2 * d2);
+            if (height > 0 || point.both_sides)
+                sum += std::abs(height * dot(offset, scaled)) / (2 * d2 * d2);
         }
     return sum / (steps * steps);
 }
@@ -39,8 +40,10 @@ TEST_CASE("a triangle's irradiance is what its parts add up to", "[luminaire]") 
         ShadingPoint point{draw.point(4), draw.direction(), i % 3 == 0};
         const double distance = length((t.corner1 + t.corner2 + t.corner3) / 3.0 - point.position);
         if (distance < 2) point.position = Vec3(2, 2, 2);
-        const double low = std::fmin(dot(t.corner1 - point.position, point.normal), dot(t.corner2 - point.position, point.normal));
-        const double high = std::fmax(dot(t.corner1 - point.position, point.normal), dot(t.corner2 - point.position, point.normal));
+        const double low = std::fmin(dot(t.corner1 - point.position, point.normal),
+                                     dot(t.corner2 - point.position, point.normal));
+        const double high = std::fmax(dot(t.corner1 - point.position, point.normal),
+                                      dot(t.corner2 - point.position, point.normal));
         cut += low < 0 && high > 0;
         const double expected = quadrature(t, point, 120);
         CHECK(unoccluded(t, 2, point) == Approx(2 * expected).epsilon(0.01).margin(1e-4));
@@ -61,15 +64,18 @@ TEST_CASE("triangle samples are uniform in solid angle", "[luminaire]") {
     for (int i = 0; i < 40; ++i) {
         const TriangleEmitter t = random_triangle(draw);
         const Vec3 from = (i % 2 ? 0.3 : 2.0) * draw.point();
-        const Vec3 a = (t.corner2 + t.corner3) / 2.0, b = (t.corner3 + t.corner1) / 2.0, c = (t.corner1 + t.corner2) / 2.0;
-        const std::array<TriangleEmitter, 4> parts = {{{t.corner1, c, b}, {c, t.corner2, a}, {b, a, t.corner3}, {a, b, c}}};
+        const Vec3 a = (t.corner2 + t.corner3) / 2.0, b = (t.corner3 + t.corner1) / 2.0,
+                   c = (t.corner1 + t.corner2) / 2.0;
+        const std::array<TriangleEmitter, 4> parts = {
+            {{t.corner1, c, b}, {c, t.corner2, a}, {b, a, t.corner3}, {a, b, c}}};
         const double whole = solid_angle(t, from);
         if (whole < 0.02 || whole > 6) continue;
         constexpr int steps = 64;
         std::array<int, 4> counts{};
         for (int x = 0; x < steps; ++x)
             for (int y = 0; y < steps; ++y) {
-                const auto s = sample(t, from, {(x + draw.number()) / steps, (y + draw.number()) / steps});
+                const auto s =
+                    sample(t, from, {(x + draw.number()) / steps, (y + draw.number()) / steps});
                 REQUIRE(s);
                 CHECK(s->density == Approx(1 / whole));
                 for (int p = 0; p < 4; ++p)
@@ -91,16 +97,19 @@ TEST_CASE("a triangle's samples give its irradiance", "[luminaire]") {
     Draw draw(3);
     for (int i = 0; i < 60; ++i) {
         const TriangleEmitter t = random_triangle(draw);
-        const ShadingPoint point{(i % 3 ? 3.0 : 30.0) * draw.direction(), draw.direction(), i % 2 == 0};
+        const ShadingPoint point{(i % 3 ? 3.0 : 30.0) * draw.direction(), draw.direction(),
+                                 i % 2 == 0};
         const double found = sampled_irradiance(glowing(t), point, 100);
         CHECK(unoccluded(t, 1, point) == Approx(found).epsilon(0.01).margin(1e-5));
     }
 }
 
-TEST_CASE("a triangle overhead is seen with the variance that solid angle sampling has", "[luminaire]") {
+TEST_CASE("a triangle overhead is seen with the variance that solid angle sampling has",
+          "[luminaire]") {
     // A right triangle with legs 1, h above a floor point under its centroid.
     const TriangleEmitter t{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
-    for (const auto& [h, expected] : std::vector<std::pair<double, double>>{{0.1, 0.117}, {0.3, 0.026}, {1, 0.00143}}) {
+    for (const auto& [h, expected] :
+         std::vector<std::pair<double, double>>{{0.1, 0.117}, {0.3, 0.026}, {1, 0.00143}}) {
         const Vec3 from(1.0 / 3, 1.0 / 3, -h);
         double sum = 0, square = 0;
         constexpr int steps = 200;
@@ -116,15 +125,20 @@ TEST_CASE("a triangle overhead is seen with the variance that solid angle sampli
     }
 }
 
-TEST_CASE("triangles of any shape, from anywhere, give finite samples with their density", "[luminaire]") {
+TEST_CASE("triangles of any shape, from anywhere, give finite samples with their density",
+          "[luminaire]") {
     Draw draw(4);
     int given = 0;
     for (int i = 0; i < 20000; ++i) {
         const Vec3 a = draw.point(), along = draw.direction();
-        const double flat = std::pow(10, draw.between(-12, 0)), size = std::pow(10, draw.between(-9, 3));
-        const TriangleEmitter t{size * a, size * (a + along), size * (a + draw.number() * along + flat * draw.direction())};
+        const double flat = std::pow(10, draw.between(-12, 0)),
+                     size = std::pow(10, draw.between(-9, 3));
+        const TriangleEmitter t{size * a, size * (a + along),
+                                size * (a + draw.number() * along + flat * draw.direction())};
         const double far = std::pow(10, draw.between(-9, 9));
-        const Vec3 from = i % 7 == 0 ? t.corner1 : i % 7 == 1 ? 0.5 * (t.corner1 + t.corner3) : size * (a + far * draw.direction());
+        const Vec3 from = i % 7 == 0   ? t.corner1
+                          : i % 7 == 1 ? 0.5 * (t.corner1 + t.corner3)
+                                       : size * (a + far * draw.direction());
         const ShadingPoint point{from, draw.direction(), i % 2 == 0};
         const double estimate = unoccluded(t, 1, point);
         CHECK(std::isfinite(estimate));
@@ -136,7 +150,8 @@ TEST_CASE("triangles of any shape, from anywhere, give finite samples with their
         CHECK(std::isfinite(s->density));
         CHECK(s->density > 0);
         CHECK(length(s->direction) == Approx(1));
-        CHECK(length(from + s->distance * s->direction - s->position) <= 1e-12 * (length(from) + s->distance));
+        CHECK(length(from + s->distance * s->direction - s->position) <=
+              1e-12 * (length(from) + s->distance));
         if (dot(s->direction, point.normal) > 1e-9) CHECK(estimate > 0);
     }
     CHECK(given > 15000);

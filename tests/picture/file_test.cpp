@@ -14,12 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Folder {
-    fs::path path = fs::temp_directory_path() / ("candelabra_file_test_" + std::to_string(::getpid()));
+    fs::path path =
+        fs::temp_directory_path() / ("candelabra_file_test_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
     std::string file(const std::string& name) const { return (path / name).string(); }
     std::size_t count() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(path), fs::directory_iterator()));
     }
 };
 
@@ -32,7 +34,8 @@ std::string content(const std::string& path) {
 
 TEST_CASE("a file is written whole, under any name, and leaves nothing beside it") {
     const Folder folder;
-    for (const std::string name : {"plain", "with space=and sign", "-dash", "ümlaut.png", "percent%d%s"}) {
+    for (const std::string name :
+         {"plain", "with space=and sign", "-dash", "ümlaut.png", "percent%d%s"}) {
         CAPTURE(name);
         Diagnostics diagnostics;
         CHECK(write_file(folder.file(name), "first", diagnostics));
@@ -60,7 +63,8 @@ TEST_CASE("links stay links and permissions stay as they were") {
     CHECK(write_file(folder.file("link"), "new", diagnostics));
     CHECK(fs::is_symlink(folder.path / "link"));
     CHECK(content(folder.file("target")) == "new");
-    CHECK(fs::status(folder.file("target")).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+    CHECK(fs::status(folder.file("target")).permissions() ==
+          (fs::perms::owner_read | fs::perms::owner_write));
 }
 
 TEST_CASE("devices are written to, not replaced") {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 /// A folder of its own that goes when the test ends.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / ("candelabra_read_test_" + std::to_string(::getpid()));
+    fs::path path =
+        fs::temp_directory_path() / ("candelabra_read_test_" + std::to_string(::getpid()));
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
     std::string file(const std::string& name) const { return (path / name).string(); }
@@ -43,9 +44,10 @@ TEST_CASE("what is written is read back, as exactly as the format allows") {
         double tolerance;
     };
     const Case cases[] = {
-        {{PictureType::png, 8}, 5e-3},  {{PictureType::png, 16}, 3e-5}, {{PictureType::exr, 8}, 1e-7},
-        {{PictureType::hdr, 8}, 5e-3},  {{PictureType::ppm, 8}, 5e-3},
-        {{PictureType::tga, 8}, 5e-3},  {{PictureType::bmp, 8}, 5e-3},
+        {{PictureType::png, 8}, 5e-3}, {{PictureType::png, 16}, 3e-5},
+        {{PictureType::exr, 8}, 1e-7}, {{PictureType::hdr, 8}, 5e-3},
+        {{PictureType::ppm, 8}, 5e-3}, {{PictureType::tga, 8}, 5e-3},
+        {{PictureType::bmp, 8}, 5e-3},
     };
     const Folder folder;
     const Image image = sample();

@@ -16,8 +16,9 @@ Image ramp(int width, int height) {
 }
 
 constexpr PictureFormat formats[] = {
-    {PictureType::png, 8},  {PictureType::png, 16}, {PictureType::exr, 8},       {PictureType::hdr, 8},  {PictureType::ppm, 8},
-    {PictureType::tga, 8},  {PictureType::tga, 8, true}, {PictureType::jpeg, 8}, {PictureType::bmp, 8},
+    {PictureType::png, 8},       {PictureType::png, 16}, {PictureType::exr, 8},
+    {PictureType::hdr, 8},       {PictureType::ppm, 8},  {PictureType::tga, 8},
+    {PictureType::tga, 8, true}, {PictureType::jpeg, 8}, {PictureType::bmp, 8},
 };
 
 }  // namespace
@@ -31,11 +32,21 @@ TEST_CASE("values are clipped, encoded as sRGB and rounded") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinite = std::numeric_limits<double>::infinity();
     const Case cases[] = {
-        {0, 255, 0},         {1, 255, 255},     {0.5, 255, 188},  {0.2141, 255, 128},
-        {-3, 255, 0},        {7, 255, 255},     {nan, 255, 0},    {infinite, 255, 255},
-        {-infinite, 255, 0}, {0.001, 255, 3},   {0.5, 65535, 48192}, {1, 65535, 65535},
+        {0, 255, 0},
+        {1, 255, 255},
+        {0.5, 255, 188},
+        {0.2141, 255, 128},
+        {-3, 255, 0},
+        {7, 255, 255},
+        {nan, 255, 0},
+        {infinite, 255, 255},
+        {-infinite, 255, 0},
+        {0.001, 255, 3},
+        {0.5, 65535, 48192},
+        {1, 65535, 65535},
         // 12.92 v = 0.5/255 is the border between 0 and 1
-        {0.5 / 255 / 12.92 * 0.999, 255, 0},    {0.5 / 255 / 12.92 * 1.001, 255, 1},
+        {0.5 / 255 / 12.92 * 0.999, 255, 0},
+        {0.5 / 255 / 12.92 * 1.001, 255, 1},
     };
     for (const Case& each : cases) {
         CAPTURE(each.linear, each.most);
@@ -62,11 +73,21 @@ TEST_CASE("the type of a picture is known by the end of its name") {
         std::optional<PictureType> expected;
     };
     const Case cases[] = {
-        {"a.png", PictureType::png},   {"dir.x/A.PNG", PictureType::png}, {"a.exr", PictureType::exr},
-        {"a.hdr", PictureType::hdr},   {"a.ppm", PictureType::ppm},       {"a.tga", PictureType::tga},
-        {"a.jpg", PictureType::jpeg},  {"a.jpeg", PictureType::jpeg},     {"a.bmp", PictureType::bmp},
-        {"a.gif", std::nullopt},       {"png", std::nullopt},             {"dir.png/a", std::nullopt},
-        {"", std::nullopt},            {"-", std::nullopt},               {"a.b.exr", PictureType::exr},
+        {"a.png", PictureType::png},
+        {"dir.x/A.PNG", PictureType::png},
+        {"a.exr", PictureType::exr},
+        {"a.hdr", PictureType::hdr},
+        {"a.ppm", PictureType::ppm},
+        {"a.tga", PictureType::tga},
+        {"a.jpg", PictureType::jpeg},
+        {"a.jpeg", PictureType::jpeg},
+        {"a.bmp", PictureType::bmp},
+        {"a.gif", std::nullopt},
+        {"png", std::nullopt},
+        {"dir.png/a", std::nullopt},
+        {"", std::nullopt},
+        {"-", std::nullopt},
+        {"a.b.exr", PictureType::exr},
     };
     for (const Case& each : cases) {
         CAPTURE(each.name);

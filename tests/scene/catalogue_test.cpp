@@ -26,7 +26,8 @@ TEST_CASE("every group and item has a name and an explanation, no name twice in 
             }
         }
     }
-    for (const char* expected : {"Shapes", "Cameras", "Lights", "Patterns", "Surfaces", "Settings", "Light samplers"})
+    for (const char* expected :
+         {"Shapes", "Cameras", "Lights", "Patterns", "Surfaces", "Settings", "Light samplers"})
         CHECK(groups.count(expected) == 1);
 }
 

@@ -13,7 +13,7 @@ ObjectHandle object(const Shape& shape) {
 
 ObjectHandle together(std::vector<ObjectHandle> children) {
     Object result;
-    result.form = Union{std::move(children)};
+    result.form = Union{std::move(children), {}};
     return std::make_shared<const Object>(result);
 }
 
@@ -29,9 +29,7 @@ std::string body(std::vector<ObjectHandle> objects) {
 
 }  // namespace
 
-TEST_CASE("an empty scene is all defaults") {
-    CHECK(dump(Scene()) == head);
-}
+TEST_CASE("an empty scene is all defaults") { CHECK(dump(Scene()) == head); }
 
 TEST_CASE("every shape is written with its places in their order") {
     Mesh mesh;
@@ -46,7 +44,9 @@ TEST_CASE("every shape is written with its places in their order") {
         {Sphere{Vec3(1, 2, 3), 0.1}, "sphere { <1, 2, 3>, 0.1 }\n"},
         {Sphere{Vec3(0), 1.0 / 3}, "sphere { 0, 0.3333333333333333 }\n"},
         {Cuboid{Vec3(-1), Vec3(1)}, "box { -1, 1 }\n"},
-        {Shared<Mesh>(mesh), "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } face_indices { 1, <0, 1, 2> } }\n"},
+        {Shared<Mesh>(mesh),
+         "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } face_indices { 1, <0, 1, "
+         "2> } }\n"},
     };
     for (const Case& each : cases) CHECK(body({object(each.shape)}) == each.expected);
 }
@@ -66,7 +66,8 @@ TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
     texture.finish.reflection.fresnel = true;
     glass.texture = std::make_shared<const Texture>(texture);
     CHECK(body({std::make_shared<const Object>(glass)}) ==
-          "sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3> no_shadow hollow interior { ior 1.5 } "
+          "sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3> no_shadow hollow interior { "
+          "ior 1.5 } "
           "texture { pigment { rgbft <1, 1, 1, 0.5, 0> } "
           "finish { ambient rgb 0 reflection { rgb 0.25, rgb 0.5 fresnel } } } }\n");
 }
@@ -80,16 +81,16 @@ TEST_CASE("patterns are written with their colours") {
     texture.pigment.transform = Transform::scaling(Vec3(2));
     floor.texture = std::make_shared<const Texture>(texture);
     const std::string checkered = body({std::make_shared<const Object>(floor)});
-    CHECK(checkered.find("texture { pigment { checker rgb 0, rgb <1, 0, 0> matrix <2, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0> } }") !=
-          std::string::npos);
+    CHECK(checkered.find("texture { pigment { checker rgb 0, rgb <1, 0, 0> matrix <2, 0, 0, 0, 2, "
+                         "0, 0, 0, 2, 0, 0, 0> } }") != std::string::npos);
 
     texture.pigment = {};
     texture.pigment.pattern = Gradient{Vec3(1, 0, 0)};
     texture.pigment.map = {{0, {Vec3(0)}}, {0.5, {Vec3(1), 0, 1}}};
     floor.texture = std::make_shared<const Texture>(texture);
     const std::string graded = body({std::make_shared<const Object>(floor)});
-    CHECK(graded.find("texture { pigment { gradient <1, 0, 0> color_map { [0 rgb 0] [0.5 rgbft <1, 1, 1, 0, 1>] } } }") !=
-          std::string::npos);
+    CHECK(graded.find("texture { pigment { gradient <1, 0, 0> color_map { [0 rgb 0] [0.5 rgbft <1, "
+                      "1, 1, 0, 1>] } } }") != std::string::npos);
 }
 
 TEST_CASE("settings, background, camera and lights stand before the objects") {
@@ -124,9 +125,11 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
 TEST_CASE("before version 3.7 it is written that there is a gamma") {
     Scene scene;
     scene.language_version = 3.6;
-    CHECK(dump(scene) == "#version 3.6;\nglobal_settings { assumed_gamma 1 }\ncamera { perspective }\n");
+    CHECK(dump(scene) ==
+          "#version 3.6;\nglobal_settings { assumed_gamma 1 }\ncamera { perspective }\n");
     scene.settings.assumed_gamma = 2.2;
-    CHECK(dump(scene) == "#version 3.6;\nglobal_settings { assumed_gamma 2.2 }\ncamera { perspective }\n");
+    CHECK(dump(scene) ==
+          "#version 3.6;\nglobal_settings { assumed_gamma 2.2 }\ncamera { perspective }\n");
     scene.gamma_handling = false;
     scene.settings.assumed_gamma = 1;
     CHECK(dump(scene) == "#version 3.6;\ncamera { perspective }\n");
@@ -147,13 +150,22 @@ TEST_CASE("an object that occurs more than once is declared once, before its fir
           "object { Object_1 }\n");
 }
 
+TEST_CASE("a union of one object that adds nothing is that object") {
+    CHECK(body({together({together({object(Sphere())})})}) == "sphere { 0, 1 }\n");
+    Object hidden;
+    hidden.form = Union{{object(Sphere())}, {}};
+    hidden.no_shadow = true;
+    CHECK(body({std::make_shared<const Object>(hidden)}) ==
+          "union {\n    sphere { 0, 1 }\n    no_shadow\n}\n");
+}
+
 TEST_CASE("sharing and depth beyond all bounds give a text of a sensible size") {
     ObjectHandle doubled = object(Sphere());
     for (int i = 0; i < 60; ++i) doubled = together({doubled, doubled});
     CHECK(body({doubled}).size() < 10000);
 
     ObjectHandle deep = object(Sphere());
-    for (int i = 0; i < 2000; ++i) deep = together({deep});
+    for (int i = 0; i < 2000; ++i) deep = together({deep, object(Sphere())});
     const std::string text = body({deep});
     CHECK(text.size() < 500000);
     CHECK(text.find(std::string(4 * 20, ' ')) == std::string::npos);

@@ -16,28 +16,41 @@ inline Luminaire glowing(const Emitter& emitter, double radiance = 1) {
 /// Number of kinds that emitter() can make.
 inline constexpr int emitter_kinds = 9;
 
-/// An emitter about as large as `size` near `place`: sphere, triangle, box, disc, ring, cylinder, tube, cone, stretched sphere.
+/// An emitter about as large as `size` near `place`: sphere, triangle, box, disc, ring, cylinder,
+/// tube, cone, stretched sphere.
 inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
-    const Vec3 a = place + size * draw.direction(), b = place + size * draw.direction(), up = draw.direction();
+    const Vec3 a = place + size * draw.direction(), b = place + size * draw.direction(),
+               up = draw.direction();
     switch (kind) {
-        case 0: return SphereEmitter{place, size};
-        case 1: return TriangleEmitter{a, b, place};
-        case 2: return AreaEmitter{Cuboid{a, b}, {}};
-        case 3: return AreaEmitter{Disc{place, up, size, 0}, {}};
-        case 4: return AreaEmitter{Disc{place, up, size, size / 2}, {}};
-        case 5: return AreaEmitter{Cylinder{place, a, size / 3, false}, {}};
-        case 6: return AreaEmitter{Cylinder{place, a, size / 3, true}, {}};
-        case 7: return AreaEmitter{Cone{place, size / 2, a, size / 5, false}, {}};
-        default: break;
+        case 0:
+            return SphereEmitter{place, size};
+        case 1:
+            return TriangleEmitter{a, b, place};
+        case 2:
+            return AreaEmitter{Cuboid{a, b}, {}};
+        case 3:
+            return AreaEmitter{Disc{place, up, size, 0}, {}};
+        case 4:
+            return AreaEmitter{Disc{place, up, size, size / 2}, {}};
+        case 5:
+            return AreaEmitter{Cylinder{place, a, size / 3, false}, {}};
+        case 6:
+            return AreaEmitter{Cylinder{place, a, size / 3, true}, {}};
+        case 7:
+            return AreaEmitter{Cone{place, size / 2, a, size / 5, false}, {}};
+        default:
+            break;
     }
-    Transform map = Transform::scaling({size, size / 2, size / 4}).then(Transform::rotation(draw.point(180)));
+    Transform map =
+        Transform::scaling({size, size / 2, size / 4}).then(Transform::rotation(draw.point(180)));
     map = map.then(Transform::translation(place));
     return AreaEmitter{Sphere{Vec3(0), 1}, std::make_shared<const Transform>(map)};
 }
 
 /// A point somewhere around an emitter of that place and size: inside, on, near or far.
 inline Vec3 point_around(const Vec3& place, double size, Draw& draw) {
-    return place + size * std::pow(10, draw.between(-1, draw.number() < 0.2 ? 6 : 0.7)) * draw.direction();
+    return place +
+           size * std::pow(10, draw.between(-1, draw.number() < 0.2 ? 6 : 0.7)) * draw.direction();
 }
 
 /// Irradiance from the luminaire by its own samples, over a grid of steps x steps.
@@ -45,7 +58,8 @@ inline double sampled_irradiance(const Luminaire& luminaire, const ShadingPoint&
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            const auto s = sample(luminaire, point.position, {(i + 0.5) / steps, (j + 0.5) / steps});
+            const auto s =
+                sample(luminaire, point.position, {(i + 0.5) / steps, (j + 0.5) / steps});
             if (!s) continue;
             const double cosine = dot(s->direction, point.normal);
             if (cosine > 0 || point.both_sides) sum += std::abs(cosine) / s->density;

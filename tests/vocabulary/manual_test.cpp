@@ -24,14 +24,16 @@ struct Lamp {
 consteval auto Lamp::vocabulary() {
     using F = Field<Lamp>;
     return schema<Lamp>("lamp", "Something that shines.",
-        F{"centre", &Lamp::centre, positional, "where it is"},
-        F{"power", &Lamp::power, positional, "how bright", above(0)},
-        maybe(F{"hole", &Lamp::hole, positional, "what is missing", at_least(0)}),
-        F{"count", &Lamp::count, item, "how many", between(1, 9)},
-        F{"open", &Lamp::open, flag, "without ends"},
-        as_colour(F{"tint", &Lamp::tint, item, ".5 is half of it: a very long explanation, so that it does not fit into one line of \"80\""}),
-        F{"angle", &Lamp::angle, item, "how wide", Range{0, 360, true}},
-        F{"font", &Lamp::font, item, "how it is written"});
+                        F{"centre", &Lamp::centre, positional, "where it is"},
+                        F{"power", &Lamp::power, positional, "how bright", above(0)},
+                        maybe(F{"hole", &Lamp::hole, positional, "what is missing", at_least(0)}),
+                        F{"count", &Lamp::count, item, "how many", between(1, 9)},
+                        F{"open", &Lamp::open, flag, "without ends"},
+                        as_colour(F{"tint", &Lamp::tint, item,
+                                    ".5 is half of it: a very long explanation, so that it does "
+                                    "not fit into one line of \"80\""}),
+                        F{"angle", &Lamp::angle, item, "how wide", Range{0, 360, true}},
+                        F{"font", &Lamp::font, item, "how it is written"});
 }
 
 const ItemInfo& lamp = item_info<Lamp>();
@@ -41,14 +43,22 @@ constexpr std::array groups = {ItemGroup{"Lamps", "All of them.", lamps, "light"
 }  // namespace
 
 TEST_CASE("usage shows how an item is written") {
-    CHECK(usage(lamp) == "lamp { centre, power[, hole] [count n] [open] [tint v] [angle n] [font v] }");
-    CHECK(usage(lamp, "light") == "light { lamp centre, power[, hole] [count n] [open] [tint v] [angle n] [font v] }");
+    CHECK(usage(lamp) ==
+          "lamp { centre, power[, hole] [count n] [open] [tint v] [angle n] [font v] }");
+    CHECK(usage(lamp, "light") ==
+          "light { lamp centre, power[, hole] [count n] [open] [tint v] [angle n] [font v] }");
 }
 
 TEST_CASE("a field's values are told with range and default") {
     const char* expected[] = {
-        "vector", "number above 0", "number from 0 on, default 0", "whole number from 1 to 9, default 3",
-        "on or off, default off", "colour, default rgb <1, 0.5, 0>", "number above 0 to 360", "string, default \"plain\"",
+        "vector",
+        "number above 0",
+        "number from 0 on, default 0",
+        "whole number from 1 to 9, default 3",
+        "on or off, default off",
+        "colour, default rgb <1, 0.5, 0>",
+        "number above 0 to 360",
+        "string, default \"plain\"",
     };
     REQUIRE(lamp.fields.size() == std::size(expected));
     for (std::size_t i = 0; i < std::size(expected); ++i) CHECK(values(lamp, i) == expected[i]);
@@ -79,9 +89,11 @@ TEST_CASE("roff hides what would be commands") {
         const char* expected;
     };
     const Case cases[] = {
-        {"plain", "plain"},      {".5 of it", "\\&.5 of it"}, {"a-b", "a\\-b"},
-        {"C:\\x", "C:\\ex"},     {"'it'", "\\(aqit\\(aq"},    {"\"q\"", "\\(dqq\\(dq"},
-        {"`w`", "\\(gaw\\(ga"},  {"a\nb", "a b"},             {"x^2~", "x\\(ha2\\(ti"},
+        {"plain", "plain"},       {".5 of it", "\\&.5 of it"},
+        {"a-b", "a\\-b"},         {"C:\\x", "C:\\ex"},
+        {"'it'", "\\(aqit\\(aq"}, {"\"q\"", "\\(dqq\\(dq"},
+        {"`w`", "\\(gaw\\(ga"},   {"a\nb", "a b"},
+        {"x^2~", "x\\(ha2\\(ti"},
     };
     for (const Case& each : cases) CHECK(roff(each.text) == each.expected);
 
@@ -94,7 +106,8 @@ TEST_CASE("roff hides what would be commands") {
         CAPTURE(page.substr(line, i - line));
         const bool command = page[line] == '.';
         CHECK((command || i - line <= 80));
-        CHECK((!command || (page[line + 1] >= 'A' && page[line + 1] <= 'Z') || page.substr(line, 3) == ".br"));
+        CHECK((!command || (page[line + 1] >= 'A' && page[line + 1] <= 'Z') ||
+               page.substr(line, 3) == ".br"));
         line = i + 1;
     }
 }
@@ -121,13 +134,16 @@ TEST_CASE("JSON for editors holds every field with its type, range and default")
 }
 
 TEST_CASE("lists have the same three forms") {
-    const std::array list = {ManualEntry{"+Wn", "width"}, ManualEntry{"--a-very-long-option NAME", "-x"}};
+    const std::array list = {ManualEntry{"+Wn", "width"},
+                             ManualEntry{"--a-very-long-option NAME", "-x"}};
     CHECK(manual(list, ManualForm::text) ==
           "  +Wn                     width\n"
           "  --a-very-long-option NAME\n"
           "                          -x\n");
-    CHECK(manual(list, ManualForm::roff) == ".TP\n.B +Wn\nwidth\n.TP\n.B \\-\\-a\\-very\\-long\\-option NAME\n\\-x\n");
-    CHECK(nlohmann::json::parse(manual(list, ManualForm::json))[1]["term"] == "--a-very-long-option NAME");
+    CHECK(manual(list, ManualForm::roff) ==
+          ".TP\n.B +Wn\nwidth\n.TP\n.B \\-\\-a\\-very\\-long\\-option NAME\n\\-x\n");
+    CHECK(nlohmann::json::parse(manual(list, ManualForm::json))[1]["term"] ==
+          "--a-very-long-option NAME");
 }
 
 TEST_CASE("text is broken between words") {

@@ -23,7 +23,8 @@ TEST_CASE("values are written as a scene would give them") {
         {Colour{Vec3(1, 0, 0)}, FieldType::colour, "rgb <1, 0, 0>"},
         {Colour{Vec3(1, 0, 0), 0.5, 0.25}, FieldType::colour, "rgbft <1, 0, 0, 0.5, 0.25>"},
         {std::string("a \"b\" \\c"), FieldType::text, "\"a \\\"b\\\" \\\\c\""},
-        {std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3)}, FieldType::vectors, "{ 2, <0, 0, 0>, <1, 2, 3> }"},
+        {std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3)}, FieldType::vectors,
+         "{ 2, <0, 0, 0>, <1, 2, 3> }"},
         {std::vector<Face>{{0, 1, 2}}, FieldType::faces, "{ 1, <0, 1, 2> }"},
     };
     for (const Case& each : cases) CHECK(written(each.value, each.type) == each.expected);
@@ -42,8 +43,9 @@ struct Item {
     static consteval auto vocabulary() {
         using F = Field<Item>;
         return schema<Item>("item", "An item.", F{"centre", &Item::centre, positional, "a"},
-                            maybe(F{"radius", &Item::radius, positional, "b"}), F{"angle", &Item::angle, item, "c"},
-                            F{"open", &Item::open, flag, "d"}, F{"closed", &Item::closed, flag, "e"},
+                            maybe(F{"radius", &Item::radius, positional, "b"}),
+                            F{"angle", &Item::angle, item, "c"}, F{"open", &Item::open, flag, "d"},
+                            F{"closed", &Item::closed, flag, "e"},
                             F{"wide", &Item::wide, item, "f"});
     }
 };

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+
+#include "picture/read.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* lit_scene = R"(#version 3.7;
+#ifndef (Size) #declare Size = 1; #end
+camera { location <0, 1, -5> look_at 0 }
+sphere { <0, 2, 0>, Size pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 3 } }
+plane { y, -1 pigment { checker rgb 1, rgb <1, 0, 0> } finish { ambient 0 } }
+)";
+
+/// A folder with scenes, and everything that the program says.
+struct Shell {
+    fs::path folder =
+        fs::temp_directory_path() / ("candelabra_commands_test_" + std::to_string(::getpid()));
+    std::string out, err, library;
+
+    Shell() {
+        fs::create_directories(folder);
+        write("lit.pov", lit_scene);
+    }
+    ~Shell() { fs::remove_all(folder); }
+
+    std::string path(const std::string& name) const { return (folder / name).string(); }
+    void write(const std::string& name, std::string_view text) const {
+        std::ofstream(path(name)) << text;
+    }
+    std::string content(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    int operator()(const std::vector<std::string>& arguments) {
+        out.clear();
+        err.clear();
+        Console console;
+        console.out = [&](std::string_view text) { out += text; };
+        console.err = [&](std::string_view text) { err += text; };
+        console.library = library;
+        const std::vector<std::string_view> views(arguments.begin(), arguments.end());
+        return run(views, console);
+    }
+    int render(std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {path("lit.pov"), "+W16", "+H12", "--samples", "2"});
+        return (*this)(arguments);
+    }
+};
+
+bool has(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("explanations are results; usage errors are not") {
+    Shell shell;
+    CHECK(shell({"--help"}) == 0);
+    CHECK(has(shell.out, "--light-sampler"));
+    CHECK(shell({"--version"}) == 0);
+    CHECK(shell.out.starts_with("Candelabra "));
+    CHECK(shell({"--describe", "json"}) == 0);
+    CHECK(nlohmann::json::parse(shell.out)["groups"].size() > 3);
+    CHECK(shell.err.empty());
+
+    CHECK(shell({}) == 2);
+    CHECK(shell.out.empty());
+    CHECK(shell.err.starts_with("usage: candelabra"));
+    CHECK(shell({"--help", "nothing_like_it"}) == 2);
+    CHECK(shell({"+W0", "+H0", shell.path("lit.pov")}) == 2);
+    CHECK(has(shell.err, "`+W0`"));
+    CHECK(has(shell.err, "`+H0`"));
+}
+
+TEST_CASE("a rendering leaves a picture and says what it did") {
+    Shell shell;
+    CHECK(shell.render({"+O" + shell.path("made.png")}) == 0);
+    CHECK(has(shell.err, "made.png: 16 x 12 in "));
+    CHECK(has(shell.err, "2 objects, 1 luminaire (light_octree)"));
+    Diagnostics diagnostics;
+    const auto picture = read_picture(shell.path("made.png"), diagnostics);
+    REQUIRE(picture);
+    CHECK(picture->width == 16);
+    CHECK(picture->height == 12);
+    CHECK(max_component(picture->at(8, 9)) > 0.01);
+
+    CHECK(shell.render({"-V", "+O" + shell.folder.string(), "+FE"}) == 0);
+    CHECK(fs::exists(shell.path("lit.exr")));
+    CHECK(shell.err.empty());
+    CHECK(shell.out.empty());
+}
+
+TEST_CASE("the picture is the same for any number of threads, and another for another seed") {
+    Shell shell;
+    for (const char* threads : {"1", "2", "7"})
+        REQUIRE(shell.render({"-V", "--threads", threads,
+                              "+O" + shell.path(std::string(threads) + ".png")}) == 0);
+    CHECK_FALSE(shell.content("1.png").empty());
+    CHECK(shell.content("1.png") == shell.content("2.png"));
+    CHECK(shell.content("1.png") == shell.content("7.png"));
+    REQUIRE(shell.render({"-V", "--seed", "1", "+O" + shell.path("other.png")}) == 0);
+    CHECK(shell.content("1.png") != shell.content("other.png"));
+}
+
+TEST_CASE("assumed_gamma reaches the file") {
+    Shell shell;
+    const auto corner = [&](std::string_view first_line) {
+        shell.write("flat.pov",
+                    std::string(first_line) + "\nbackground { rgb 0.5 } camera { location 0 }\n");
+        REQUIRE(shell({shell.path("flat.pov"), "-V", "+W2", "+H2",
+                       "+O" + shell.path("flat.exr")}) == 0);
+        Diagnostics diagnostics;
+        return read_picture(shell.path("flat.exr"), diagnostics).value().at(0, 0).x;
+    };
+    CHECK(corner("#version 3.7; global_settings { assumed_gamma 1 }") == Approx(0.5));
+    CHECK(corner("#version 3.7; global_settings { assumed_gamma 2 }") == Approx(0.25));
+    CHECK(corner("#version 3.6;") == Approx(0.5));
+}
+
+TEST_CASE("-F renders without a file") {
+    Shell shell;
+    CHECK(shell.render({"-F", "+O" + shell.path("no/such/folder/x.png")}) == 0);
+    CHECK(has(shell.err, "no file: "));
+}
+
+TEST_CASE("statistics hold what the run was") {
+    Shell shell;
+    CHECK(shell.render({"-V", "-F", "--stats", shell.path("stats.json"), "--light-sampler",
+                        "linear_alpha", "--seed", "5", "+WT2"}) == 0);
+    auto json = nlohmann::json::parse(shell.content("stats.json"));
+    CHECK(json["rays"]["camera"] == 16 * 12 * 2);
+    CHECK(json["luminaires"] == 1);
+    CHECK(json["objects"] == 2);
+    CHECK(json["light_sampler"] == "linear_alpha");
+    CHECK(json["light_octree"]["bytes"] == 0);
+    CHECK(json["seed"] == 5);
+    CHECK(json["threads"] == 2);
+    CHECK(json["peak_memory_bytes"] > 1000000);
+    CHECK(json["seconds"]["total"] >= json["seconds"]["render"]);
+    CHECK(shell.render({"-V", "-F", "--stats", "-"}) == 0);
+    json = nlohmann::json::parse(shell.out);
+    CHECK(json["light_sampler"] == "light_octree");
+    CHECK(json["light_octree"]["bytes"] > 0);
+    CHECK(json["kdtree"]["bytes"] > 0);
+}
+
+TEST_CASE("names and clock from the command line reach the scene") {
+    Shell shell;
+    CHECK(shell.render({"--dump", "scene", "Declare=Size=0.25"}) == 0);
+    CHECK(has(shell.out, "sphere { <0, 2, 0>, 0.25 "));
+    shell.write("facts.pov",
+                "#debug concat(Title, \" \", str(clock, 0, 1), \" \", str(image_width, 0, 0))\n");
+    CHECK(shell({shell.path("facts.pov"), "--check", "Declare=Title=\"a b\"", "+K0.5", "+W77"}) ==
+          0);
+    CHECK(has(shell.err, "a b 0.5 77"));
+}
+
+TEST_CASE("a dump of the scene is a scene with the same dump") {
+    Shell shell;
+    CHECK(shell.render({"--dump", "scene"}) == 0);
+    const std::string dump = shell.out;
+    shell.write("dump.pov", dump);
+    CHECK(shell({shell.path("dump.pov"), "--dump", "scene"}) == 0);
+    CHECK(shell.out == dump);
+}
+
+TEST_CASE("every stage can be dumped") {
+    Shell shell;
+    for (const char* stage : {"tokens", "tree", "scene", "world"}) {
+        CAPTURE(stage);
+        CHECK(shell.render({"--dump", stage}) == 0);
+        CHECK(shell.out.size() > 100);
+        CHECK(shell.err.empty());
+    }
+}
+
+TEST_CASE("a check says that there are no errors, and writes no picture") {
+    Shell shell;
+    for (const char* check : {"--check", "--check=syntax"}) {
+        CHECK(shell.render({check, "+O" + shell.path("x.png")}) == 0);
+        CHECK(has(shell.err, "lit.pov: no errors\n"));
+        CHECK(shell.out.empty());
+        CHECK_FALSE(fs::exists(shell.path("x.png")));
+    }
+    // What only evaluation can know is left alone by the check of the syntax.
+    shell.write("unknown.pov", "sphere { Nowhere, 1 }\n");
+    CHECK(shell({shell.path("unknown.pov"), "--check=syntax"}) == 0);
+    CHECK(shell({shell.path("unknown.pov"), "--check"}) == 1);
+}
+
+TEST_CASE("errors in the scene are shown with their place, and nothing is rendered") {
+    Shell shell;
+    shell.write("wrong.pov", "sphere { 0, 1 }\nshpere { 0, 1 }\n");
+    for (const char* task : {"--check", "-V", "--dump=scene", "--dump=world"}) {
+        CAPTURE(task);
+        CHECK(shell({shell.path("wrong.pov"), task, "+O" + shell.path("wrong.png")}) == 1);
+        CHECK(has(shell.err, "wrong.pov:2:1"));
+        CHECK(has(shell.err, "`sphere`"));
+        CHECK(shell.out.empty());
+    }
+    CHECK_FALSE(fs::exists(shell.path("wrong.png")));
+}
+
+TEST_CASE("files that cannot be read or written are told of before any work") {
+    Shell shell;
+    CHECK(shell({shell.path("missing.pov")}) == 3);
+    CHECK(has(shell.err, "missing.pov"));
+    CHECK(shell({shell.folder.string()}) == 3);
+    CHECK(shell.render({"+O" + shell.path("no/such/x.png")}) == 3);
+    CHECK(has(shell.err, "there is no folder"));
+    CHECK_FALSE(has(shell.err, "16 x 12"));
+    CHECK(shell.render({"-F", "--stats", shell.path("no/such/x.json")}) == 3);
+    CHECK(shell.render({"-F", "--stats", shell.path("lit.pov")}) == 3);
+    CHECK(has(shell.err, "is the scene itself"));
+    CHECK(shell.content("lit.pov") == lit_scene);
+}
+
+TEST_CASE("scenes have awkward names, or no ending") {
+    Shell shell;
+    for (const std::string name :
+         {"with space.pov", "a=b.pov", "-dash.pov", "a%s%%.pov", "bücher.pov"}) {
+        CAPTURE(name);
+        shell.write(name, lit_scene);
+        CHECK(shell({"-V", "+W4", "+H3", "--samples", "1", "+O" + shell.folder.string(), "--",
+                     shell.path(name)}) == 0);
+        CHECK(fs::exists(shell.path(name.substr(0, name.size() - 4) + ".png")));
+    }
+    CHECK(shell({shell.path("lit"), "--check"}) == 0);
+}
+
+TEST_CASE("included files are found beside the scene, in +L and in the standard library") {
+    Shell shell;
+    fs::create_directories(shell.folder / "extra");
+    fs::create_directories(shell.folder / "library");
+    shell.write("beside.inc", "#declare A = 1;\n");
+    shell.write("extra/other.inc", "#declare B = 2;\n");
+    shell.write("library/standard.inc", "#declare C = 3;\n");
+    shell.write("user.pov",
+                "#include \"beside.inc\"\n#include \"other.inc\"\n#include "
+                "\"standard.inc\"\nsphere { A, B + C }\n");
+    shell.library = shell.path("library");
+    CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
+    CHECK(has(shell.out, "sphere { 1, 5 "));
+    CHECK(shell({shell.path("user.pov"), "--check"}) == 1);
+    CHECK(has(shell.err, "other.inc"));
+    CHECK(shell({shell.path("lit.pov"), "+L" + shell.path("nowhere"), "--check"}) == 0);
+    CHECK(has(shell.err, "there is no folder"));
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/world_report.h"
+
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("the report tells what a world is made of") {
+    Texture glow;
+    glow.pigment.colour.rgb = Vec3(1);
+    glow.finish.emission = Vec3(2);
+    Object lamp, floor;
+    lamp.form = Sphere{Vec3(0, 2, 0), 1};
+    lamp.texture = std::make_shared<const Texture>(glow);
+    floor.form = Plane{};
+    floor.texture = std::make_shared<const Texture>();
+    Scene scene;
+    scene.objects = {std::make_shared<const Object>(lamp), std::make_shared<const Object>(floor)};
+    scene.settings.light_sampler = EveryLight{};
+    Diagnostics diagnostics;
+    const std::string text = report(compile(scene, {}, diagnostics));
+    CHECK(text.find("objects: 2\n") != std::string::npos);
+    CHECK(text.find("luminaires: 1 (1 spheres, 0 triangles, 0 others), greatest radiance 2\n") !=
+          std::string::npos);
+    CHECK(text.find("light sampler: every_light\n") != std::string::npos);
+    CHECK(text.find("1 unbounded\n") != std::string::npos);
+    CHECK(text.find("kd-tree: ") != std::string::npos);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/block.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+struct Case {
+    const char* script;
+    const char* complaint;
+};
+
+}  // namespace
+
+TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
+    const auto [script, expected] = GENERATE(values<Case>({
+        {"sphere { 0, 1 trnslate x scale 2 }",
+         "error unknown_word: `sphere` has no word `trnslate`"},
+        {"sphre { 0, 1 }", "error unknown_word: a scene has no word `sphre`"},
+        {"sphere { Centre, 1 }", "error unknown_name: nothing is declared as `Centre`"},
+        {"sphere { 0, 1 translate Offset }", "error unknown_name: nothing is declared as `Offset`"},
+        {"#declare T = texture { } sphere { 0, 1 T }",
+         "error misplaced: a texture has no place in `sphere`"},
+        {"sphere { 0, 1 location 3 }", "error misplaced: `location` has no place in `sphere`"},
+        {"finish { ambient 1 }", "error misplaced: `finish` has no place in a scene"},
+        {"sphere { 0, 1 [1 2] }", "error misplaced: an entry in brackets has no place in `sphere`"},
+        {"sphere { 0, 1 { } }",
+         "error misplaced: braces without a word before them have no place in `sphere`"},
+        {"finish", "error misplaced: `finish` has no place in a scene"},
+        {"torus { 1, 2 }", "error not_implemented: `torus` is not available in this version"},
+        {"sphere { 0, 1 pigment { bozo turbulence 1 octaves 3 } }",
+         "error not_implemented: `bozo` is not available in this version"},
+        {"light_source { 0, 1 spotlight point_at x radius 3 falloff 4 }",
+         "error not_implemented: `spotlight` is not available in this version"},
+        {"sphere { 0, 1 finish { specular albedo 0.5 } }",
+         "error not_implemented: `albedo` is not available in this version"},
+        {"sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }",
+         "several:\n"
+         "warning: `bounded_by` has no effect in this version\n --> main.pov:2:15\n  |\n"
+         "2 | sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }\n  |               ^^^^^^^^^^\n"
+         "warning: `sturm` has no effect in this version\n --> main.pov:2:44\n  |\n"
+         "2 | sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }\n"
+         "  |                                            ^^^^^\n"},
+    }));
+    CHECK(complaint(script) == expected);
+}
+
+TEST_CASE("what follows from a hole is not told of", "[evaluate]") {
+    CHECK(run("#version 3.7; sphere { Nothing, 1 }").said.size() == 1);
+    CHECK(run("#version 3.7; #declare A = sphere { 0, -1 } object { A translate x } union { A A }")
+              .said.size() == 1);
+    CHECK(run("#version 3.7; #declare T = texture { pigment { Nothing } } sphere { 0, 1 texture { "
+              "T } }")
+              .said.size() == 1);
+}
+
+TEST_CASE("a word without effect is told of at its first place only", "[evaluate]") {
+    CHECK(run("#version 3.7; sphere { 0, 1 sturm } sphere { 0, 1 sturm }").said.size() == 1);
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/evaluate.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a scene is what its text says, in order", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; camera { location -z } light_source { y, 1 } #for (I, 1, 3) sphere { "
+            "I*x, 1 } #end background { rgb 1 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.objects.size() == 3);
+    CHECK(done.shape<Sphere>(2).centre == Vec3(3, 0, 0));
+    CHECK(done.scene.lights.size() == 1);
+    CHECK(done.object(1).span.source == 0);
+    CHECK(done.object(1).span.known());
+}
+
+TEST_CASE("names can be declared from outside", "[evaluate]") {
+    EvaluateOptions options;
+    options.declares = {{"Depth", 5.0}, {"Title", std::string("a")}};
+    std::string printed;
+    options.print = [&](std::string_view text) { printed += text; };
+    const Script done = run(
+        "#version 3.7; #ifndef (Depth) #declare Depth = 1; #end sphere { 0, Depth } #debug Title",
+        {}, options);
+    REQUIRE(done.text.empty());
+    CHECK(done.shape<Sphere>().radius == 5);
+    CHECK(printed == "a");
+}
+
+TEST_CASE("the version decides about gamma", "[evaluate]") {
+    CHECK(run("#version 3.7; sphere { 0, 1 }").scene.gamma_handling);
+    CHECK(run("#version 3.7;").scene.language_version == 3.7);
+    CHECK_FALSE(run("sphere { 0, 1 }").scene.gamma_handling);
+    CHECK(run("sphere { 0, 1 }").scene.language_version == 3.62);
+    CHECK_FALSE(run("#version 3.5;").scene.gamma_handling);
+    CHECK(run("#version 3.5; global_settings { assumed_gamma 2.2 }").scene.gamma_handling);
+    CHECK(run("global_settings { assumed_gamma 1 }").scene.gamma_handling);
+}
+
+TEST_CASE("every part of a scene can be declared and used", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; #declare C = rgb 1; #declare P = pigment { C } #declare F = finish { "
+            "phong 1 } #declare I = interior { ior 2 } "
+            "#declare T = texture { pigment { P } finish { F } } #declare Tr = transform { "
+            "translate x } #declare M = color_map { [0 C] [1 C] } "
+            "#declare O = sphere { 0, 1 texture { T } interior { I } transform { Tr } } object { O "
+            "pigment { gradient x color_map { M } } }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    CHECK(done.texture().finish.phong == 1);
+    CHECK(done.texture().pigment.map.size() == 2);
+    CHECK(done.object().interior->ior == 2);
+    CHECK(done.object().transform->point(Vec3(0)) == Vec3(1, 0, 0));
+}
+
+TEST_CASE("what makes no scene is told of once", "[evaluate]") {
+    CHECK(complaint("5") == "error misplaced: a number has no place in a scene");
+    CHECK(complaint("\"text\"") == "error misplaced: a string has no place in a scene");
+    CHECK(complaint("#declare T = texture { } T") ==
+          "error misplaced: a texture has no place in a scene");
+    CHECK(complaint("max_trace_level 5") ==
+          "error misplaced: `max_trace_level` has no place in a scene");
+    CHECK(complaint("#declare F = fog { distance 1 }") ==
+          "error not_implemented: `fog` is not available in this version");
+    CHECK(complaint("#declare S = sphre { 0, 1 }") ==
+          "error unknown_word: a scene has no word `sphre`");
+    CHECK(complaint("#default { sphere { 0, 1 } }") ==
+          "error misplaced: `sphere` has no place in `#default`");
+    CHECK(complaint("#default { finsh { } }") ==
+          "error unknown_word: `#default` has no word `finsh`");
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/functions.h"
+
+#include "evaluate/said.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+TEST_CASE("random streams give POV-Ray's numbers", "[evaluate]") {
+    const auto [seed, values] = GENERATE(table<double, std::vector<double>>({
+        {0, {0.00000287429429658, 0.46656368450880137, 0.24907022883395438, 0.96587604213642797}},
+        {1, {0.42199287526821549, 0.48712119820693534, 0.66589621563113677}},
+        {12345, {0.46656368450880137, 0.24907022883395438}},
+        {-1, {0.57801287355320830, 0.44600617081066735}},
+        {2.9, {0.84398287624213442}},
+    }));
+    RandomStreams random;
+    const std::size_t stream = random.open(seed);
+    for (const double value : values) CHECK(random.next(stream) == Approx(value).margin(1e-15));
+    CHECK(random.known(0));
+    CHECK_FALSE(random.known(1));
+    CHECK_FALSE(random.known(-1));
+}
+
+TEST_CASE("streams are numbered and do not disturb each other", "[evaluate]") {
+    CHECK(printed("#declare A = seed(0); #declare B = seed(1); P(A) P(B) P(rand(B)) P(rand(A)) P(rand(B))") ==
+          "0.000000 1.000000 0.421993 0.000003 0.487121");
+    CHECK(printed("P(rand(5))") == "error: there is no random stream 5; seed(...) gives one\n");
+}
+
+TEST_CASE("the table of functions is in order and complete", "[evaluate]") {
+    const auto table = functions();
+    CHECK(std::is_sorted(table.begin(), table.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
+    for (const Word& word : reserved_words()) {
+        if (word.word_class != WordClass::function && word.word_class != WordClass::unary_function) continue;
+        if (word.spelling == "defined") continue;  // about a name, not a value
+        INFO(word.spelling);
+        CHECK(std::any_of(table.begin(), table.end(), [&](const auto& f) { return f.name == word.spelling; }));
+    }
+    for (const FunctionInfo& function : table) {
+        INFO(function.name);
+        CHECK(function.least >= 1);
+        CHECK(function.most >= function.least);
+        CHECK_FALSE(function.help.empty());
+    }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/lights.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const PointLight& light(const Script& done, std::size_t i = 0) {
+    return std::get<PointLight>(done.scene.lights.at(i).light);
+}
+
+}  // namespace
+
+TEST_CASE("a light source has its place, colour and words", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; light_source { <1, 2, 3>, rgb <1, 0.5, 0> fade_distance 2 fade_power 1 "
+            "shadowless } light_source { 0 } light_source { x 2 scale 3 }");
+    REQUIRE(done.text.empty());
+    CHECK(light(done).location == Vec3(1, 2, 3));
+    CHECK(light(done).colour == Vec3(1, 0.5, 0));
+    CHECK(light(done).fade_distance == 2);
+    CHECK(light(done).shadowless);
+    CHECK(light(done, 1).colour == Vec3(0));
+    CHECK(light(done, 2).location == Vec3(3, 0, 0));
+    CHECK(done.scene.objects.empty());
+}
+
+TEST_CASE("declared lights are placed anew", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; #declare L = light_source { x, 1 } light_source { L translate x } "
+            "object { L translate y } L");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    CHECK(light(done, 0).location == Vec3(2, 0, 0));
+    CHECK(light(done, 1).location == Vec3(1, 1, 0));
+    CHECK(light(done, 2).location == Vec3(1, 0, 0));
+}
+
+TEST_CASE("lights in unions move with them", "[evaluate]") {
+    const Script done = run(
+        "#version 3.7; #declare Lamp = union { sphere { 0, 1 } light_source { y, 1 } translate x } "
+        "object { Lamp translate x } union { object { Lamp scale 2 } Lamp translate z } object { "
+        "Lamp pigment { rgb 1 } }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.lights.size() == 4);
+    CHECK(light(done, 0).location == Vec3(2, 1, 0));
+    CHECK(light(done, 1).location == Vec3(2, 2, 1));
+    CHECK(light(done, 2).location == Vec3(1, 1, 1));
+    CHECK(light(done, 3).location == Vec3(1, 1, 0));
+    CHECK(done.scene.objects.size() == 3);
+}
+
+TEST_CASE("wrong lights are told of once", "[evaluate]") {
+    CHECK(complaint("light_source { }") == "error missing: `light_source` needs `location`");
+    CHECK(complaint("light_source { 0, 1 no_shadow }") ==
+          "error misplaced: `no_shadow` has no place in `light_source`");
+    CHECK(complaint("light_source { 0, 1 area_light x, y, 2, 2 adaptive 1 jitter }") ==
+          "error not_implemented: `area_light` is not available in this version");
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/lists.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("mesh2 reads its lists", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; mesh2 { vertex_vectors { 3, 0, x, <0, 1> } normal_vectors { 1, z } "
+            "face_indices { 1, <0, 1, 2> } normal_indices { 1, <0, 0, 0> } inside_vector y }");
+    REQUIRE(done.text.empty());
+    const Mesh& mesh = *done.shape<Shared<Mesh>>();
+    CHECK(mesh.vertices == std::vector<Vec3>{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+    CHECK(mesh.normals == std::vector<Vec3>{Vec3(0, 0, 1)});
+    CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}});
+    CHECK(mesh.normal_faces == std::vector<Face>{{0, 0, 0}});
+    CHECK(mesh.inside_vector == Vec3(0, 1, 0));
+}
+
+TEST_CASE("lists may be written by loops", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; mesh2 { vertex_vectors { 5, #for (I, 0, 3) <I, I*I, 0> #end z } "
+            "face_indices { 2, <0, 1, 4> <1, 2, 4> } }");
+    REQUIRE(done.text.empty());
+    CHECK(done.shape<Shared<Mesh>>()->vertices[3] == Vec3(3, 9, 0));
+}
+
+TEST_CASE("wrong lists are told of once", "[evaluate]") {
+    const std::string head = "mesh2 { vertex_vectors { 3, 0, x, y } ";
+    CHECK(complaint("mesh2 { vertex_vectors { 2, 0, x, y } face_indices { 1, <0, 1, 2> } }") ==
+          "error wrong_count: `vertex_vectors` has 3 entries, but its count is 2");
+    CHECK(complaint("mesh2 { vertex_vectors { } }") ==
+          "error missing: `vertex_vectors` needs a count");
+    CHECK(complaint("mesh2 { vertex_vectors 3 }")
+              .rfind("error wrong_type: `vertex_vectors` of `mesh2` must be a list", 0) == 0);
+    CHECK(complaint(head + "face_indices { 1, <0, 1, 0.5> } }") ==
+          "error bad_index: an entry of `face_indices` must be three whole numbers");
+    CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0 } }") ==
+          "error not_implemented: textures of single faces are not available in this version");
+    CHECK(complaint(head + "face_indices { 1, \"a\" } }") ==
+          "error wrong_type: an entry of `face_indices` must be a vector of 3, but it is a string");
+    CHECK(complaint(head + "face_indices { 1, <0, 1, 3> } }").rfind("error degenerate: ", 0) == 0);
+}

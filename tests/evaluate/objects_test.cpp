@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/objects.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("every shape can be written, declared, and copied", "[evaluate]") {
+    const std::string shape = GENERATE(values<std::string>(
+        {"sphere { 0, 1 }", "box { 0, 1 }", "plane { y, 0 }", "disc { 0, y, 1 }",
+         "cylinder { 0, y, 1 }", "cone { 0, 1, y, 0 }", "triangle { 0, x, y }",
+         "smooth_triangle { 0, z, x, z, y, z }",
+         "mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 1, <0, 1, 2> } }"}));
+    const std::string word = shape.substr(0, shape.find(' '));
+    const Script done = run("#version 3.7; #declare A = " + shape + " " + shape +
+                            " A object { A scale 2 } " + word + " { A no_shadow }");
+    INFO(shape << "\n" << done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.objects.size() == 4);
+    const std::size_t kind = std::get<Shape>(done.object(0).form).index();
+    CHECK(Kinds<Shape>::infos[kind]->name == word);
+    for (std::size_t i = 1; i < 4; ++i) CHECK(std::get<Shape>(done.object(i).form).index() == kind);
+    CHECK(done.object(2).transform);
+    CHECK(done.object(3).no_shadow);
+}
+
+TEST_CASE("a union takes objects from everywhere", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; #declare A = sphere { 0, 1 } #macro M(N) #for (I, 1, N) sphere { I*x, 1 "
+            "} #end #end "
+            "union { A object { A translate x } M(3) union { box { 0, 1 } } #if (1) A #end rotate "
+            "90*y pigment { rgb 1 } }");
+    REQUIRE(done.text.empty());
+    const auto& children = std::get<Union>(done.object().form).children;
+    REQUIRE(children.size() == 7);
+    CHECK(children[0] == children[6]);
+    CHECK_FALSE(children[0]->texture);
+    CHECK(done.texture().pigment.colour.rgb == Vec3(1));
+}
+
+TEST_CASE("objects come from macros and arrays", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; #macro Ball(R) sphere { 0, R pigment { rgb R } } #end #macro "
+            "Twice(What) object { What } object { What translate x } #end "
+            "#declare Balls = array[2] { sphere { 0, 1 }, Ball(2) } object { Balls[1] } object { "
+            "Ball(3) } Twice(Ball(4)) Twice(Balls[0])");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.objects.size() == 6);
+    CHECK(done.shape<Sphere>(0).radius == 2);
+    CHECK(done.shape<Sphere>(1).radius == 3);
+    CHECK(done.shape<Sphere>(3).radius == 4);
+    CHECK(done.texture(2).pigment.colour.rgb == Vec3(4));
+}
+
+TEST_CASE("switches are those of the text", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; sphere { 0, 1 no_shadow no_image no_reflection hollow inverse "
+            "double_illuminate } sphere { 0, 1 no_image off }");
+    REQUIRE(done.text.empty());
+    const Object& all = done.object(0);
+    CHECK((all.no_shadow && all.no_image && all.no_reflection && all.hollow && all.inverse &&
+           all.double_illuminate));
+    CHECK_FALSE(done.object(1).no_image);
+}
+
+TEST_CASE("triangles without area are left out with a warning", "[evaluate]") {
+    const Script done = run(
+        "#version 3.7; triangle { 0, x, 2*x } union { triangle { 0, x, 2*x } sphere { 0, 1 } }");
+    CHECK(done.said.size() == 2);
+    CHECK(done.said[0].severity == Severity::warning);
+    CHECK(done.scene.objects.size() == 1);
+}
+
+TEST_CASE("wrong objects are told of once", "[evaluate]") {
+    CHECK(complaint("object { }") == "error missing: `object` needs an object");
+    CHECK(complaint("object { sphere { 0, 1 } sphere { 0, 1 } }") ==
+          "error misplaced: `object` holds one object, and this is a second");
+    CHECK(complaint("object { scale 2 sphere { 0, 1 } }") ==
+          "error misplaced: in `object` the object comes before what changes it");
+    CHECK(complaint("union { sphere { 0, 1 } scale 2 sphere { 0, 1 } }") ==
+          "error misplaced: the objects of a `union` come before what changes the whole");
+    CHECK(complaint("#declare A = sphere { 0, 1 } sphere { 0, 1 A }") ==
+          "error misplaced: a declared object comes first in `sphere`, in the place of its values");
+    CHECK(complaint("sphere { 0, 1 sphere { 0, 1 } }") ==
+          "error misplaced: `sphere` has no place in `sphere`");
+    CHECK(complaint("union { torus { 1, 2 } torus { 1, 2 } }") ==
+          "error not_implemented: `torus` is not available in this version");
+    CHECK(complaint("cylinder { 0, 0, 1 }").rfind("error degenerate: ", 0) == 0);
+}
+
+TEST_CASE("objects nest thousands deep, but not without end", "[evaluate]") {
+    const std::string nest =
+        "#version 3.7; #macro Nest(N) union { sphere { 0, 1 } #if (N > 1) Nest(N - 1) #end } #end ";
+    CHECK(run(nest + "Nest(3000)").text.empty());
+    const Script deep = run(nest + "Nest(5000)");
+    REQUIRE(deep.said.size() == 1);
+    CHECK(deep.said[0].fault == Fault::recursion_limit);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/settings.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("global settings add up", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; global_settings { max_trace_level 7 ambient_light rgb 0.5 } "
+            "global_settings { adc_bailout 0.1 assumed_gamma 1 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.settings.max_trace_level == 7);
+    CHECK(done.scene.settings.ambient_light == Vec3(0.5));
+    CHECK(done.scene.settings.adc_bailout == 0.1);
+}
+
+TEST_CASE("each light sampler can be chosen", "[evaluate]") {
+    for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
+        const std::string name(Kinds<LightSampler>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { light_sampler { " + name + " } }")
+                  .scene.settings.light_sampler.index() == kind);
+        CHECK(run("#version 3.7; global_settings { light_sampler { " + name + " { } } }")
+                  .scene.settings.light_sampler.index() == kind);
+    }
+    for (const char* octree :
+         {"light_octree { threshold 0.5 max_depth 3 }", "light_octree threshold 0.5 max_depth 3"}) {
+        const Script done =
+            run(std::string("#version 3.7; global_settings { light_sampler { ") + octree + " } }");
+        INFO(done.text);
+        REQUIRE(done.text.empty());
+        CHECK(std::get<LightOctree>(done.scene.settings.light_sampler).threshold == 0.5);
+        CHECK(std::get<LightOctree>(done.scene.settings.light_sampler).max_depth == 3);
+    }
+}
+
+TEST_CASE("a background is one colour, the last one", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; background { rgb 1 } background { color rgb <1, 2, 3> }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.background.colour.rgb == Vec3(1, 2, 3));
+}
+
+TEST_CASE("wrong settings are told of once", "[evaluate]") {
+    CHECK(complaint("global_settings { charset utf8 }") ==
+          "warning not_implemented: `charset` has no effect in this version");
+    CHECK(complaint("global_settings { radiosity { count 100 } }") ==
+          "warning not_implemented: `radiosity` has no effect in this version");
+    CHECK(complaint("global_settings { foo 1 }") ==
+          "error unknown_word: `global_settings` has no word `foo`");
+    CHECK(complaint("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }") ==
+          "warning duplicate: `assumed_gamma` has been given before; the first one counts");
+    CHECK(complaint("global_settings { light_sampler { } }") ==
+          "error missing: `light_sampler` needs the name of a strategy");
+    CHECK(complaint("global_settings { light_sampler { light_otree } }") ==
+          "error unknown_word: `light_sampler` has no word `light_otree`");
+    CHECK(complaint("global_settings { light_sampler { every_light light_bvh } }") ==
+          "error duplicate: `light_sampler` has one strategy, and this is a second");
+    CHECK(complaint("global_settings { light_sampler { light_octree { threshold -1 } } }") ==
+          "error out_of_range: `threshold` of `light_octree` must be above 0, but it is -1");
+    CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
+}
