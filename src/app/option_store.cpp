@@ -102,7 +102,7 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
         PictureType type;
         bool compressed;
     };
-    static constexpr std::array letters = {
+    static constexpr auto letters = std::array{
         Letter{'n', PictureType::png, false}, Letter{'s', PictureType::png, false},
         Letter{'e', PictureType::exr, false}, Letter{'h', PictureType::hdr, false},
         Letter{'p', PictureType::ppm, false}, Letter{'t', PictureType::tga, false},
@@ -193,9 +193,9 @@ void store::check(Options& options, const Given& given, Diagnostics& diagnostics
 }
 
 void store::dump(Options& options, const Given& given, Diagnostics& diagnostics) {
-    static constexpr std::array stages = {
-        std::pair{"tokens", Task::dump_tokens}, std::pair{"tree", Task::dump_tree},
-        std::pair{"scene", Task::dump_scene}, std::pair{"world", Task::dump_world}};
+    static constexpr auto stages =
+        std::array{std::pair{"tokens", Task::dump_tokens}, std::pair{"tree", Task::dump_tree},
+                   std::pair{"scene", Task::dump_scene}, std::pair{"world", Task::dump_world}};
     for (const auto& [name, task] : stages)
         if (*given.value == name) {
             options.task = task;

@@ -76,7 +76,7 @@ std::string to_json(const RunStatistics& run) {
 }
 
 std::string short_count(double count) {
-    static constexpr std::array units = {"", " k", " M", " G", " T"};
+    static constexpr auto units = std::array{"", " k", " M", " G", " T"};
     std::size_t unit = 0;
     while (count >= 999.95 && unit + 1 < units.size()) {
         count /= 1000;

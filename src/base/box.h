@@ -16,9 +16,13 @@ struct Box {
     Vec3 size() const { return high - low; }
 };
 
-inline Box join(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+inline Box join(const Box& a, const Box& b) {
+    return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
 inline Box join(const Box& a, const Vec3& p) { return {glm::min(a.low, p), glm::max(a.high, p)}; }
-inline Box clip(const Box& a, const Box& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
+inline Box clip(const Box& a, const Box& b) {
+    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
+}
 
 /// Surface area; 0 when empty.
 inline double area(const Box& b) {
@@ -41,4 +45,6 @@ inline double farthest_distance2(const Box& b, const Vec3& p) {
     return dot(far, far);
 }
 
-inline bool finite(const Box& b) { return max_abs_component(b.low) < 1e30 && max_abs_component(b.high) < 1e30; }
+inline bool finite(const Box& b) {
+    return max_abs_component(b.low) < 1e30 && max_abs_component(b.high) < 1e30;
+}

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours as the scene language has them (linear red, green, blue with filter and transmit), and the sRGB transfer.
+// Colours as the scene language has them (linear red, green, blue with filter and transmit), and
+// the sRGB transfer.
 #pragma once
 
 #include "base/vector.h"
 
-/// Linear working values, any sign and size, and POV-Ray's two transparencies: filter (tinted) and transmit (clear).
+/// Linear working values, any sign and size, and POV-Ray's two transparencies: filter (tinted) and
+/// transmit (clear).
 struct Colour {
     Vec3 rgb = Vec3(0);
     double filter = 0;
@@ -20,6 +22,7 @@ struct Colour {
 /// The brightness that POV-Ray's .gray gives: 0.297 r + 0.589 g + 0.114 b.
 inline double grey(const Vec3& c) { return dot(c, Vec3(0.297, 0.589, 0.114)); }
 
-/// One channel from linear to sRGB-encoded and back (IEC 61966-2-1). Values outside 0..1 follow the curves.
+/// One channel from linear to sRGB-encoded and back (IEC 61966-2-1). Values outside 0..1 follow the
+/// curves.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counter-based random numbers: a pure function of where and what for, so that no order of work can change a picture.
+// Counter-based random numbers: a pure function of where and what for, so that no order of work can
+// change a picture.
 #pragma once
 
 #include <cstdint>
 
 /// What a random number decides. A purpose appended at the end changes no other number.
-enum class Purpose : std::uint32_t { pixel_x, pixel_y, light_choice, light_representative, light_u, light_v };
+enum class Purpose : std::uint32_t {
+    pixel_x,
+    pixel_y,
+    light_choice,
+    light_representative,
+    light_u,
+    light_v
+};
 
-/// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces that led there.
+/// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces
+/// that led there.
 struct Key {
-    std::uint64_t pixel = 0;      ///< pixel index with the seed mixed in by the renderer
+    std::uint64_t pixel = 0;  ///< pixel index with the seed mixed in by the renderer
     std::uint32_t sample = 0;
-    std::uint32_t path = 0;       ///< hash of the bounces (reflected or refracted) so far; 0 for the camera ray
-    std::uint32_t branch = 0;     ///< number of the shadow ray at this hit
+    std::uint32_t path =
+        0;  ///< hash of the bounces (reflected or refracted) so far; 0 for the camera ray
+    std::uint32_t branch = 0;  ///< number of the shadow ray at this hit
 
     Key with_branch(std::uint32_t b) const { return {pixel, sample, path, b}; }
     /// The key after one more bounce; kind tells reflection from refraction.

@@ -11,7 +11,8 @@
 #include <limits>
 #include <vector>
 
-/// Half line: origin + t * direction. The direction need not have length 1; t is measured in its lengths.
+/// Half line: origin + t * direction. The direction need not have length 1; t is measured in its
+/// lengths.
 struct Ray {
     Vec3 origin;
     Vec3 direction;
@@ -28,7 +29,8 @@ struct Interval {
 };
 
 /// The part of the interval in which the ray is inside the box; empty (min > max) when it misses.
-/// A ray that runs along one of the box's planes gives NaN there, which the order of the comparisons ignores.
+/// A ray that runs along one of the box's planes gives NaN there, which the order of the
+/// comparisons ignores.
 inline Interval clip(const Ray& ray, const Box& box, Interval range) {
     for (int axis = 0; axis < 3; ++axis) {
         const double inverse = 1 / ray.direction[axis];
@@ -44,22 +46,31 @@ inline Interval clip(const Ray& ray, const Box& box, Interval range) {
 /// One point where a ray crosses a surface.
 struct Crossing {
     double t = 0;
-    Vec3 normal = Vec3(0);   ///< unit, outward (for surfaces without an inside: as defined by the shape)
-    bool entering = true;    ///< the ray goes from outside to inside here
+    Vec3 normal =
+        Vec3(0);  ///< unit, outward (for surfaces without an inside: as defined by the shape)
+    bool entering = true;  ///< the ray goes from outside to inside here
 };
 
-/// All crossings of one ray with one shape, in any order. The first few need no memory from the heap.
+/// All crossings of one ray with one shape, in any order. The first few need no memory from the
+/// heap.
 class Crossings {
 public:
     void add(const Crossing& crossing) {
-        if (count_ < inline_.size()) inline_[count_] = crossing;
-        else spilled_.push_back(crossing);
+        if (count_ < inline_.size())
+            inline_[count_] = crossing;
+        else
+            spilled_.push_back(crossing);
         ++count_;
     }
-    void clear() { count_ = 0; spilled_.clear(); }
+    void clear() {
+        count_ = 0;
+        spilled_.clear();
+    }
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
-    const Crossing& operator[](std::size_t i) const { return i < inline_.size() ? inline_[i] : spilled_[i - inline_.size()]; }
+    const Crossing& operator[](std::size_t i) const {
+        return i < inline_.size() ? inline_[i] : spilled_[i - inline_.size()];
+    }
 
 private:
     std::array<Crossing, 4> inline_;

@@ -5,7 +5,8 @@
 #include <memory>
 #include <utility>
 
-/// Copy-on-write handle. Never empty. Used where a value is big and declared objects are copied often.
+/// Copy-on-write handle. Never empty. Used where a value is big and declared objects are copied
+/// often.
 template <class T>
 class Shared {
 public:

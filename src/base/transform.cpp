@@ -104,8 +104,9 @@ double Transform::uniform_scale() const {
     const auto& r = forward_.rows;
     const double s2 = dot(r[0], r[0]);
     const double tolerance = 1e-12 * s2;
-    const bool similar = std::abs(dot(r[1], r[1]) - s2) <= tolerance && std::abs(dot(r[2], r[2]) - s2) <= tolerance &&
-                         std::abs(dot(r[0], r[1])) <= tolerance && std::abs(dot(r[1], r[2])) <= tolerance &&
-                         std::abs(dot(r[2], r[0])) <= tolerance;
+    const bool similar =
+        std::abs(dot(r[1], r[1]) - s2) <= tolerance &&
+        std::abs(dot(r[2], r[2]) - s2) <= tolerance && std::abs(dot(r[0], r[1])) <= tolerance &&
+        std::abs(dot(r[1], r[2])) <= tolerance && std::abs(dot(r[2], r[0])) <= tolerance;
     return similar ? std::sqrt(s2) : 0;
 }

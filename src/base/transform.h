@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Affine maps with their inverses, in POV-Ray's row-vector convention: p' = p M, translation in the fourth row.
+// Affine maps with their inverses, in POV-Ray's row-vector convention: p' = p M, translation in the
+// fourth row.
 #pragma once
 
 #include "base/box.h"
@@ -21,13 +22,15 @@ struct Affine {
 /// Determinant of the linear part: the factor by which volumes grow, negative for mirror images.
 inline double determinant(const Affine& a) { return dot(cross(a.rows[0], a.rows[1]), a.rows[2]); }
 
-/// An invertible affine map. Both matrices are kept, because rays go backwards through it and hits forwards.
+/// An invertible affine map. Both matrices are kept, because rays go backwards through it and hits
+/// forwards.
 class Transform {
 public:
     Transform() = default;
     /// Precondition: the linear part is not singular (the caller checks determinant() first).
     explicit Transform(const Affine& forward);
-    Transform(const Affine& forward, const Affine& backward) : forward_(forward), backward_(backward) {}
+    Transform(const Affine& forward, const Affine& backward)
+        : forward_(forward), backward_(backward) {}
 
     static Transform translation(const Vec3& offset);
     /// Factors must not be 0.
@@ -41,12 +44,15 @@ public:
     Vec3 direction(const Vec3& v) const { return forward_.direction(v); }
     /// Image of a surface normal (inverse transpose); not of unit length.
     Vec3 normal(const Vec3& n) const {
-        return Vec3(dot(n, backward_.rows[0]), dot(n, backward_.rows[1]), dot(n, backward_.rows[2]));
+        return Vec3(dot(n, backward_.rows[0]), dot(n, backward_.rows[1]),
+                    dot(n, backward_.rows[2]));
     }
     Vec3 inverse_point(const Vec3& p) const { return backward_.point(p); }
     Vec3 inverse_direction(const Vec3& v) const { return backward_.direction(v); }
     /// The ray in the coordinates before the map; its parameter t is unchanged.
-    Ray inverse_ray(const Ray& r) const { return {backward_.point(r.origin), backward_.direction(r.direction)}; }
+    Ray inverse_ray(const Ray& r) const {
+        return {backward_.point(r.origin), backward_.direction(r.direction)};
+    }
     /// Smallest box around the image of a box. Unbounded boxes stay unbounded.
     Box box(const Box& b) const;
 

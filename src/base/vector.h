@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, directions and other small tuples of doubles. The one include of GLM; everyone else says Vec3.
+// Points, directions and other small tuples of doubles. The one include of GLM; everyone else says
+// Vec3.
 #pragma once
 
 #include <glm/common.hpp>
@@ -35,5 +36,6 @@ inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);
     const double b = n.x * n.y * a;
-    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), Vec3(b, sign + n.y * n.y * a, -n.y)};
+    return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            Vec3(b, sign + n.y * n.y * a, -n.y)};
 }

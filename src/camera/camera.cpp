@@ -6,9 +6,11 @@ namespace {
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
 Projection untransformed(const View& view, bool parallel) {
-    Projection f{view.location, view.direction.value_or(Vec3(0, 0, 1)), view.right.value_or(Vec3(1.33, 0, 0)),
-            view.up.value_or(Vec3(0, 1, 0)), parallel};
-    if (view.angle) f.direction = unit(f.direction) * (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
+    Projection f{view.location, view.direction.value_or(Vec3(0, 0, 1)),
+                 view.right.value_or(Vec3(1.33, 0, 0)), view.up.value_or(Vec3(0, 1, 0)), parallel};
+    if (view.angle)
+        f.direction = unit(f.direction) *
+                      (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
         const double handedness = dot(cross(f.up, f.direction), f.right) < 0 ? -1 : 1;
         const Vec3 ahead = unit(*view.look_at - view.location);
@@ -22,7 +24,8 @@ Projection untransformed(const View& view, bool parallel) {
         }
     }
     if (parallel && ((!view.up && !view.right) || view.angle)) {
-        const double size = length(view.look_at.value_or(Vec3(0, 0, 1)) - view.location) / length(f.direction);
+        const double size =
+            length(view.look_at.value_or(Vec3(0, 0, 1)) - view.location) / length(f.direction);
         f.right *= size;
         f.up *= size;
     }
@@ -37,12 +40,15 @@ const View& view_of(const Camera& camera) {
 
 std::string problem(const Camera& camera) {
     const View& view = view_of(camera);
-    if (view.look_at && *view.look_at == view.location) return "`look_at` must not be the camera's own location";
-    if (view.angle && *view.angle >= 180) return "`angle` of a flat picture must be below 180 degrees";
+    if (view.look_at && *view.look_at == view.location)
+        return "`look_at` must not be the camera's own location";
+    if (view.angle && *view.angle >= 180)
+        return "`angle` of a flat picture must be below 180 degrees";
     for (const auto& vector : {view.direction, view.right, view.up})
         if (vector && *vector == Vec3(0)) return "`direction`, `right` and `up` must not be zero";
     const Projection f = untransformed(view, std::holds_alternative<Orthographic>(camera));
-    if (dot(cross(f.right, f.up), f.direction) == 0) return "`direction`, `right` and `up` must not lie in one plane";
+    if (dot(cross(f.right, f.up), f.direction) == 0)
+        return "`direction`, `right` and `up` must not lie in one plane";
     return {};
 }
 

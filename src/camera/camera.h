@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cameras: from a point of the picture to a ray. POV-Ray 3.7's meaning of location, direction, right, up, sky, angle
-// and look_at, in its order of evaluation.
+// Cameras: from a point of the picture to a ray. POV-Ray 3.7's meaning of location, direction,
+// right, up, sky, angle and look_at, in its order of evaluation.
 #pragma once
 
 #include "base/ray.h"
@@ -26,14 +26,17 @@ namespace camera_detail {
 template <class T>
 consteval auto vocabulary(std::string_view name, std::string_view help) {
     using F = Field<T>;
-    return schema<T>(name, help,
-        F{"location", &T::location, item, "where it stands"},
-        F{"direction", &T::direction, item, "towards the middle of the picture; its length is the distance of the picture plane (default z)"},
-        F{"right", &T::right, item, "from the left edge of the picture to the right (default 1.33 x)"},
-        F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
-        F{"sky", &T::sky, item, "what look_at keeps upright"},
-        F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
-        F{"angle", &T::angle, item, "degrees from the left edge to the right", Range{0, 360, true}});
+    return schema<T>(name, help, F{"location", &T::location, item, "where it stands"},
+                     F{"direction", &T::direction, item,
+                       "towards the middle of the picture; its length is the distance of the "
+                       "picture plane (default z)"},
+                     F{"right", &T::right, item,
+                       "from the left edge of the picture to the right (default 1.33 x)"},
+                     F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
+                     F{"sky", &T::sky, item, "what look_at keeps upright"},
+                     F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
+                     F{"angle", &T::angle, item, "degrees from the left edge to the right",
+                       Range{0, 360, true}});
 }
 }  // namespace camera_detail
 
@@ -61,7 +64,8 @@ struct Projection {
     Vec3 location, direction, right, up;
     bool parallel = false;  ///< rays start on the picture plane and run along direction
 
-    /// Ray through (u, v): (-1/2, -1/2) is the bottom left corner, (1/2, 1/2) the top right. Direction of unit length.
+    /// Ray through (u, v): (-1/2, -1/2) is the bottom left corner, (1/2, 1/2) the top right.
+    /// Direction of unit length.
     Ray ray(double u, double v) const;
 };
 

@@ -73,7 +73,8 @@ bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t
         if (!good) {
             ++count;
         } else if (innermost && element.kind == Element::Kind::braces) {
-            broken(Fault::wrong_type, element.span, "braces for a dimension that this array does not have");
+            broken(Fault::wrong_type, element.span,
+                   "braces for a dimension that this array does not have");
             good = false;
         } else if (innermost) {
             put(evaluator.value_of(element), element.span);

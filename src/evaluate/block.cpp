@@ -15,7 +15,7 @@ namespace {
 struct Structure {
     std::string_view word, home;
 };
-constexpr std::array structure = {
+constexpr auto structure = std::array{
     Structure{"union", ""},
     Structure{"object", ""},
     Structure{"camera", ""},
@@ -45,7 +45,7 @@ constexpr std::array structure = {
 struct Elsewhere {
     std::string_view block, word;
 };
-constexpr std::array unavailable_here = {
+constexpr auto unavailable_here = std::array{
     Elsewhere{"interior", "fade_distance"},
     Elsewhere{"interior", "fade_power"},
     Elsewhere{"finish", "ior"},

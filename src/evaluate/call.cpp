@@ -77,7 +77,10 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
                           function->most > function->least && function->most != FunctionInfo::any
                               ? message(" or ", function->most)
                               : "",
-                          function->least == 1 && (function->most == 1 || function->most == FunctionInfo::any) ? " argument" : " arguments",
+                          function->least == 1 &&
+                                  (function->most == 1 || function->most == FunctionInfo::any)
+                              ? " argument"
+                              : " arguments",
                           ", but here ", count == 1 ? "is " : "are ", count))
                 .with_help(message(name, "(", function->arguments, "): ", function->help)));
         if (diagnostics.full()) stopped_ = true;

@@ -64,8 +64,8 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     meaning.set_default = [](const Element&) {};
     meaning.print = [](std::string_view) {};
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };
-    world.file_exists = [this](const std::string& name) {
-        return this->loader.load(name, {}, FileKind::data).has_value();
+    world.file_exists = [this](std::string_view name) {
+        return this->loader.load(std::string(name), {}, FileKind::data).has_value();
     };
     functions.resize(reserved_words().size());
     for (const FunctionInfo& function : ::functions())

@@ -69,11 +69,10 @@ Vec3 FunctionCall::vector(std::size_t i) {
     return Vec3(0);
 }
 
-const std::string& FunctionCall::text(std::size_t i) {
-    static const std::string nothing;
+std::string_view FunctionCall::text(std::size_t i) {
     if (const std::string* found = arguments_[i].text()) return *found;
     wrong_kind(i, "a string");
-    return nothing;
+    return {};
 }
 
 const ArrayData* FunctionCall::array(std::size_t i) {
@@ -109,7 +108,7 @@ Value not_yet(Call call) {
                      "this function is known but not implemented");
 }
 
-const std::array table = {
+constexpr auto table = std::array{
     FunctionInfo{"abs", 1, 1, "x", "x without its sign",
                  Unary([](double x) { return std::abs(x); })},
     FunctionInfo{"acos", 1, 1, "x", "arc cosine, in radians", General(arc_cosine)},

@@ -32,7 +32,7 @@ private:
 /// What functions can see and change beside their arguments.
 struct FunctionWorld {
     RandomStreams random;
-    std::function<bool(const std::string&)> file_exists;
+    std::function<bool(std::string_view)> file_exists;
     std::function<void(Diagnostic)> report;
 };
 
@@ -50,7 +50,7 @@ public:
         std::size_t i);  ///< towards zero; what does not fit becomes the nearest that does
     Vec3 vector(std::size_t i);
     const Numbers& numbers(std::size_t i);
-    const std::string& text(std::size_t i);
+    std::string_view text(std::size_t i);
     const ArrayData* array(std::size_t i);
 
     Value fail(Fault, std::size_t argument, std::string message);

@@ -71,11 +71,11 @@ Value number_text(Call call) {
 Value vector_text(Call call) {
     const int n = static_cast<int>(std::fmax(2, std::fmin(5, call.number(0))));
     const Numbers& v = call.numbers(1);
-    const std::string& separator = call.text(2);
+    const std::string_view separator = call.text(2);
     const double length = call.number(3), digits = call.number(4);
     std::string text;
     for (int i = 0; i < n; ++i)
-        text += (i > 0 ? separator : std::string()) +
+        text += std::string(i > 0 ? separator : std::string_view()) +
                 formatted(i < v.count ? v.at[static_cast<std::size_t>(i)] : 0, length, digits);
     return text;
 }
@@ -98,7 +98,7 @@ Value character(Call call) {
 }
 
 Value substring(Call call) {
-    const std::string& text = call.text(0);
+    const std::string_view text = call.text(0);
     const std::int64_t start = call.integer(1), length = call.integer(2);
     const auto size = static_cast<std::int64_t>(character_count(text));
     if (call.failed()) return Absence::broken;
@@ -113,11 +113,11 @@ Value substring(Call call) {
     for (std::int64_t i = 1; i < start; ++i) first += character_size(text, first);
     std::size_t last = first;
     for (std::int64_t i = 0; i < length; ++i) last += character_size(text, last);
-    return text.substr(first, last - first);
+    return std::string(text.substr(first, last - first));
 }
 
 Value compare(Call call) {
-    const std::string &a = call.text(0), &b = call.text(1);
+    const std::string_view a = call.text(0), b = call.text(1);
     std::size_t i = 0, j = 0;
     while (i < a.size() && j < b.size()) {
         const double difference = character_code(a, i) - character_code(b, j);
@@ -129,27 +129,27 @@ Value compare(Call call) {
 }
 
 Value concatenated(Call call) {
-    std::string text = call.text(0);
+    std::string text(call.text(0));
     for (std::size_t i = 1; i < call.count(); ++i) text += call.text(i);
     return text;
 }
 
-Value number_in(Call call) { return std::strtod(call.text(0).c_str(), nullptr); }
+Value number_in(Call call) { return std::strtod(std::string(call.text(0)).c_str(), nullptr); }
 
 Value lower_case(Call call) {
-    std::string text = call.text(0);
+    std::string text(call.text(0));
     for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     return text;
 }
 
 Value upper_case(Call call) {
-    std::string text = call.text(0);
+    std::string text(call.text(0));
     for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
     return text;
 }
 
 Value first_code(Call call) {
-    const std::string& text = call.text(0);
+    const std::string_view text = call.text(0);
     return text.empty() ? 0.0 : character_code(text, 0);
 }
 
@@ -158,7 +158,7 @@ Value character_number(Call call) { return static_cast<double>(character_count(c
 Value date_text(Call call) {
     // Days since the year 2000 began, in UTC.
     const double seconds = call.number(0) * 86400 + 946684800;
-    const std::string format = call.count() > 1 ? call.text(1) : "%Y-%m-%d %H:%M:%SZ";
+    const std::string format(call.count() > 1 ? call.text(1) : "%Y-%m-%d %H:%M:%SZ");
     if (call.failed()) return Absence::broken;
     if (!(std::abs(seconds) < 1e15)) return call.fail(Fault::domain, 0, "this is no date");
     const auto time = static_cast<std::time_t>(std::floor(seconds));

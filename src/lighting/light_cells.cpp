@@ -4,7 +4,6 @@
 #include "base/parallel.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <numeric>
 
@@ -14,13 +13,15 @@ using std::numbers::pi;
 
 /// Entries that all lists together may have. A cell's share of them goes to its children by the
 /// length of their lists.
-constexpr double most_entries = 1e6;
+double most_entries(std::size_t luminaires) {
+    return std::fmin(1e6, 1e5 + 64 * static_cast<double>(luminaires));
+}
 /// Length of a list; of more luminaires the brightest are taken, and the others count as dim.
 constexpr std::size_t longest_list = 2048;
-/// A cell is not cut when its list is still this part of what it was so many levels above: smaller
-/// cells would not help.
-constexpr double worth_cutting = 0.9;
-constexpr std::size_t patience = 3;
+/// A cut helps when the lists of the parts are at most this much of the whole's, on average. After
+/// so many cuts in a row that did not, cells are left whole: smaller ones would not help either.
+constexpr double helpful = 0.9;
+constexpr int patience = 3;
 
 /// A cell on its way to be cut.
 struct Region {
@@ -29,9 +30,8 @@ struct Region {
     std::vector<std::uint32_t> surfaces;  ///< that touch it; not looked at when it is covered
     bool covered = false;                 ///< surfaces may be anywhere in it
     int depth = 0;
-    double entries = most_entries;
-    std::array<std::size_t, patience>
-        earlier{};  ///< lengths of the lists of the cells around it, nearest first; 0: none
+    double entries = 0;    ///< that the lists in it may have
+    int useless_cuts = 0;  ///< that it comes from, since the last helpful one
 };
 
 Box octant(const Box& box, int which) {
@@ -77,19 +77,23 @@ public:
     /// The eight parts of a region, those without surfaces with an empty box; nothing when it is to
     /// stay whole.
     std::vector<Region> cut(const Region& region) const {
-        if (region.depth >= settings_.max_depth ||
+        if (region.depth >= settings_.max_depth || region.useless_cuts >= patience ||
             region.lights.size() <= static_cast<std::size_t>(settings_.max_bright) ||
             bright_everywhere(region))
             return {};
         std::vector<Region> parts(8);
-        double entries = 0;
+        double entries = 0, lights = 0, unchanged = 0;
         for (int i = 0; i < 8; ++i) {
             parts[i] = part(region, octant(region.box, i));
             entries += length_of_list(parts[i]);
+            lights += static_cast<double>(parts[i].lights.size());
+            if (!parts[i].box.empty()) unchanged += static_cast<double>(region.lights.size());
         }
         if (entries > region.entries) return {};
-        for (Region& p : parts)
+        for (Region& p : parts) {
             p.entries = entries > 0 ? region.entries * length_of_list(p) / entries : 0;
+            p.useless_cuts = lights > helpful * unchanged ? region.useless_cuts + 1 : 0;
+        }
         return parts;
     }
 
@@ -141,8 +145,6 @@ private:
         if (result.covered) result.surfaces.clear();
         result.box = box;
         result.depth = whole.depth + 1;
-        std::copy(whole.earlier.begin(), whole.earlier.end() - 1, result.earlier.begin() + 1);
-        result.earlier[0] = whole.lights.size();
         for (const LightIndex light : whole.lights)
             if (nearest_distance2(box, centres_[light]) < reach2_[light])
                 result.lights.push_back(light);
@@ -234,6 +236,7 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
         centres.push_back(light.centre);
     }
     Region root;
+    root.entries = most_entries(lights.size());
     root.box = root_box(scene, lights);
     if (lights.empty() || root.box.empty()) return {};
     for (std::uint32_t i = 0; i < scene.surfaces.size() + scene.planes.size(); ++i)

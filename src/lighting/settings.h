@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parameters of each light sampler: part of the scene, chosen by global_settings { light_sampler ... } or --light-sampler.
+// The parameters of each light sampler: part of the scene, chosen by global_settings {
+// light_sampler ... } or --light-sampler.
 #pragma once
 
 #include "vocabulary/kinds.h"
 
-/// A shadow ray to every luminaire: the conventional way, and the oracle that the others are tested against.
+/// A shadow ray to every luminaire: the conventional way, and the oracle that the others are tested
+/// against.
 struct EveryLight {
     static consteval auto vocabulary();
 };
 consteval auto EveryLight::vocabulary() {
-    return schema<EveryLight>("every_light", "A shadow ray to every luminaire at every hit: exact, slow.");
+    return schema<EveryLight>("every_light",
+                              "A shadow ray to every luminaire at every hit: exact, slow.");
 }
 
 /// Every luminaire with the same probability (the paper, section 4.1).
@@ -25,11 +28,14 @@ struct LinearAlpha {
     static consteval auto vocabulary();
 };
 consteval auto LinearAlpha::vocabulary() {
-    return schema<LinearAlpha>("linear_alpha", "In proportion to each luminaire's unoccluded contribution: asks them all.");
+    return schema<LinearAlpha>(
+        "linear_alpha",
+        "In proportion to each luminaire's unoccluded contribution: asks them all.");
 }
 
 /// A hierarchy of luminaires, walked down by importance (Conty Estevez and Kulla,
-/// "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018): what other renderers do.
+/// "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018): what other renderers
+/// do.
 struct LightBvh {
     static consteval auto vocabulary();
 };
@@ -39,22 +45,27 @@ consteval auto LightBvh::vocabulary() {
 
 /// An octree whose cells list the luminaires that are bright there (the paper, section 4.3).
 struct LightOctree {
-    double threshold = 0.001;
+    double threshold = 0.0005;
     double white = 1;
     int max_depth = 12;
-    int max_bright = 32;
-    int representatives = 2;
+    int max_bright = 128;
+    int representatives = 1;
 
     static consteval auto vocabulary();
 };
 consteval auto LightOctree::vocabulary() {
     using F = Field<LightOctree>;
-    return schema<LightOctree>("light_octree", "Lists per cell of space the luminaires that are bright there, and guesses the dim ones.",
-        F{"threshold", &LightOctree::threshold, item, "a luminaire is bright where it may add this share of white", above(0)},
+    return schema<LightOctree>(
+        "light_octree",
+        "Lists per cell of space the luminaires that are bright there, and guesses the dim ones.",
+        F{"threshold", &LightOctree::threshold, item,
+          "a luminaire is bright where it may add this share of white", above(0)},
         F{"white", &LightOctree::white, item, "radiance that the display shows as white", above(0)},
         F{"max_depth", &LightOctree::max_depth, item, "deepest level of cells", between(0, 20)},
-        F{"max_bright", &LightOctree::max_bright, item, "cells with more bright luminaires are subdivided", between(1, 1e6)},
-        F{"representatives", &LightOctree::representatives, item, "dim luminaires that are asked at each hit", between(1, 64)});
+        F{"max_bright", &LightOctree::max_bright, item,
+          "cells with more bright luminaires are subdivided", between(1, 1e6)},
+        F{"representatives", &LightOctree::representatives, item,
+          "dim luminaires that are asked at each hit", between(1, 64)});
 }
 
 /// Every strategy there is; the first of the list is not the default: see RenderSettings.

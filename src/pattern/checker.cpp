@@ -3,6 +3,7 @@
 
 double evaluate(const Checker&, const Vec3& point) {
     constexpr double tolerance = 1e-10;
-    const double sum = std::floor(point.x + tolerance) + std::floor(point.y + tolerance) + std::floor(point.z + tolerance);
+    const double sum = std::floor(point.x + tolerance) + std::floor(point.y + tolerance) +
+                       std::floor(point.z + tolerance);
     return std::fmod(std::abs(sum), 2);
 }

@@ -13,5 +13,6 @@ consteval auto Checker::vocabulary() {
     return schema<Checker>("checker", "Unit cubes of two colours in turn.");
 }
 
-/// Points within 1e-10 below a cube's face count as on it, so that a floor at a whole height does not flicker.
+/// Points within 1e-10 below a cube's face count as on it, so that a floor at a whole height does
+/// not flicker.
 double evaluate(const Checker&, const Vec3& point);

@@ -13,8 +13,10 @@ struct Gradient {
 
 consteval auto Gradient::vocabulary() {
     using F = Field<Gradient>;
-    return schema<Gradient>("gradient", "A value that grows along a direction and starts again at each whole step.",
-        F{"direction", &Gradient::direction, positional, "direction of growth; only its direction counts"});
+    return schema<Gradient>(
+        "gradient", "A value that grows along a direction and starts again at each whole step.",
+        F{"direction", &Gradient::direction, positional,
+          "direction of growth; only its direction counts"});
 }
 
 double evaluate(const Gradient&, const Vec3& point);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every pattern there is: a function from a point to a number in 0..1, or to a small whole number that picks from a list.
+// Every pattern there is: a function from a point to a number in 0..1, or to a small whole number
+// that picks from a list.
 #pragma once
 
 #include "pattern/checker.h"

@@ -23,7 +23,7 @@ struct TypeInfo {
     bool linear;
 };
 
-constexpr std::array types = {
+constexpr auto types = std::array{
     TypeInfo{PictureType::png, "png", "png", false},
     TypeInfo{PictureType::exr, "exr", "exr", true},
     TypeInfo{PictureType::hdr, "hdr", "rgbe", true},

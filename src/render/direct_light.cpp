@@ -29,17 +29,20 @@ Vec3 DirectLight::from_sources(const Shading& s, RayCounts& rays) const {
     return sum;
 }
 
-Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const Key& key, RayCounts& rays) const {
+Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const Key& key,
+                                 RayCounts& rays) const {
     const Luminaire& luminaire = world_.luminaires[pick.light];
-    const auto point = sample(luminaire, s.position, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
+    const auto point = sample(luminaire, s.position,
+                              {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)});
     if (!point) return Vec3(0);
     const Vec3 answer = response(s, point->direction, true);
     if (answer == Vec3(0)) return Vec3(0);
-    const Vec3 radiance =
-        luminaire.varying ? world_.emission(luminaire.primitive, point->position) : luminaire.radiance;
+    const Vec3 radiance = luminaire.varying ? world_.emission(luminaire.primitive, point->position)
+                                            : luminaire.radiance;
     if (radiance == Vec3(0)) return Vec3(0);
     ++rays.shadow;
-    const Vec3 passed = world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
+    const Vec3 passed =
+        world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     return answer * radiance * passed / (pi * point->density * pick.expected);
 }
@@ -51,10 +54,13 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
     for (int i = 0; i < shadow_rays_; ++i) {
         Key branch = key.with_branch(static_cast<std::uint32_t>(i));
         picks_.clear();
-        std::visit([&](const auto& sampler) { sampler.choose(point, branch, picks_); }, world_.sampler);
+        std::visit([&](const auto& sampler) { sampler.choose(point, branch, picks_); },
+                   world_.sampler);
         const bool several = picks_.size() > 1;
         for (const LightPick& pick : picks_) {
-            if (several) branch = key.with_branch(pick.light * static_cast<std::uint32_t>(shadow_rays_) + static_cast<std::uint32_t>(i));
+            if (several)
+                branch = key.with_branch(pick.light * static_cast<std::uint32_t>(shadow_rays_) +
+                                         static_cast<std::uint32_t>(i));
             sum += from_luminaire(s, pick, branch, rays);
         }
     }

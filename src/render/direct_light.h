@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Direct light at a point: POV-Ray's light sources one by one, luminaires as the light sampler chooses.
+// Direct light at a point: POV-Ray's light sources one by one, luminaires as the light sampler
+// chooses.
 #pragma once
 
 #include "base/random.h"
 #include "render/shade.h"
 #include "render/statistics.h"
 
-/// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased estimate.
+/// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
+/// estimate.
 class DirectLight {
 public:
     DirectLight(const World& world, int shadow_rays) : world_(world), shadow_rays_(shadow_rays) {}

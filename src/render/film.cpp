@@ -20,11 +20,14 @@ double PixelSum::deviation() const {
 }
 
 Film::Film(int width, int height)
-    : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
 Image Film::image() const {
     Image image(width_, height_);
     for (std::size_t i = 0; i < pixels_.size(); ++i)
-        if (pixels_[i].samples > 0) image.pixels[i] = pixels_[i].radiance / static_cast<double>(pixels_[i].samples);
+        if (pixels_[i].samples > 0)
+            image.pixels[i] = pixels_[i].radiance / static_cast<double>(pixels_[i].samples);
     return image;
 }

@@ -9,13 +9,14 @@
 
 /// One pixel's samples.
 struct PixelSum {
-    Vec3 radiance = Vec3(0);        ///< sum
-    Vec3 display = Vec3(0);         ///< sum of values as a display shows them, 0..1
+    Vec3 radiance = Vec3(0);  ///< sum
+    Vec3 display = Vec3(0);   ///< sum of values as a display shows them, 0..1
     Vec3 display_squared = Vec3(0);
     std::uint32_t samples = 0;
 
     void add(const Vec3& sample);
-    /// Standard deviation of one sample in display values, summed over the channels. Needs two samples.
+    /// Standard deviation of one sample in display values, summed over the channels. Needs two
+    /// samples.
     double deviation() const;
 };
 
@@ -30,7 +31,10 @@ public:
     Image image() const;
 
 private:
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(x);
+    }
     int width_, height_;
     std::vector<PixelSum> pixels_;
 };

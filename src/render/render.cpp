@@ -22,7 +22,8 @@ std::vector<Tile> tiles_of(int width, int height) {
     std::vector<Tile> tiles;
     for (int y = 0; y < height; y += tile_size)
         for (int x = 0; x < width; x += tile_size)
-            tiles.push_back({x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)});
+            tiles.push_back(
+                {x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)});
     return tiles;
 }
 
@@ -39,7 +40,10 @@ struct Pass {
 class Renderer {
 public:
     Renderer(const World& world, const RenderSettings& settings, const RenderHooks& hooks)
-        : world_(world), settings_(settings), hooks_(hooks), film_(settings.width, settings.height),
+        : world_(world),
+          settings_(settings),
+          hooks_(hooks),
+          film_(settings.width, settings.height),
           samples_(static_cast<std::uint32_t>(samples_per_pixel(world, settings))) {}
 
     Rendering operator()() {
@@ -51,14 +55,18 @@ public:
 
 private:
     void refine() {
-        // POV-Ray's threshold is for the difference of two rays; the mean of many should be better than that.
+        // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
+        // than that.
         const AdaptiveRule rule{settings_.antialias_threshold / 10, most_samples(settings_)};
-        std::vector<std::uint32_t> more(static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height()));
+        std::vector<std::uint32_t> more(static_cast<std::size_t>(film_.width()) *
+                                        static_cast<std::size_t>(film_.height()));
         const auto index = [&](int x, int y) {
-            return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) + static_cast<std::size_t>(x);
+            return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
+                   static_cast<std::size_t>(x);
         };
         for (int y = 0; y < film_.height(); ++y)
-            for (int x = 0; x < film_.width(); ++x) more[index(x, y)] = samples_to_add(film_, x, y, rule);
+            for (int x = 0; x < film_.width(); ++x)
+                more[index(x, y)] = samples_to_add(film_, x, y, rule);
         over_tiles({0.5, 1}, [&](int x, int y) { return more[index(x, y)]; });
     }
 
@@ -84,14 +92,18 @@ private:
 
     void add_samples(Tracer& tracer, int x, int y, std::uint32_t count) {
         PixelSum& pixel = film_.at(x, y);
-        const auto number = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(film_.width()) + static_cast<std::uint64_t>(x);
+        const auto number =
+            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(film_.width()) +
+            static_cast<std::uint64_t>(x);
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + number;
         for (const std::uint32_t last = pixel.samples + count; pixel.samples < last;) {
             key.sample = pixel.samples;
             const double dx = settings_.antialias ? uniform(key, Purpose::pixel_x) : 0.5;
             const double dy = settings_.antialias ? uniform(key, Purpose::pixel_y) : 0.5;
-            pixel.add(tracer.radiance(world_.camera.ray((x + dx) / film_.width() - 0.5, 0.5 - (y + dy) / film_.height()), key));
+            pixel.add(tracer.radiance(
+                world_.camera.ray((x + dx) / film_.width() - 0.5, 0.5 - (y + dy) / film_.height()),
+                key));
         }
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// World to picture. Each pixel is a pure function of world, settings and seed, so the picture has the same bytes for any
-// number of threads.
+// World to picture. Each pixel is a pure function of world, settings and seed, so the picture has
+// the same bytes for any number of threads.
 #pragma once
 
 #include "base/image.h"
@@ -10,7 +10,8 @@
 
 #include <functional>
 
-/// What the caller may want to know while a picture is made. Both may be called from several threads, and may be empty.
+/// What the caller may want to know while a picture is made. Both may be called from several
+/// threads, and may be empty.
 struct RenderHooks {
     std::function<void(double fraction)> progress;
     std::function<bool()> cancelled;  ///< true: stop soon and return what there is
@@ -23,5 +24,6 @@ struct Rendering {
 
 Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
 
-/// Camera rays a pixel that settings ask for, with the automatic choice made: one where nothing is left to chance.
+/// Camera rays a pixel that settings ask for, with the automatic choice made: one where nothing is
+/// left to chance.
 int samples_per_pixel(const World&, const RenderSettings&);

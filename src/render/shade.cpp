@@ -7,7 +7,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles. The cosine is that of the light.
+/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles. The cosine is
+/// that of the light.
 double metal_fresnel(double cosine) {
     const double x = std::acos(std::clamp(cosine, 0.0, 1.0)) / (pi / 2);
     return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
@@ -18,7 +19,8 @@ Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
     return Vec3(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Vec3(1));
 }
 
-/// Fresnel's equations for unpolarised light; n is the index behind the surface over the one in front.
+/// Fresnel's equations for unpolarised light; n is the index behind the surface over the one in
+/// front.
 double fresnel(double cosine, double n) {
     const double g2 = n * n + cosine * cosine - 1;
     if (g2 <= 0) return 1;
@@ -47,11 +49,13 @@ Shading shading_at(const World& world, const Ray& ray, const Hit& hit) {
 }
 
 bool answers_light(const Shading& s) {
-    return (s.finish->diffuse != 0 && s.colour.rgb != Vec3(0)) || s.finish->phong != 0 || s.finish->specular != 0;
+    return (s.finish->diffuse != 0 && s.colour.rgb != Vec3(0)) || s.finish->phong != 0 ||
+           s.finish->specular != 0;
 }
 
 Vec3 own_radiance(const World& world, const Shading& s) {
-    return s.colour.rgb * s.opacity * (s.finish->ambient * world.settings.ambient_light + s.finish->emission);
+    return s.colour.rgb * s.opacity *
+           (s.finish->ambient * world.settings.ambient_light + s.finish->emission);
 }
 
 Vec3 response(const Shading& s, const Vec3& to_light, bool highlights) {
@@ -63,7 +67,8 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights) {
     Vec3 result = s.colour.rgb * (f.diffuse * falloff * s.opacity);
     if (!highlights || (f.phong == 0 && f.specular == 0)) return result;
 
-    const Vec3 tint = f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
+    const Vec3 tint =
+        f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
     if (f.phong != 0) {
         const Vec3 mirrored = s.view - 2 * dot(s.view, s.normal) * s.normal;
         const double alignment = dot(mirrored, to_light);
@@ -80,7 +85,8 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
     if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
     const double cosine = std::clamp(-dot(s.view, s.normal), 0.0, 1.0);
-    const double grazing = r.fresnel ? fresnel(cosine, 1 / ior_ratio) : std::pow(1 - cosine, r.falloff);
+    const double grazing =
+        r.fresnel ? fresnel(cosine, 1 / ior_ratio) : std::pow(1 - cosine, r.falloff);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a surface answers light at one point: POV-Ray 3.7's ambient, emission, diffuse, phong and specular terms.
+// How a surface answers light at one point: POV-Ray 3.7's ambient, emission, diffuse, phong and
+// specular terms.
 #pragma once
 
 #include "world/world.h"
@@ -7,9 +8,9 @@
 /// A hit, seen from a direction, with the look of the surface there.
 struct Shading {
     Vec3 position;
-    Vec3 view;            ///< unit, direction of the ray that sees it
-    Vec3 normal;          ///< unit, as shaded, on the side that is seen
-    Vec3 true_normal;     ///< unit, of the surface as it is, on the side that is seen
+    Vec3 view;         ///< unit, direction of the ray that sees it
+    Vec3 normal;       ///< unit, as shaded, on the side that is seen
+    Vec3 true_normal;  ///< unit, of the surface as it is, on the side that is seen
     double tolerance = 0;
     const Finish* finish = nullptr;
     Colour colour;
@@ -25,10 +26,11 @@ bool answers_light(const Shading&);
 /// Radiance that the surface sends to the viewer by itself.
 Vec3 own_radiance(const World&, const Shading&);
 
-/// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance pi) comes from a
-/// unit direction; the cosine is in it. Zero where the direction is below the horizon.
+/// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance
+/// pi) comes from a unit direction; the cosine is in it. Zero where the direction is below the
+/// horizon.
 Vec3 response(const Shading&, const Vec3& to_light, bool highlights);
 
-/// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the index of refraction
-/// in front of the surface over the one behind it.
+/// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the
+/// index of refraction in front of the surface over the one behind it.
 Vec3 reflectivity(const Shading&, double ior_ratio);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Follows one camera ray through a world: surface, direct light, reflection, refraction. POV-Ray 3.7's rules for
-// levels, weights and nested interiors.
+// Follows one camera ray through a world: surface, direct light, reflection, refraction.
+// POV-Ray 3.7's rules for levels, weights and nested interiors.
 #pragma once
 
 #include "render/direct_light.h"
@@ -12,7 +12,8 @@ class Tracer {
 public:
     Tracer(const World& world, int shadow_rays);
 
-    /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and key.
+    /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and
+    /// key.
     Vec3 radiance(const Ray& ray, const Key& key);
 
     const RayCounts& rays() const { return rays_; }
@@ -24,15 +25,16 @@ private:
     struct Path {
         Ray ray;
         double tolerance = 0;
-        int level = 0;          ///< reflections and refractions so far
-        int passed = 0;         ///< surfaces passed without a change of direction, which are not levels
-        double weight = 1;      ///< greatest change of the pixel that this ray can make, relative to its radiance
+        int level = 0;   ///< reflections and refractions so far
+        int passed = 0;  ///< surfaces passed without a change of direction, which are not levels
+        double weight =
+            1;  ///< greatest change of the pixel that this ray can make, relative to its radiance
         RayKind kind = RayKind::camera;
         Key key;
         Solids solids;
     };
     struct Interface {
-        double ratio;           ///< index of refraction in front of the surface over the one behind it
+        double ratio;  ///< index of refraction in front of the surface over the one behind it
         Solids behind;
     };
 

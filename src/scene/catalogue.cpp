@@ -7,11 +7,11 @@
 
 namespace {
 
-constexpr std::array surface = {&item_info<Finish>(), &item_info<Reflection>(),
-                                &item_info<Interior>()};
-constexpr std::array settings = {&item_info<GlobalSettings>()};
+constexpr auto surface =
+    std::array{&item_info<Finish>(), &item_info<Reflection>(), &item_info<Interior>()};
+constexpr auto settings = std::array{&item_info<GlobalSettings>()};
 
-constexpr std::array groups = {
+constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",

@@ -19,7 +19,7 @@ struct ObjectFlag {
     std::string_view name;
     bool Object::*member;
 };
-constexpr std::array object_flags = {
+constexpr auto object_flags = std::array{
     ObjectFlag{"no_shadow", &Object::no_shadow},
     ObjectFlag{"no_image", &Object::no_image},
     ObjectFlag{"no_reflection", &Object::no_reflection},

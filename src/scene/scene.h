@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The description of a scene: plain values, each with the place that made it. What the evaluator returns and the world is
-// compiled from. It holds no acceleration structure and shoots no ray.
+// The description of a scene: plain values, each with the place that made it. What the evaluator
+// returns and the world is compiled from. It holds no acceleration structure and shoots no ray.
 #pragma once
 
 #include "backdrop/background.h"
@@ -18,7 +18,8 @@
 #include <vector>
 
 struct Object;
-/// Objects are shared, never changed once they are made: a lamp that stands a million times is stored once.
+/// Objects are shared, never changed once they are made: a lamp that stands a million times is
+/// stored once.
 using ObjectHandle = std::shared_ptr<const Object>;
 
 /// A light source of POV-Ray's kind.
@@ -30,15 +31,17 @@ struct PlacedLight {
 /// Several objects as one.
 struct Union {
     std::vector<ObjectHandle> children;
-    std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own space; Scene::lights has them too
+    std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own
+                                      ///< space; Scene::lights has them too
 };
 
 /// One object: a shape or a union, where it stands and how it looks.
 struct Object {
     std::variant<Shape, Union> form;
     std::shared_ptr<const Transform> transform;  ///< of the form; null: none
-    std::shared_ptr<const Texture> texture;      ///< in the space after the transform; null: the parent's, or the default
-    std::shared_ptr<const Interior> interior;    ///< null: the parent's, or the atmosphere
+    std::shared_ptr<const Texture>
+        texture;  ///< in the space after the transform; null: the parent's, or the default
+    std::shared_ptr<const Interior> interior;  ///< null: the parent's, or the atmosphere
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
@@ -55,5 +58,6 @@ struct Scene {
     Background background;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none
-    bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7, without assumed_gamma)
+    bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7,
+                                    ///< without assumed_gamma)
 };

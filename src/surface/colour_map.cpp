@@ -10,6 +10,7 @@ Colour look_up(const ColourMap& map, double value) {
     const ColourStop& below = map[next - 1];
     const double share = (value - below.value) / (above.value - below.value);
     const auto between = [share](const auto& a, const auto& b) { return a + share * (b - a); };
-    return {between(below.colour.rgb, above.colour.rgb), between(below.colour.filter, above.colour.filter),
+    return {between(below.colour.rgb, above.colour.rgb),
+            between(below.colour.filter, above.colour.filter),
             between(below.colour.transmit, above.colour.transmit)};
 }

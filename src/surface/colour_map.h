@@ -16,6 +16,6 @@ struct ColourStop {
 /// Stops in the order of the text. Never empty where it is looked up.
 using ColourMap = std::vector<ColourStop>;
 
-/// Linear between the stops around the value; the first stop below them, the last above. Where stops share a value, the
-/// first counts at the value itself and the last just above it.
+/// Linear between the stops around the value; the first stop below them, the last above. Where
+/// stops share a value, the first counts at the value itself and the last just above it.
 Colour look_up(const ColourMap&, double value);

@@ -13,5 +13,5 @@ struct Interior {
 consteval auto Interior::vocabulary() {
     using F = Field<Interior>;
     return schema<Interior>("interior", "What is inside a solid.",
-        F{"ior", &Interior::ior, item, "index of refraction", above(0)});
+                            F{"ior", &Interior::ior, item, "index of refraction", above(0)});
 }

@@ -24,5 +24,6 @@ Vec3 brightest(const Pigment& pigment) {
 bool transparent(const Pigment& pigment) {
     const auto passes = [](const Colour& c) { return c.filter != 0 || c.transmit != 0; };
     if (!pigment.pattern) return passes(pigment.colour);
-    return std::ranges::any_of(pigment.map, [&](const ColourStop& stop) { return passes(stop.colour); });
+    return std::ranges::any_of(pigment.map,
+                               [&](const ColourStop& stop) { return passes(stop.colour); });
 }

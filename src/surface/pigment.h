@@ -10,10 +10,10 @@
 
 /// Colour as a function of a point. Default: opaque black, as in POV-Ray 3.7.
 struct Pigment {
-    Colour colour;                   ///< where there is no pattern
+    Colour colour;  ///< where there is no pattern
     std::optional<Pattern> pattern;
-    ColourMap map;                   ///< never empty when there is a pattern
-    Transform transform;             ///< from the pattern's space to the object's
+    ColourMap map;        ///< never empty when there is a pattern
+    Transform transform;  ///< from the pattern's space to the object's
 };
 
 /// The map that a pattern has when the text gives none.

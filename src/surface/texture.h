@@ -17,4 +17,6 @@ inline Texture transformed(Texture texture, const Transform& transform) {
 }
 
 /// Radiance that the surface emits at most; 0 when it is no luminaire.
-inline Vec3 greatest_emission(const Texture& texture) { return glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0)); }
+inline Vec3 greatest_emission(const Texture& texture) {
+    return glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
+}

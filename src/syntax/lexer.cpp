@@ -70,7 +70,7 @@ struct DirectiveWord {
 
 constexpr std::uint32_t value_of(MessageKind kind) { return static_cast<std::uint32_t>(kind); }
 
-constexpr std::array directive_words = {
+constexpr auto directive_words = std::array{
     DirectiveWord{"declare", TokenKind::hash_declare},
     DirectiveWord{"local", TokenKind::hash_declare, 1},
     DirectiveWord{"if", TokenKind::hash_if},

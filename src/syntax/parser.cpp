@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/parser.h"
 
-#include "generated/grammar.h"
+#include "grammar.h"
 #include "syntax/parse_state.h"
 #include "text/message.h"
 
@@ -45,7 +45,7 @@ std::string Expected::list() const {
     if (value()) parts.push_back("a value");
     if (name()) parts.push_back("a name");
     if (has(Kind::S_TEXT) && !value()) parts.push_back("a string");
-    constexpr std::array signs = {
+    constexpr auto signs = std::array{
         Kind::S_CLOSE_PARENTHESIS, Kind::S_CLOSE_BRACKET, Kind::S_CLOSE_BRACE,
         Kind::S_HASH_END,          Kind::S_COLON,         Kind::S_COMMA};
     for (const auto sign : signs)
@@ -113,7 +113,8 @@ void Parser::report_syntax_error(const context& context) const {
                            " is a word of the language and cannot be the name of something else");
         Diagnostic problem = ::error(Fault::syntax, place, text);
         if (expected.has(Kind::S_GREATER) && !expected.comparison())
-            problem.with_help("a vector ends in `>`; comparisons are written in parentheses: (a < b)");
+            problem.with_help(
+                "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
         if (const std::string_view help = advice(found, expected); !help.empty())
             problem.with_help(std::string(help));
         if (const auto open = state.brackets.innermost();

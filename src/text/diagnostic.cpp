@@ -5,34 +5,62 @@
 
 std::string_view name(Fault fault) {
     switch (fault) {
-    case Fault::syntax: return "syntax";
-    case Fault::unterminated: return "unterminated";
-    case Fault::unknown_character: return "unknown_character";
-    case Fault::unknown_word: return "unknown_word";
-    case Fault::unknown_name: return "unknown_name";
-    case Fault::wrong_type: return "wrong_type";
-    case Fault::wrong_count: return "wrong_count";
-    case Fault::out_of_range: return "out_of_range";
-    case Fault::duplicate: return "duplicate";
-    case Fault::missing: return "missing";
-    case Fault::misplaced: return "misplaced";
-    case Fault::semicolon: return "semicolon";
-    case Fault::redefinition: return "redefinition";
-    case Fault::uninitialised: return "uninitialised";
-    case Fault::bad_index: return "bad_index";
-    case Fault::domain: return "domain";
-    case Fault::division_by_zero: return "division_by_zero";
-    case Fault::degenerate: return "degenerate";
-    case Fault::recursion_limit: return "recursion_limit";
-    case Fault::loop_limit: return "loop_limit";
-    case Fault::include_not_found: return "include_not_found";
-    case Fault::file_access: return "file_access";
-    case Fault::io: return "io";
-    case Fault::option: return "option";
-    case Fault::deprecated: return "deprecated";
-    case Fault::not_implemented: return "not_implemented";
-    case Fault::user_error: return "user_error";
-    case Fault::user_warning: return "user_warning";
+        case Fault::syntax:
+            return "syntax";
+        case Fault::unterminated:
+            return "unterminated";
+        case Fault::unknown_character:
+            return "unknown_character";
+        case Fault::unknown_word:
+            return "unknown_word";
+        case Fault::unknown_name:
+            return "unknown_name";
+        case Fault::wrong_type:
+            return "wrong_type";
+        case Fault::wrong_count:
+            return "wrong_count";
+        case Fault::out_of_range:
+            return "out_of_range";
+        case Fault::duplicate:
+            return "duplicate";
+        case Fault::missing:
+            return "missing";
+        case Fault::misplaced:
+            return "misplaced";
+        case Fault::semicolon:
+            return "semicolon";
+        case Fault::redefinition:
+            return "redefinition";
+        case Fault::uninitialised:
+            return "uninitialised";
+        case Fault::bad_index:
+            return "bad_index";
+        case Fault::domain:
+            return "domain";
+        case Fault::division_by_zero:
+            return "division_by_zero";
+        case Fault::degenerate:
+            return "degenerate";
+        case Fault::recursion_limit:
+            return "recursion_limit";
+        case Fault::loop_limit:
+            return "loop_limit";
+        case Fault::include_not_found:
+            return "include_not_found";
+        case Fault::file_access:
+            return "file_access";
+        case Fault::io:
+            return "io";
+        case Fault::option:
+            return "option";
+        case Fault::deprecated:
+            return "deprecated";
+        case Fault::not_implemented:
+            return "not_implemented";
+        case Fault::user_error:
+            return "user_error";
+        case Fault::user_warning:
+            return "user_warning";
     }
     return "";
 }
@@ -68,7 +96,7 @@ Diagnostic make(Severity severity, Fault fault, Span span, std::string message) 
     return made;
 }
 
-} // namespace
+}  // namespace
 
 Diagnostic error(Fault fault, Span span, std::string message) {
     return make(Severity::error, fault, span, std::move(message));

@@ -50,7 +50,7 @@ enum class Fault {
     user_warning,
 };
 
-inline constexpr std::array all_faults = {
+inline constexpr auto all_faults = std::array{
     Fault::syntax,
     Fault::unterminated,
     Fault::unknown_character,
@@ -103,11 +103,11 @@ struct Diagnostic {
     Fault fault = Fault::syntax;
     std::string message;
     Span span;
-    std::string label; ///< the text behind the carets
+    std::string label;  ///< the text behind the carets
     std::vector<Label> labels;
     std::vector<std::string> notes;
     std::string help;
-    std::vector<Frame> frames; ///< the innermost first
+    std::vector<Frame> frames;  ///< the innermost first
 
     Diagnostic& with_label(std::string text);
     Diagnostic& with_help(std::string text);

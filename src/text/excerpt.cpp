@@ -78,7 +78,8 @@ void mark_further_lines(Spot& spot, const SourceStore& sources) {
 class Printer {
 public:
     Printer(const Diagnostic& diagnostic, const SourceStore& sources, bool coloured)
-        : diagnostic_(diagnostic), sources_(sources),
+        : diagnostic_(diagnostic),
+          sources_(sources),
           palette_(palette(diagnostic.severity, coloured)) {}
 
     std::string print() {
@@ -97,9 +98,8 @@ private:
         spot.mark.primary = primary;
         spot.mark.text = std::move(text);
         mark_further_lines(spot, sources_);
-        auto block = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& known) {
-            return known.source == span.source;
-        });
+        auto block = std::find_if(blocks_.begin(), blocks_.end(),
+                                  [&](const Block& known) { return known.source == span.source; });
         if (block == blocks_.end()) {
             block = blocks_.insert(blocks_.end(), {span.source, spot.span, {}});
         }
@@ -175,9 +175,12 @@ private:
         const bool known = can_show(frame.called_at, sources_);
         const std::string place = known ? where(frame.called_at) : "an unknown place";
         switch (frame.kind) {
-        case Frame::macro: return message("in macro `", name, "`, called at ", place);
-        case Frame::loop: return message("in loop `", name, "` at ", place);
-        case Frame::include: break;
+            case Frame::macro:
+                return message("in macro `", name, "`, called at ", place);
+            case Frame::loop:
+                return message("in loop `", name, "` at ", place);
+            case Frame::include:
+                break;
         }
         return message("`", name, "` is included at ", place);
     }
@@ -241,7 +244,7 @@ private:
     std::string out_;
 };
 
-} // namespace
+}  // namespace
 
 std::string format(const Diagnostic& diagnostic, const SourceStore& sources, bool coloured) {
     return Printer(diagnostic, sources, coloured).print();

@@ -13,14 +13,14 @@ struct CodeRange {
 
 // Characters that act on their neighbours or cannot be seen: marks and overrides of direction,
 // zero-width ones, line and paragraph separators, and the upper control characters.
-constexpr std::array hidden = {
-    CodeRange{0x80, 0x9F},     CodeRange{0x61C, 0x61C},   CodeRange{0x200B, 0x200F},
-    CodeRange{0x2028, 0x202E}, CodeRange{0x2060, 0x206F}, CodeRange{0xFEFF, 0xFEFF},
+constexpr auto hidden = std::array{
+    CodeRange{0x80, 0x9F},       CodeRange{0x61C, 0x61C},   CodeRange{0x200B, 0x200F},
+    CodeRange{0x2028, 0x202E},   CodeRange{0x2060, 0x206F}, CodeRange{0xFEFF, 0xFEFF},
     CodeRange{0xE0000, 0xE007F},
 };
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";    // U+FFFD
-constexpr std::string_view picture_of_delete = "\xE2\x90\xA1"; // U+2421
+constexpr std::string_view replacement = "\xEF\xBF\xBD";        // U+FFFD
+constexpr std::string_view picture_of_delete = "\xE2\x90\xA1";  // U+2421
 
 bool is_hidden(char32_t code) {
     return std::any_of(hidden.begin(), hidden.end(), [code](const CodeRange& range) {
@@ -28,7 +28,7 @@ bool is_hidden(char32_t code) {
     });
 }
 
-} // namespace
+}  // namespace
 
 std::string harmless_character(std::string_view text, std::size_t offset, Character character) {
     if (!character.valid || is_hidden(character.code)) return std::string(replacement);

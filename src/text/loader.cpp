@@ -20,8 +20,8 @@ std::optional<std::string> read_from_disk(const std::string& path) {
     if (path.empty() || path.find('\0') != std::string::npos) return {};
     std::error_code failure;
     const auto kind = std::filesystem::status(path, failure).type();
-    const bool readable = kind == std::filesystem::file_type::regular ||
-                          kind == std::filesystem::file_type::fifo;
+    const bool readable =
+        kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::fifo;
     if (failure || !readable) return {};
     std::ifstream file(path, std::ios::binary);
     if (!file) return {};
@@ -35,9 +35,7 @@ std::optional<std::string> read_from_disk(const std::string& path) {
     return text;
 }
 
-bool is_absolute(const std::string& name) {
-    return name.starts_with('/');
-}
+bool is_absolute(const std::string& name) { return name.starts_with('/'); }
 
 /// One spelling for each folder, so that none is searched twice: "" is the current directory.
 std::string plain_directory(std::string directory) {
@@ -64,11 +62,9 @@ void add_once(std::vector<std::string>& list, std::string entry) {
     if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(std::move(entry));
 }
 
-} // namespace
+}  // namespace
 
-Reader disk_reader() {
-    return read_from_disk;
-}
+Reader disk_reader() { return read_from_disk; }
 
 std::string directory_of(const std::string& path) {
     const std::size_t slash = path.find_last_of('/');
@@ -77,7 +73,8 @@ std::string directory_of(const std::string& path) {
 }
 
 Loader::Loader(Reader reader, std::string scene_directory, std::vector<std::string> library_paths)
-    : reader_(std::move(reader)), scene_directory_(std::move(scene_directory)),
+    : reader_(std::move(reader)),
+      scene_directory_(std::move(scene_directory)),
       library_paths_(std::move(library_paths)) {}
 
 std::vector<std::string> Loader::places(const std::string& name,

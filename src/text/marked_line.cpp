@@ -20,8 +20,8 @@ struct Stroke {
 };
 
 const Mark& main_mark(const std::vector<Mark>& marks) {
-    const auto found = std::find_if(marks.begin(), marks.end(),
-                                    [](const Mark& mark) { return mark.primary; });
+    const auto found =
+        std::find_if(marks.begin(), marks.end(), [](const Mark& mark) { return mark.primary; });
     return found == marks.end() ? marks.front() : *found;
 }
 
@@ -184,7 +184,7 @@ void hang(std::vector<Stroke> hanging, const Palette& palette, std::vector<std::
     }
 }
 
-} // namespace
+}  // namespace
 
 MarkedLine marked_line(std::string_view line, const std::vector<Mark>& marks,
                        const Palette& palette) {

@@ -14,9 +14,7 @@
 #include <string>
 #include <string_view>
 
-inline void append_part(std::string& text, std::string_view part) {
-    text += part;
-}
+inline void append_part(std::string& text, std::string_view part) { text += part; }
 
 template <std::same_as<char> T>
 void append_part(std::string& text, T part) {
@@ -24,8 +22,8 @@ void append_part(std::string& text, T part) {
 }
 
 template <std::integral T>
-    requires(!std::same_as<T, bool> && !std::same_as<T, char>)
-void append_part(std::string& text, T part) {
+requires(!std::same_as<T, bool> && !std::same_as<T, char>) void append_part(std::string& text,
+                                                                            T part) {
     std::array<char, 24> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), part).ptr;
     text.append(buffer.data(), end);
@@ -39,9 +37,9 @@ void append_part(std::string& text, T part) {
     std::array<char, 48> buffer;
     const auto begin = buffer.data();
     const auto end = begin + buffer.size();
-    const auto written = plain ? std::to_chars(begin, end, size == 0 ? T(0) : part,
-                                               std::chars_format::fixed)
-                               : std::to_chars(begin, end, part, std::chars_format::scientific);
+    const auto written =
+        plain ? std::to_chars(begin, end, size == 0 ? T(0) : part, std::chars_format::fixed)
+              : std::to_chars(begin, end, part, std::chars_format::scientific);
     text.append(begin, written.ptr);
 }
 

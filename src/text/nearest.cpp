@@ -61,7 +61,7 @@ std::optional<int> near(std::string_view word, std::string_view name) {
     return found;
 }
 
-} // namespace
+}  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string_view>& names) {
     const auto found = nearest_few(word, names, 1);
@@ -69,8 +69,7 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 }
 
 std::vector<std::string> nearest_few(std::string_view word,
-                                     const std::vector<std::string_view>& names,
-                                     std::size_t most) {
+                                     const std::vector<std::string_view>& names, std::size_t most) {
     struct Guess {
         int distance;
         std::string_view name;

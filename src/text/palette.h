@@ -10,9 +10,9 @@
 #include <string_view>
 
 struct Palette {
-    std::string_view primary; ///< the severity, and the carets
-    std::string_view frame;   ///< gutter, arrows, secondary marks
-    std::string_view strong;  ///< the message
+    std::string_view primary;  ///< the severity, and the carets
+    std::string_view frame;    ///< gutter, arrows, secondary marks
+    std::string_view strong;   ///< the message
     std::string_view help;
     std::string_view off;
 

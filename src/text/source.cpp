@@ -23,7 +23,7 @@ std::vector<std::uint32_t> find_line_starts(std::string_view text) {
     return starts;
 }
 
-} // namespace
+}  // namespace
 
 SourceId SourceStore::add(std::string name, std::string text, Span included_at) {
     assert(text.size() < std::numeric_limits<std::uint32_t>::max());
@@ -37,17 +37,11 @@ const SourceStore::Source& SourceStore::source(SourceId id) const {
     return id < sources_.size() ? sources_[id] : nothing;
 }
 
-std::string_view SourceStore::text(SourceId id) const {
-    return source(id).text;
-}
+std::string_view SourceStore::text(SourceId id) const { return source(id).text; }
 
-const std::string& SourceStore::name(SourceId id) const {
-    return source(id).name;
-}
+const std::string& SourceStore::name(SourceId id) const { return source(id).name; }
 
-Span SourceStore::included_at(SourceId id) const {
-    return source(id).included_at;
-}
+Span SourceStore::included_at(SourceId id) const { return source(id).included_at; }
 
 Place SourceStore::place(SourceId id, std::uint32_t offset) const {
     const Source& in = source(id);

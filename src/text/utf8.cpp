@@ -19,7 +19,7 @@ Lead lead(unsigned char byte) {
     return {0, 0, 0};
 }
 
-} // namespace
+}  // namespace
 
 Character character_at(std::string_view text, std::size_t offset) {
     assert(offset < text.size());

@@ -9,7 +9,7 @@
 
 struct Character {
     char32_t code = 0;
-    std::size_t length = 1; ///< in bytes
+    std::size_t length = 1;  ///< in bytes
     bool valid = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter of one item: its name, where it is stored, where it stands in the text, which values it takes.
-// Items state their fields once, in vocabulary(); language, manual and tests read them from there.
+// One parameter of one item: its name, where it is stored, where it stands in the text, which
+// values it takes. Items state their fields once, in vocabulary(); language, manual and tests read
+// them from there.
 #pragma once
 
 #include "base/colour.h"
@@ -34,7 +35,9 @@ struct Range {
 
     bool contains(double x) const { return (low_excluded ? x > low : x >= low) && x <= high; }
 };
-constexpr Range at_least(double low) { return {low, std::numeric_limits<double>::infinity(), false}; }
+constexpr Range at_least(double low) {
+    return {low, std::numeric_limits<double>::infinity(), false};
+}
 constexpr Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
 constexpr Range between(double low, double high) { return {low, high, false}; }
 
@@ -42,9 +45,9 @@ using Face = std::array<int, 3>;
 
 /// What a field can hold. Vec3 members named as colours take colours; see Field::rgb.
 template <class T>
-using Member = std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Colour T::*, std::string T::*,
-                            std::optional<double> T::*, std::optional<Vec3> T::*, std::vector<Vec3> T::*,
-                            std::vector<Face> T::*>;
+using Member = std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Colour T::*,
+                            std::string T::*, std::optional<double> T::*, std::optional<Vec3> T::*,
+                            std::vector<Vec3> T::*, std::vector<Face> T::*>;
 
 /// One parameter of the item T.
 template <class T>
@@ -54,8 +57,10 @@ struct Field {
     Placement place;
     std::string_view help;
     Range range = {};
-    bool colour = false;  ///< a Vec3 that means red, green, blue: any colour is taken, filter and transmit are dropped
-    bool may_be_left_out = false;  ///< a positional field that the text may omit (the hole of a disc)
+    bool colour = false;  ///< a Vec3 that means red, green, blue: any colour is taken, filter and
+                          ///< transmit are dropped
+    bool may_be_left_out =
+        false;  ///< a positional field that the text may omit (the hole of a disc)
 };
 
 /// The same field, as a colour.

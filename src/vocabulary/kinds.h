@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The alternatives of a std::variant as a registry: keyword to vocabulary to a fresh value. The type list is the only list.
+// The alternatives of a std::variant as a registry: keyword to vocabulary to a fresh value. The
+// type list is the only list.
 #pragma once
 
 #include "vocabulary/schema.h"
@@ -58,7 +59,8 @@ struct Kinds<std::variant<T...>> {
 
     /// The active alternative for ItemInfo::set.
     static void* address(Variant& value) {
-        return std::visit([](auto& alternative) { return kinds_detail::address(alternative); }, value);
+        return std::visit([](auto& alternative) { return kinds_detail::address(alternative); },
+                          value);
     }
 
 private:

@@ -21,9 +21,21 @@ consteval auto schema(std::string_view name, std::string_view help, F... fields)
 }
 
 /// A value on its way into or out of a field. The number is also how integers and switches travel.
-using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string, std::vector<Vec3>, std::vector<Face>>;
+using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string,
+                                std::vector<Vec3>, std::vector<Face>>;
 
-enum class FieldType { number, integer, boolean, vector2, vector3, rgb, colour, text, vectors, faces };
+enum class FieldType {
+    number,
+    integer,
+    boolean,
+    vector2,
+    vector3,
+    rgb,
+    colour,
+    text,
+    vectors,
+    faces
+};
 
 /// One field, without the type of its item.
 struct FieldInfo {
@@ -40,8 +52,10 @@ struct ItemInfo {
     std::string_view name;
     std::string_view help;
     std::span<const FieldInfo> fields;
-    void (*set)(void* item, std::size_t field, const FieldValue& value);  ///< value must be of the field's type
-    FieldValue (*get)(const void* item, std::size_t field);               ///< monostate: an optional that is not set
+    void (*set)(void* item, std::size_t field,
+                const FieldValue& value);  ///< value must be of the field's type
+    FieldValue (*get)(const void* item,
+                      std::size_t field);  ///< monostate: an optional that is not set
     FieldValue (*default_value)(std::size_t field);
 };
 
@@ -58,46 +72,64 @@ using ValueOf = typename MemberValue<M>::type;
 
 template <class V>
 constexpr FieldType type_of(bool colour) {
-    if constexpr (std::is_same_v<V, double> || std::is_same_v<V, std::optional<double>>) return FieldType::number;
-    else if constexpr (std::is_same_v<V, int>) return FieldType::integer;
-    else if constexpr (std::is_same_v<V, bool>) return FieldType::boolean;
-    else if constexpr (std::is_same_v<V, Vec2>) return FieldType::vector2;
+    if constexpr (std::is_same_v<V, double> || std::is_same_v<V, std::optional<double>>)
+        return FieldType::number;
+    else if constexpr (std::is_same_v<V, int>)
+        return FieldType::integer;
+    else if constexpr (std::is_same_v<V, bool>)
+        return FieldType::boolean;
+    else if constexpr (std::is_same_v<V, Vec2>)
+        return FieldType::vector2;
     else if constexpr (std::is_same_v<V, Vec3> || std::is_same_v<V, std::optional<Vec3>>)
         return colour ? FieldType::rgb : FieldType::vector3;
-    else if constexpr (std::is_same_v<V, Colour>) return FieldType::colour;
-    else if constexpr (std::is_same_v<V, std::string>) return FieldType::text;
-    else if constexpr (std::is_same_v<V, std::vector<Vec3>>) return FieldType::vectors;
-    else return FieldType::faces;
+    else if constexpr (std::is_same_v<V, Colour>)
+        return FieldType::colour;
+    else if constexpr (std::is_same_v<V, std::string>)
+        return FieldType::text;
+    else if constexpr (std::is_same_v<V, std::vector<Vec3>>)
+        return FieldType::vectors;
+    else
+        return FieldType::faces;
 }
 
 template <class V>
-constexpr bool is_optional = std::is_same_v<V, std::optional<double>> || std::is_same_v<V, std::optional<Vec3>>;
+constexpr bool is_optional =
+    std::is_same_v<V, std::optional<double>> || std::is_same_v<V, std::optional<Vec3>>;
 
 template <class T>
 constexpr FieldInfo describe(const Field<T>& field) {
     return std::visit(
         [&](auto member) {
             using V = ValueOf<decltype(member)>;
-            return FieldInfo{field.name, field.help, field.place, type_of<V>(field.colour), field.range,
-                             field.may_be_left_out || is_optional<V>};
+            return FieldInfo{field.name,  field.help,
+                             field.place, type_of<V>(field.colour),
+                             field.range, field.may_be_left_out || is_optional<V>};
         },
         field.member);
 }
 
 template <class V>
 void store(V& to, const FieldValue& value) {
-    if constexpr (std::is_same_v<V, int>) to = static_cast<int>(std::get<double>(value));
-    else if constexpr (std::is_same_v<V, bool>) to = std::get<double>(value) > 0;
-    else if constexpr (std::is_same_v<V, std::optional<double>>) to = std::get<double>(value);
-    else if constexpr (std::is_same_v<V, std::optional<Vec3>>) to = std::get<Vec3>(value);
-    else to = std::get<V>(value);
+    if constexpr (std::is_same_v<V, int>)
+        to = static_cast<int>(std::get<double>(value));
+    else if constexpr (std::is_same_v<V, bool>)
+        to = std::get<double>(value) > 0;
+    else if constexpr (std::is_same_v<V, std::optional<double>>)
+        to = std::get<double>(value);
+    else if constexpr (std::is_same_v<V, std::optional<Vec3>>)
+        to = std::get<Vec3>(value);
+    else
+        to = std::get<V>(value);
 }
 
 template <class V>
 FieldValue load(const V& from) {
-    if constexpr (std::is_same_v<V, int> || std::is_same_v<V, bool>) return static_cast<double>(from);
-    else if constexpr (is_optional<V>) return from ? FieldValue(*from) : FieldValue();
-    else return from;
+    if constexpr (std::is_same_v<V, int> || std::is_same_v<V, bool>)
+        return static_cast<double>(from);
+    else if constexpr (is_optional<V>)
+        return from ? FieldValue(*from) : FieldValue();
+    else
+        return from;
 }
 
 template <class T>
@@ -108,7 +140,8 @@ struct Access {
         for (std::size_t i = 0; i < result.size(); ++i) result[i] = describe(typed.fields[i]);
         return result;
     }();
-    /// One pair of functions for each field: no code for types that T does not have, and no branch that could read them.
+    /// One pair of functions for each field: no code for types that T does not have, and no branch
+    /// that could read them.
     template <std::size_t I>
     static constexpr auto member = std::get<typed.fields[I].member.index()>(typed.fields[I].member);
     using Setter = void (*)(T&, const FieldValue&);
@@ -122,11 +155,13 @@ struct Access {
         return {[](const T& item) { return load(item.*member<I>); }...};
     }
     static void set(void* item, std::size_t field, const FieldValue& value) {
-        static constexpr auto setters = make_setters(std::make_index_sequence<typed.fields.size()>());
+        static constexpr auto setters =
+            make_setters(std::make_index_sequence<typed.fields.size()>());
         setters[field](*static_cast<T*>(item), value);
     }
     static FieldValue get(const void* item, std::size_t field) {
-        static constexpr auto getters = make_getters(std::make_index_sequence<typed.fields.size()>());
+        static constexpr auto getters =
+            make_getters(std::make_index_sequence<typed.fields.size()>());
         return getters[field](*static_cast<const T*>(item));
     }
     static FieldValue default_value(std::size_t field) {

@@ -11,7 +11,7 @@ struct Group {
     std::string_view spellings;
 };
 
-constexpr std::array groups = {
+constexpr auto groups = std::array{
     Group{WordClass::word,
           "aa_level aa_threshold absorption accuracy adaptive adc_bailout agate agate_turb albedo "
           "all "

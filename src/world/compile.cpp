@@ -33,15 +33,18 @@ Box primitive_in_cell(const World& world, PrimitiveIndex primitive, const Box& c
     return clip(primitive_bounds(world, primitive), cell);
 }
 
-/// The planes of a scene in world space: where points to be lit may be, besides the bounded primitives.
+/// The planes of a scene in world space: where points to be lit may be, besides the bounded
+/// primitives.
 std::vector<Plane> world_planes(const World& world) {
     std::vector<Plane> planes;
     for (const PrimitiveIndex primitive : world.unbounded) {
-        const PlacedShape& placed = world.shapes[primitive - world.spheres.size() - world.triangles.size()];
+        const PlacedShape& placed =
+            world.shapes[primitive - world.spheres.size() - world.triangles.size()];
         const Plane* plane = std::get_if<Plane>(&placed.shape);
         if (!plane) continue;
         const Vec3 normal = unit(plane->normal), point = plane->distance * normal;
-        if (!placed.transform) planes.push_back({normal, plane->distance});
+        if (!placed.transform)
+            planes.push_back({normal, plane->distance});
         else {
             const Vec3 turned = unit(placed.transform->normal(normal));
             planes.push_back({turned, dot(turned, placed.transform->point(point))});
@@ -63,12 +66,17 @@ World compile(const Scene& scene, const CompileOptions& options, Diagnostics& di
     flatten(scene, world, diagnostics);
 
     std::vector<Box> boxes(world.material_of.size());
-    for (PrimitiveIndex primitive = 0; primitive < boxes.size(); ++primitive) boxes[primitive] = primitive_bounds(world, primitive);
+    for (PrimitiveIndex primitive = 0; primitive < boxes.size(); ++primitive)
+        boxes[primitive] = primitive_bounds(world, primitive);
     for (const PrimitiveIndex plane : world.unbounded) boxes[plane] = Box();
     world.tree = build_kdtree(
-        boxes, [&](std::uint32_t primitive, const Box& cell) { return primitive_in_cell(world, primitive, cell); }, {},
-        options.threads);
+        boxes,
+        [&](std::uint32_t primitive, const Box& cell) {
+            return primitive_in_cell(world, primitive, cell);
+        },
+        {}, options.threads);
     const std::vector<Plane> planes = world_planes(world);
-    world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes, planes}, options.threads);
+    world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes, planes},
+                          options.threads);
     return world;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scene to World: objects are taken apart into primitives with everything they inherit, luminaires are collected, and
-// the index structures are built.
+// Scene to World: objects are taken apart into primitives with everything they inherit, luminaires
+// are collected, and the index structures are built.
 #pragma once
 
 #include "text/diagnostic.h"
@@ -13,5 +13,6 @@ struct CompileOptions {
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
 };
 
-/// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is complete all the same.
+/// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is
+/// complete all the same.
 World compile(const Scene&, const CompileOptions&, Diagnostics&);

@@ -26,7 +26,8 @@ class Flattener {
 public:
     Flattener(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
 
-    /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart until all are known.
+    /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
+    /// until all are known.
     void add(const Object& object, const Inherited& outer) {
         const Inherited here = inherit(object, outer);
         if (const Union* group = std::get_if<Union>(&object.form)) {
@@ -42,7 +43,8 @@ public:
         all = std::move(sphere_materials_);
         all.insert(all.end(), triangle_materials_.begin(), triangle_materials_.end());
         all.insert(all.end(), shape_materials_.begin(), shape_materials_.end());
-        if (!world_.normals.empty()) world_.normals_of.resize(world_.triangles.size(), no_primitive);
+        if (!world_.normals.empty())
+            world_.normals_of.resize(world_.triangles.size(), no_primitive);
         const auto triangles = static_cast<PrimitiveIndex>(world_.spheres.size());
         const auto shapes = static_cast<PrimitiveIndex>(triangles + world_.triangles.size());
         for (PrimitiveIndex& plane : world_.unbounded) plane += shapes;
@@ -70,9 +72,11 @@ private:
         return here;
     }
 
-    /// A texture moves with the unions around its object. Plain colours look the same everywhere and are not copied.
-    std::shared_ptr<const Texture> world_texture(const std::shared_ptr<const Texture>& texture,
-                                                 const std::shared_ptr<const Transform>& transform) {
+    /// A texture moves with the unions around its object. Plain colours look the same everywhere
+    /// and are not copied.
+    std::shared_ptr<const Texture> world_texture(
+        const std::shared_ptr<const Texture>& texture,
+        const std::shared_ptr<const Transform>& transform) {
         if (!transform || !texture->pigment.pattern) return texture;
         auto& known = textures_[TextureKey(texture.get(), transform.get())];
         if (!known) {
@@ -83,14 +87,14 @@ private:
     }
 
     std::uint32_t material_index(const Inherited& look) {
-        const MaterialKey key(look.texture.get(), look.interior.get(), look.no_shadow, look.no_image, look.no_reflection,
-                              look.double_illuminate);
+        const MaterialKey key(look.texture.get(), look.interior.get(), look.no_shadow,
+                              look.no_image, look.no_reflection, look.double_illuminate);
         const auto next = static_cast<std::uint32_t>(world_.materials.size());
         const auto [found, added] = material_indices_.try_emplace(key, next);
         if (added) {
             const bool clear = transparent(look.texture->pigment);
-            world_.materials.push_back({look.texture, look.interior, clear, look.no_shadow, look.no_image,
-                                        look.no_reflection, look.double_illuminate});
+            world_.materials.push_back({look.texture, look.interior, clear, look.no_shadow,
+                                        look.no_image, look.no_reflection, look.double_illuminate});
             world_.any_transparent |= clear;
             world_.any_left_out |= look.no_image || look.no_reflection;
         }
@@ -101,18 +105,22 @@ private:
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
             const double scale = here.transform ? here.transform->uniform_scale() : 1;
             if (scale == 0) return add_shape(shape, here.transform, material, span);
-            const Vec3 centre = here.transform ? here.transform->point(sphere->centre) : sphere->centre;
+            const Vec3 centre =
+                here.transform ? here.transform->point(sphere->centre) : sphere->centre;
             add_sphere({centre, sphere->radius * scale}, material, span);
         } else if (const auto* flat = std::get_if<Shared<Triangle>>(&shape)) {
-            add_triangle({(*flat)->corner1, (*flat)->corner2, (*flat)->corner3}, here.transform.get(), material, span);
+            add_triangle({(*flat)->corner1, (*flat)->corner2, (*flat)->corner3},
+                         here.transform.get(), material, span);
         } else if (const auto* smooth = std::get_if<Shared<SmoothTriangle>>(&shape)) {
             const SmoothTriangle& s = **smooth;
             add_triangle({s.corner1, s.corner2, s.corner3}, here.transform.get(), material, span);
             add_normals({s.normal1, s.normal2, s.normal3}, here.transform.get());
         } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
-            // Faces of one mesh share a material that nothing else has: it tells them apart from other solids.
+            // Faces of one mesh share a material that nothing else has: it tells them apart from
+            // other solids.
             world_.materials.push_back(world_.materials[material]);
-            add_mesh(**mesh, here.transform.get(), static_cast<std::uint32_t>(world_.materials.size() - 1), span);
+            add_mesh(**mesh, here.transform.get(),
+                     static_cast<std::uint32_t>(world_.materials.size() - 1), span);
         } else {
             add_shape(shape, here.transform, material, span);
         }
@@ -132,8 +140,11 @@ private:
         sphere_materials_.push_back(material);
     }
 
-    void add_triangle(TrianglePrimitive t, const Transform* transform, std::uint32_t material, Span span) {
-        if (transform) t = {transform->point(t.corner1), transform->point(t.corner2), transform->point(t.corner3)};
+    void add_triangle(TrianglePrimitive t, const Transform* transform, std::uint32_t material,
+                      Span span) {
+        if (transform)
+            t = {transform->point(t.corner1), transform->point(t.corner2),
+                 transform->point(t.corner3)};
         note_luminaire(Unplaced::triangle, world_.triangles.size(), material, span);
         world_.triangles.push_back(t);
         triangle_materials_.push_back(material);
@@ -141,21 +152,26 @@ private:
 
     /// Of the triangle that was added last.
     void add_normals(CornerNormals n, const Transform* transform) {
-        if (transform) n = {transform->normal(n.normal1), transform->normal(n.normal2), transform->normal(n.normal3)};
+        if (transform)
+            n = {transform->normal(n.normal1), transform->normal(n.normal2),
+                 transform->normal(n.normal3)};
         world_.normals_of.resize(world_.triangles.size(), no_primitive);
         world_.normals_of.back() = static_cast<std::uint32_t>(world_.normals.size());
         world_.normals.push_back({unit(n.normal1), unit(n.normal2), unit(n.normal3)});
     }
 
-    void add_shape(const Shape& shape, const std::shared_ptr<const Transform>& transform, std::uint32_t material, Span span) {
+    void add_shape(const Shape& shape, const std::shared_ptr<const Transform>& transform,
+                   std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
         if (finite(bounds(shape))) {
             note_luminaire(Unplaced::shape, index, material, span);
         } else {
             world_.unbounded.push_back(index);
             if (greatest_emission(*world_.materials[material].texture) != Vec3(0))
-                diagnostics_.add(warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
-                                     .with_help("make it a large `box` or `disc`, which can be sampled"));
+                diagnostics_.add(
+                    warning(Fault::degenerate, span,
+                            "an unbounded luminaire glows, but lights nothing")
+                        .with_help("make it a large `box` or `disc`, which can be sampled"));
         }
         world_.shapes.push_back({shape, transform});
         shape_materials_.push_back(material);
@@ -178,16 +194,21 @@ private:
                 luminaire.emitter = TriangleEmitter{t.corner1, t.corner2, t.corner3};
                 luminaire.primitive = first_triangle + glow.index;
             } else {
-                luminaire.emitter = AreaEmitter{world_.shapes[glow.index].shape, world_.shapes[glow.index].transform};
+                luminaire.emitter = AreaEmitter{world_.shapes[glow.index].shape,
+                                                world_.shapes[glow.index].transform};
                 luminaire.primitive = first_shape + glow.index;
             }
             const Texture& texture = *world_.material(luminaire.primitive).texture;
             luminaire.radiance = greatest_emission(texture);
             luminaire.varying = texture.pigment.pattern.has_value();
-            if (emitting_area(luminaire.emitter) > 0) world_.luminaires.push_back(std::move(luminaire));
+            if (emitting_area(luminaire.emitter) > 0)
+                world_.luminaires.push_back(std::move(luminaire));
             else
-                diagnostics_.add(warning(Fault::degenerate, glow.span, "this luminaire has no area, so it gives no light")
-                                     .with_help("give it three corners that do not lie on one line, or leave it out"));
+                diagnostics_.add(
+                    warning(Fault::degenerate, glow.span,
+                            "this luminaire has no area, so it gives no light")
+                        .with_help(
+                            "give it three corners that do not lie on one line, or leave it out"));
         }
     }
 
@@ -197,7 +218,8 @@ private:
     std::vector<Unplaced> glowing_;
     std::map<MaterialKey, std::uint32_t> material_indices_;
     std::map<TextureKey, std::shared_ptr<const Texture>> textures_;
-    std::vector<std::shared_ptr<const Transform>> kept_transforms_;  ///< so that no address in textures_ is used twice
+    std::vector<std::shared_ptr<const Transform>>
+        kept_transforms_;  ///< so that no address in textures_ is used twice
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes a scene's objects apart into the primitives of a world, with everything they inherit from their unions.
+// Takes a scene's objects apart into the primitives of a world, with everything they inherit from
+// their unions.
 #pragma once
 
 #include "text/diagnostic.h"

@@ -7,8 +7,8 @@
 
 namespace {
 
-// Rounding errors of a hit grow with the coordinates and distances that it is computed from; this share of them is some
-// thousand times the error and far below anything that is seen.
+// Rounding errors of a hit grow with the coordinates and distances that it is computed from; this
+// share of them is some thousand times the error and far below anything that is seen.
 constexpr double relative_tolerance = 1e-11;
 
 double tolerance_at(const Ray& ray, double t) {
@@ -17,25 +17,29 @@ double tolerance_at(const Ray& ray, double t) {
 
 }  // namespace
 
-void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval& range, Candidate& best) const {
+void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
+                       Candidate& best) const {
     const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
     Crossings found;
     crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, found);
     for (std::size_t i = 0; i < found.size(); ++i) {
         const double t = found[i].t;
         if (t <= range.min || t >= best.t) continue;
-        best = {t, primitive, placed.transform ? placed.transform->normal(found[i].normal) : found[i].normal};
+        best = {t, primitive,
+                placed.transform ? placed.transform->normal(found[i].normal) : found[i].normal};
     }
 }
 
-void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range, Candidate& best) const {
+void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
+                 Candidate& best) const {
     if (primitive < spheres.size()) {
         const SpherePrimitive& s = spheres[primitive];
         const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
         if (t < best.t) best = {t, primitive};
     } else if (primitive < spheres.size() + triangles.size()) {
         const TrianglePrimitive& face = triangles[primitive - spheres.size()];
-        const TriangleHit hit = first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
+        const TriangleHit hit =
+            first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), hit.weight2, hit.weight3};
     } else {
         meet_shape(primitive, ray, range, best);
@@ -53,15 +57,16 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
     hit.position = ray.at(found.t);
     hit.tolerance = tolerance_at(ray, found.t);
     if (found.primitive < spheres.size()) {
-        hit.normal = (hit.position - spheres[found.primitive].centre) / spheres[found.primitive].radius;
+        hit.normal =
+            (hit.position - spheres[found.primitive].centre) / spheres[found.primitive].radius;
     } else if (found.primitive < spheres.size() + triangles.size()) {
         const std::size_t face = found.primitive - spheres.size();
         const TrianglePrimitive& f = triangles[face];
         hit.normal = unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
         if (!normals_of.empty() && normals_of[face] != no_primitive) {
             const CornerNormals& n = normals[normals_of[face]];
-            hit.smooth_normal = unit((1 - found.weight2 - found.weight3) * n.normal1 + found.weight2 * n.normal2 +
-                                     found.weight3 * n.normal3);
+            hit.smooth_normal = unit((1 - found.weight2 - found.weight3) * n.normal1 +
+                                     found.weight2 * n.normal2 + found.weight3 * n.normal3);
             return hit;
         }
     } else {
@@ -78,23 +83,26 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         if (!any_left_out || !left_out(primitive, kind)) meet(primitive, ray, range, best);
     };
     for (const PrimitiveIndex plane : unbounded) ask(plane);
-    tree.traverse(ray, {tolerance, best.t}, [&](std::span<const std::uint32_t> items, Interval& left) {
-        for (const std::uint32_t primitive : items) ask(primitive);
-        left.max = best.t;
-        return false;
-    });
+    tree.traverse(ray, {tolerance, best.t},
+                  [&](std::span<const std::uint32_t> items, Interval& left) {
+                      for (const std::uint32_t primitive : items) ask(primitive);
+                      left.max = best.t;
+                      return false;
+                  });
     if (best.primitive == no_primitive) return false;
     hit = complete(ray, best);
     return true;
 }
 
-void World::collect(PrimitiveIndex primitive, const Ray& ray, const Interval& range, std::vector<double>& found) const {
+void World::collect(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
+                    std::vector<double>& found) const {
     if (primitive < spheres.size()) {
         const SpherePrimitive& s = spheres[primitive];
         const double near = first_crossing(s.centre, s.radius, ray, range);
         if (near >= range.max) return;
         found.push_back(near);
-        const double far = first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
+        const double far =
+            first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
         if (far < range.max) found.push_back(far);
     } else if (primitive < spheres.size() + triangles.size()) {
         Candidate best{range.max};
@@ -121,18 +129,20 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     std::vector<PrimitiveIndex> clear;
     const auto blocks = [&](PrimitiveIndex primitive) {
-        if (!any_transparent || !material(primitive).transparent) return opaque_between(primitive, ray, range);
+        if (!any_transparent || !material(primitive).transparent)
+            return opaque_between(primitive, ray, range);
         clear.push_back(primitive);
         return false;
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
-    const bool blocked = tree.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
-        return std::ranges::any_of(items, blocks);
-    });
+    const bool blocked =
+        tree.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
+            return std::ranges::any_of(items, blocks);
+        });
     if (blocked) return Vec3(0);
 
-    // A transparent primitive may stand in several leaves, and counts once; sorted, so that the product never depends
-    // on the tree.
+    // A transparent primitive may stand in several leaves, and counts once; sorted, so that the
+    // product never depends on the tree.
     std::ranges::sort(clear);
     const auto repeated = std::ranges::unique(clear);
     clear.erase(repeated.begin(), repeated.end());
@@ -142,7 +152,8 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         if (material(primitive).no_shadow) continue;
         found.clear();
         collect(primitive, ray, range, found);
-        for (const double t : found) passed *= evaluate(material(primitive).texture->pigment, ray.at(t)).passing();
+        for (const double t : found)
+            passed *= evaluate(material(primitive).texture->pigment, ray.at(t)).passing();
     }
     return passed;
 }
@@ -158,7 +169,8 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
 std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
     std::vector<PrimitiveIndex> result;
     for (PrimitiveIndex primitive = 0; primitive < material_of.size(); ++primitive)
-        if (material(primitive).transparent && contains_point(primitive, point)) result.push_back(primitive);
+        if (material(primitive).transparent && contains_point(primitive, point))
+            result.push_back(primitive);
     return result;
 }
 
@@ -170,13 +182,15 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
 
 double World::opacity(const Colour& colour) const {
     // Before version 3.7, filter counted by the brightest channel of the colour.
-    if (language_version < 3.7) return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
+    if (language_version < 3.7)
+        return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
     return colour.opacity();
 }
 
 std::size_t World::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return bytes(spheres) + bytes(triangles) + bytes(shapes) + bytes(normals) + bytes(normals_of) + bytes(unbounded) +
-           bytes(material_of) + bytes(materials) + bytes(luminaires) + tree.memory_bytes() +
+    return bytes(spheres) + bytes(triangles) + bytes(shapes) + bytes(normals) + bytes(normals_of) +
+           bytes(unbounded) + bytes(material_of) + bytes(materials) + bytes(luminaires) +
+           tree.memory_bytes() +
            std::visit([](const auto& built) { return built.memory_bytes(); }, sampler);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compiled scene: what rays can meet. Immutable once compile() has made it, so any number of threads may ask it.
+// A compiled scene: what rays can meet. Immutable once compile() has made it, so any number of
+// threads may ask it.
 #pragma once
 
 #include "camera/camera.h"
@@ -51,7 +52,8 @@ struct Hit {
     Vec3 position = Vec3(0);
     Vec3 normal = Vec3(0);         ///< unit, outward: of the surface as it is
     Vec3 smooth_normal = Vec3(0);  ///< unit, outward: of the surface as it is shaded
-    double tolerance = 0;          ///< rays that start here begin this far away, to miss the surface they come from
+    double tolerance =
+        0;  ///< rays that start here begin this far away, to miss the surface they come from
 };
 
 /// Who asks: some objects are left out for some rays.
@@ -66,24 +68,29 @@ public:
     /// The nearest surface further than `tolerance` along the ray, whose direction has length 1.
     bool first_hit(const Ray&, double tolerance, RayKind, Hit&) const;
 
-    /// The share of light that gets from a hit to a point at that distance along the ray, per channel: 0 when something
-    /// opaque is between. What lies within the tolerance of either end does not count.
+    /// The share of light that gets from a hit to a point at that distance along the ray, per
+    /// channel: 0 when something opaque is between. What lies within the tolerance of either end
+    /// does not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance) const;
 
     /// The transparent primitives that the point lies inside of.
     std::vector<PrimitiveIndex> containing(const Vec3&) const;
 
-    const Material& material(PrimitiveIndex primitive) const { return materials[material_of[primitive]]; }
+    const Material& material(PrimitiveIndex primitive) const {
+        return materials[material_of[primitive]];
+    }
 
     /// Radiance that the primitive emits at a point of its surface.
     Vec3 emission(PrimitiveIndex, const Vec3& point) const;
 
-    /// The share of a surface of this colour that is not transparent, by the scene's language version.
+    /// The share of a surface of this colour that is not transparent, by the scene's language
+    /// version.
     double opacity(const Colour&) const;
 
     /// What rays into a solid are told apart by: all faces of a mesh are one solid.
     std::uint32_t solid(PrimitiveIndex primitive) const {
-        const bool face = primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
+        const bool face =
+            primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
         return face ? ~material_of[primitive] : primitive;
     }
 
@@ -94,10 +101,11 @@ public:
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;
     std::vector<PlacedShape> shapes;
-    std::vector<CornerNormals> normals;         ///< of the smooth triangles
-    std::vector<std::uint32_t> normals_of;      ///< per triangle: index in normals, or no_primitive; empty when none is smooth
-    std::vector<PrimitiveIndex> unbounded;      ///< planes: asked apart from the tree
-    std::vector<std::uint32_t> material_of;     ///< per primitive
+    std::vector<CornerNormals> normals;  ///< of the smooth triangles
+    std::vector<std::uint32_t>
+        normals_of;  ///< per triangle: index in normals, or no_primitive; empty when none is smooth
+    std::vector<PrimitiveIndex> unbounded;   ///< planes: asked apart from the tree
+    std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
     KdTree tree;
 
@@ -109,15 +117,15 @@ public:
     Background background;
     GlobalSettings settings;
     double language_version = 3.7;
-    std::size_t objects = 0;                    ///< as the scene counts them
-    bool any_transparent = false;               ///< rays must know what they are inside of
-    bool any_left_out = false;                  ///< some objects are not there for some rays
+    std::size_t objects = 0;       ///< as the scene counts them
+    bool any_transparent = false;  ///< rays must know what they are inside of
+    bool any_left_out = false;     ///< some objects are not there for some rays
 
 private:
     struct Candidate {
         double t;
         PrimitiveIndex primitive = no_primitive;
-        Vec3 normal = Vec3(0);   ///< of shapes only
+        Vec3 normal = Vec3(0);            ///< of shapes only
         double weight2 = 0, weight3 = 0;  ///< of triangles only
     };
     void meet(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;

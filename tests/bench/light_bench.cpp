@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the light sampling strategies compare on the paper's pair of sphereflakes (Figure 6): noise against a converged
-// picture, rays and CPU time, and the time with 7381 luminaires over the time with one. Run by hand:
-//   light_bench [CONVERGED.exr]     320x320, rays through the pixel centres; without it, one is rendered first
+// How the light sampling strategies compare on the paper's pair of sphereflakes (Figure 6): noise
+// against a converged picture, rays and CPU time, and the time with 7381 luminaires over the time
+// with one. Run by hand:
+//   light_bench [CONVERGED.exr]     320x320, rays through the pixel centres; without it, one is
+//   rendered first
 #include "base/parallel.h"
 #include "evaluate/evaluate.h"
 #include "picture/read.h"
@@ -17,7 +19,8 @@
 
 namespace {
 
-constexpr double straight_at_a_luminaire = 4.9;  // such pixels have no noise and would hide the others'
+constexpr double straight_at_a_luminaire =
+    4.9;  // such pixels have no noise and would hide the others'
 
 struct Noise {
     double mean_ratio, rmse, relative_mse;
@@ -35,7 +38,8 @@ Noise compare(const Image& image, const Image& converged) {
         converged_squares += c * c;
         ++count;
     }
-    return {mean / converged_mean, std::sqrt(squares / static_cast<double>(count)), squares / converged_squares};
+    return {mean / converged_mean, std::sqrt(squares / static_cast<double>(count)),
+            squares / converged_squares};
 }
 
 RenderSettings settings_for(int samples) {
@@ -59,7 +63,8 @@ Run timed(const World& world, int samples) {
 }
 
 World flakes(const LightSampler& sampler, bool one_luminaire) {
-    return world_of_file("examples/paper/fig6.pov", one_luminaire ? Declares{{"Luminaires", 1.0}} : Declares{}, sampler);
+    return world_of_file("examples/paper/fig6.pov",
+                         one_luminaire ? Declares{{"Luminaires", 1.0}} : Declares{}, sampler);
 }
 
 }  // namespace
@@ -68,8 +73,10 @@ int main(int argc, char** argv) {
     Diagnostics diagnostics;
     Image converged;
     if (argc > 1) {
-        if (auto picture = read_picture(argv[1], diagnostics)) converged = std::move(*picture);
-        else return std::fprintf(stderr, "light_bench: cannot read %s\n", argv[1]), 3;
+        if (auto picture = read_picture(argv[1], diagnostics))
+            converged = std::move(*picture);
+        else
+            return std::fprintf(stderr, "light_bench: cannot read %s\n", argv[1]), 3;
     } else {
         std::printf("rendering a converged picture first\n");
         RenderSettings settings = settings_for(2048);
@@ -78,28 +85,35 @@ int main(int argc, char** argv) {
         converged = render(flakes(LightOctree{}, false), settings).image;
     }
 
-    struct Row { LightSampler sampler; int samples; };
-    const std::vector<Row> rows = {{ConstantAlpha{}, 10}, {LinearAlpha{}, 1}, {LinearAlpha{}, 10}, {LightBvh{}, 1},
-                                   {LightBvh{}, 10}, {LightBvh{}, 40}, {LightOctree{}, 1}, {LightOctree{}, 10}, {LightOctree{}, 40}};
+    struct Row {
+        LightSampler sampler;
+        int samples;
+    };
+    const std::vector<Row> rows = {{ConstantAlpha{}, 10}, {LinearAlpha{}, 1},  {LinearAlpha{}, 10},
+                                   {LightBvh{}, 1},       {LightBvh{}, 10},    {LightBvh{}, 40},
+                                   {LightOctree{}, 1},    {LightOctree{}, 10}, {LightOctree{}, 40}};
     const Run opponent = timed(flakes(LightBvh{}, false), 10);
     const Noise opponent_noise = compare(opponent.rendering.image, converged);
-    std::printf("%-15s %7s %12s %8s %8s %8s %9s %9s   %s\n", "strategy", "samples", "shadow rays", "CPU s", "mean", "RMSE",
-                "rel. MSE", "MSE x s", "MSE x s over light_bvh's");
+    std::printf("%-15s %7s %12s %8s %8s %8s %9s %9s   %s\n", "strategy", "samples", "shadow rays",
+                "CPU s", "mean", "RMSE", "rel. MSE", "MSE x s", "MSE x s over light_bvh's");
     for (const Row& row : rows) {
         const Run run = timed(flakes(row.sampler, false), row.samples);
         const Noise noise = compare(run.rendering.image, converged);
         const double cost = noise.rmse * noise.rmse * run.cpu_seconds;
-        const double opponent_cost = opponent_noise.rmse * opponent_noise.rmse * opponent.cpu_seconds;
+        const double opponent_cost =
+            opponent_noise.rmse * opponent_noise.rmse * opponent.cpu_seconds;
         const std::string name(Kinds<LightSampler>::infos[row.sampler.index()]->name);
-        std::printf("%-15s %7d %12llu %8.2f %8.4f %8.4f %9.4f %9.4f   %.2f\n", name.c_str(), row.samples,
-                    static_cast<unsigned long long>(run.rendering.rays.shadow), run.cpu_seconds, noise.mean_ratio,
-                    noise.rmse, noise.relative_mse, cost, cost / opponent_cost);
+        std::printf("%-15s %7d %12llu %8.2f %8.4f %8.4f %9.4f %9.4f   %.2f\n", name.c_str(),
+                    row.samples, static_cast<unsigned long long>(run.rendering.rays.shadow),
+                    run.cpu_seconds, noise.mean_ratio, noise.rmse, noise.relative_mse, cost,
+                    cost / opponent_cost);
         std::fflush(stdout);
     }
     for (const LightSampler& sampler : {LightSampler(LightBvh{}), LightSampler(LightOctree{})}) {
         const double many = timed(flakes(sampler, false), 10).cpu_seconds;
         const double one = timed(flakes(sampler, true), 10).cpu_seconds;
         std::printf("%s, 10 samples: %.2f s with 7381 luminaires, %.2f s with one: %.2f times\n",
-                    std::string(Kinds<LightSampler>::infos[sampler.index()]->name).c_str(), many, one, many / one);
+                    std::string(Kinds<LightSampler>::infos[sampler.index()]->name).c_str(), many,
+                    one, many / one);
     }
 }

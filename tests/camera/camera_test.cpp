@@ -72,6 +72,7 @@ TEST_CASE("an impossible camera is described", "[camera]") {
     flat.right = Vec3(0, 0, 1);
     wide.angle = 180;
     zero.up = Vec3(0);
-    for (const Perspective& camera : {at_itself, flat, wide, zero}) CHECK_FALSE(problem(camera).empty());
+    for (const Perspective& camera : {at_itself, flat, wide, zero})
+        CHECK_FALSE(problem(camera).empty());
     CHECK(problem(Perspective{}).empty());
 }

@@ -159,3 +159,32 @@ TEST_CASE("nothing to light, or nothing that lights, makes no cells", "[lighting
     setup.surfaces = {Box()};
     CHECK(setup.build({}).cells.size() == 1);
 }
+
+TEST_CASE("cells get small where the luminaires are, however wide the scene", "[lighting]") {
+    // All of the luminaires stay together in one part for many cuts.
+    Draw draw(7);
+    Setup setup;
+    for (int i = 0; i < 400; ++i)
+        setup.luminaires.push_back(glowing(SphereEmitter{Vec3(300) + draw.point(2), 0.02}));
+    setup.surfaces = {Box{Vec3(-1000), Vec3(1000)}};
+    LightOctree settings;
+    settings.threshold = 0.001;
+    settings.max_depth = 14;
+    CHECK(depth(setup.build(settings)) > 10);
+}
+
+TEST_CASE("cutting ends where it does not make lists shorter", "[lighting]") {
+    // Equally bright from everywhere in the room, but not so bright that the whole room is known to
+    // be lit.
+    Draw draw(8);
+    Setup setup;
+    for (int i = 0; i < 400; ++i)
+        setup.luminaires.push_back(
+            glowing(SphereEmitter{0.5 * draw.point() + Vec3(0, 60, 0), 1}, 1000));
+    setup.surfaces = {Box{Vec3(-40), Vec3(40)}};
+    setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0, -30, 0), 0.01}));
+    LightOctree settings;
+    settings.threshold = 0.02;
+    settings.max_bright = 8;
+    CHECK(depth(setup.build(settings)) <= 4);
+}

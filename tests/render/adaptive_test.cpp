@@ -11,7 +11,8 @@ void fill(PixelSum& pixel, double a, double b) {
 
 }  // namespace
 
-TEST_CASE("a pixel gets more samples when its neighbours differ, whatever its own are", "[render]") {
+TEST_CASE("a pixel gets more samples when its neighbours differ, whatever its own are",
+          "[render]") {
     Film film(5, 5);
     for (int y = 0; y < 5; ++y)
         for (int x = 0; x < 5; ++x) fill(film.at(x, y), 0.2, 0.2);

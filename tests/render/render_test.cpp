@@ -66,7 +66,8 @@ TEST_CASE("samples are as many as asked for", "[render]") {
 }
 
 TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
-    // A pixel of low chance: small bright things that few rays find tempt a scheme that looks at its own samples.
+    // A pixel of low chance: small bright things that few rays find tempt a scheme that looks at
+    // its own samples.
     const World world = world_of(R"(
         camera { orthographic location <0, 0, -9> right 10*x up 10*y }
         #declare R = seed(1);

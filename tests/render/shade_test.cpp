@@ -24,7 +24,8 @@ TEST_CASE("diffuse light goes with a power of the cosine", "[render]") {
     b.finish.diffuse = 0.7;
     b.finish.brilliance = 3;
     const Vec3 direction = unit(Vec3(3, 4, 0));
-    CHECK(length(response(b.shading, direction, true) - Vec3(0.8, 0.5, 0.2) * (0.7 * 0.512)) < 1e-12);
+    CHECK(length(response(b.shading, direction, true) - Vec3(0.8, 0.5, 0.2) * (0.7 * 0.512)) <
+          1e-12);
 }
 
 TEST_CASE("light from below the horizon counts only for both_sides", "[render]") {

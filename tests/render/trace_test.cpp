@@ -8,7 +8,8 @@
 
 namespace {
 
-Vec3 seen(const std::string& script, const Vec3& from = Vec3(0), const Vec3& direction = Vec3(0, 0, 1)) {
+Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
+          const Vec3& direction = Vec3(0, 0, 1)) {
     const World world = world_of(script);
     return Tracer(world, 1).radiance({from, unit(direction)}, Key());
 }
@@ -25,7 +26,8 @@ TEST_CASE("facing mirrors show as many surfaces as the level allows", "[render]"
         box { <-9, -9, 5>, <9, 9, 6> texture { Mirror } }
         box { <-9, -9, -6>, <9, 9, -5> texture { Mirror } }
         global_settings { max_trace_level )";
-    for (const int level : {1, 3, 7}) CHECK(seen(mirrors + std::to_string(level) + " }").x == Approx(level));
+    for (const int level : {1, 3, 7})
+        CHECK(seen(mirrors + std::to_string(level) + " }").x == Approx(level));
 }
 
 TEST_CASE("clear surfaces without refraction use up no level", "[render]") {
@@ -47,6 +49,8 @@ TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
 }
 
 TEST_CASE("filtered light takes the pigment's colour", "[render]") {
-    CHECK(length(seen("box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <1, 0.5, 0, 1> } finish { ambient 0 diffuse 0 } }"
-                      "background { rgb 1 } global_settings { adc_bailout 0 }") - Vec3(1, 0.25, 0)) < 1e-12);
+    CHECK(length(seen("box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <1, 0.5, 0, 1> } finish { "
+                      "ambient 0 diffuse 0 } }"
+                      "background { rgb 1 } global_settings { adc_bailout 0 }") -
+                 Vec3(1, 0.25, 0)) < 1e-12);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each light sampling strategy gives the picture that a shadow ray to every luminaire gives: pixel by pixel and on the
-// whole, in small scenes that are hard on it.
+// Each light sampling strategy gives the picture that a shadow ray to every luminaire gives: pixel
+// by pixel and on the whole, in small scenes that are hard on it.
 #include "render/render.h"
 
 #include "support/scripts.h"
@@ -83,12 +83,14 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire", "[statis
         REQUIRE(exact.whole.mean > 0.1);
         for (std::size_t i = 1; i < Kinds<LightSampler>::count; ++i) {
             const Estimates found = render_often(world_with(Kinds<LightSampler>::make(i)), 64);
-            INFO(name << ", " << Kinds<LightSampler>::infos[i]->name << ": " << found.whole.mean << " instead of "
-                      << exact.whole.mean);
+            INFO(name << ", " << Kinds<LightSampler>::infos[i]->name << ": " << found.whole.mean
+                      << " instead of " << exact.whole.mean);
             CHECK(deviations(found.whole, exact.whole) < 4.5);
-            // 144 pixels, 4 strategies and 4 scenes: so far out only once in thousands of runs of this test.
+            // 144 pixels, 4 strategies and 4 scenes: so far out only once in thousands of runs of
+            // this test.
             for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
-                INFO("pixel " << p << ": " << found.pixels[p].mean << " instead of " << exact.pixels[p].mean);
+                INFO("pixel " << p << ": " << found.pixels[p].mean << " instead of "
+                              << exact.pixels[p].mean);
                 CHECK(deviations(found.pixels[p], exact.pixels[p]) < 8);
             }
         }

@@ -18,7 +18,8 @@ Scene checked(Evaluated result) {
     return std::move(result.scene);
 }
 
-Evaluated evaluate_text(const std::string& name, const std::string& text, const Declares& declares) {
+Evaluated evaluate_text(const std::string& name, const std::string& text,
+                        const Declares& declares) {
     SourceStore sources;
     Diagnostics diagnostics;
     const Loader loader(disk_reader(), root, {root + "/stdlib"});
@@ -46,7 +47,8 @@ World world_of(const std::string& script) {
     return compile(scene_of(script), {}, diagnostics);
 }
 
-World world_of_file(const std::string& path, const Declares& declares, const std::optional<LightSampler>& sampler) {
+World world_of_file(const std::string& path, const Declares& declares,
+                    const std::optional<LightSampler>& sampler) {
     std::ifstream file(root + "/" + path);
     if (!file) throw std::runtime_error("cannot read " + path);
     std::ostringstream text;

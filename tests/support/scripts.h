@@ -27,4 +27,5 @@ Evaluated evaluated(const std::string& script, const Declares& = {});
 /// Throw std::runtime_error with the diagnostics when the script has an error.
 Scene scene_of(const std::string& script);
 World world_of(const std::string& script);
-World world_of_file(const std::string& path_below_source, const Declares&, const std::optional<LightSampler>&);
+World world_of_file(const std::string& path_below_source, const Declares&,
+                    const std::optional<LightSampler>&);

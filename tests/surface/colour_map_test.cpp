@@ -4,10 +4,16 @@
 #include <catch2/catch.hpp>
 
 TEST_CASE("a colour map is linear between its stops", "[surface]") {
-    const ColourMap map = {{0.2, {Vec3(0), 0, 1}}, {0.6, {Vec3(1, 2, 4)}}, {0.6, {Vec3(8)}}, {0.8, {Vec3(0)}}};
-    struct Case { double value; Vec3 rgb; double transmit; };
-    const Case cases[] = {{-1, Vec3(0), 1},         {0.2, Vec3(0), 1}, {0.4, Vec3(0.5, 1, 2), 0.5}, {0.6, Vec3(1, 2, 4), 0},
-                          {0.7, Vec3(4), 0}, {0.8, Vec3(0), 0}, {5, Vec3(0), 0}};
+    const ColourMap map = {
+        {0.2, {Vec3(0), 0, 1}}, {0.6, {Vec3(1, 2, 4)}}, {0.6, {Vec3(8)}}, {0.8, {Vec3(0)}}};
+    struct Case {
+        double value;
+        Vec3 rgb;
+        double transmit;
+    };
+    const Case cases[] = {{-1, Vec3(0), 1},        {0.2, Vec3(0), 1}, {0.4, Vec3(0.5, 1, 2), 0.5},
+                          {0.6, Vec3(1, 2, 4), 0}, {0.7, Vec3(4), 0}, {0.8, Vec3(0), 0},
+                          {5, Vec3(0), 0}};
     for (const Case& c : cases) {
         const Colour found = look_up(map, c.value);
         INFO(c.value);

@@ -13,13 +13,14 @@ namespace {
 /// Two files, of which the second is included by the first.
 struct Scene {
     SourceStore sources;
-    SourceId main = sources.add("main.pov", "// a scene\n"
-                                            "#include \"parts.inc\"\n"
-                                            "Washer(2)\n"
-                                            "union {\n"
-                                            "    box { 0, 1 }\n"
-                                            "    cone { 2 }\n"
-                                            "\n");
+    SourceId main = sources.add("main.pov",
+                                "// a scene\n"
+                                "#include \"parts.inc\"\n"
+                                "Washer(2)\n"
+                                "union {\n"
+                                "    box { 0, 1 }\n"
+                                "    cone { 2 }\n"
+                                "\n");
     SourceId parts = sources.add("parts.inc",
                                  "#macro Washer(Gauge)\n"
                                  "    #local Twice = 2 * Gauge;\n"
@@ -40,7 +41,7 @@ struct Scene {
     }
 };
 
-} // namespace
+}  // namespace
 
 TEST_CASE("a message with everything") {
     const Scene scene;
@@ -207,9 +208,10 @@ TEST_CASE("frames of every kind, and no inclusion said twice") {
         {Frame::macro, "Washer", scene.at(scene.main, "Washer(2)")},
     };
     const std::string text = format(diagnostic, scene.sources, false);
-    CHECK(text.ends_with("  = in loop `#while` at main.pov:4:1\n"
-                         "  = `parts.inc` is included at main.pov:2:10\n"
-                         "  = in macro `Washer`, called at main.pov:3:1\n"));
+    CHECK(
+        text.ends_with("  = in loop `#while` at main.pov:4:1\n"
+                       "  = `parts.inc` is included at main.pov:2:10\n"
+                       "  = in macro `Washer`, called at main.pov:3:1\n"));
 }
 
 TEST_CASE("a chain of inclusions is told from the inside, and a circle ends") {

@@ -32,7 +32,7 @@ std::string found(const Paths& paths, const std::string& name, const std::string
     return result->path;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("places are searched in order") {
     Paths paths = {"parts/a.inc", "scenes/a.inc", "a.inc", "lib/a.inc", "more/a.inc"};

@@ -23,7 +23,7 @@ std::string times(int count, const std::string& part) {
     return text;
 }
 
-} // namespace
+}  // namespace
 
 TEST_CASE("one mark has its text beside it") {
     CHECK(rows("a torus", {{2, 7, true, "here"}}) == Rows{"a torus", "  ^^^^^ here"});
@@ -51,11 +51,7 @@ TEST_CASE("tabs, wide encodings and control characters keep marks aligned") {
 TEST_CASE("texts that do not fit beside hang below their marks, from right to left") {
     CHECK(rows("torus { 4, 5 }",
                {{11, 12, true, "minor"}, {0, 5, false, "this"}, {8, 9, false, "major"}}) ==
-          Rows{"torus { 4, 5 }",
-               "-----   -  ^ minor",
-               "|       |",
-               "|       major",
-               "this"});
+          Rows{"torus { 4, 5 }", "-----   -  ^ minor", "|       |", "|       major", "this"});
     CHECK(rows("ab cd", {{0, 2, true, "first"}, {3, 5, false, "second"}}) ==
           Rows{"ab cd", "^^ -- second", "|", "first"});
     CHECK(rows("ab cd", {{0, 2, true, "first"}, {3, 5, false, ""}}) ==
@@ -89,22 +85,19 @@ TEST_CASE("a long line is cut to what is marked") {
     const std::size_t end = line.size();
     CHECK(rows(line, {{end - 1, end, true, ""}}) ==
           Rows{"…" + times(99, "z"), times(99, " ") + "^"});
-    CHECK(rows(line, {{end, end, true, ""}}) ==
-          Rows{"…" + times(99, "z"), times(100, " ") + "^"});
-    CHECK(rows(line, {{10004, end, true, ""}}) ==
-          Rows{"…" + times(5, "é") + "HERE" + times(89, "z") + "…",
-               times(10, " ") + times(90, "^")});
+    CHECK(rows(line, {{end, end, true, ""}}) == Rows{"…" + times(99, "z"), times(100, " ") + "^"});
+    CHECK(
+        rows(line, {{10004, end, true, ""}}) ==
+        Rows{"…" + times(5, "é") + "HERE" + times(89, "z") + "…", times(10, " ") + times(90, "^")});
 }
 
 TEST_CASE("marks outside a cut line stay at its edges") {
     const std::string line = times(500, "a") + "HERE" + times(500, "z");
-    CHECK(rows(line, {{500, 504, true, ""},
-                      {0, 5, false, "far left"},
-                      {1000, 1004, false, "far right"}}) ==
-          Rows{"…" + times(47, "a") + "HERE" + times(47, "z") + "…",
-               "-" + times(47, " ") + "^^^^" + times(47, " ") + "- far right",
-               "|",
-               "far left"});
+    CHECK(
+        rows(line,
+             {{500, 504, true, ""}, {0, 5, false, "far left"}, {1000, 1004, false, "far right"}}) ==
+        Rows{"…" + times(47, "a") + "HERE" + times(47, "z") + "…",
+             "-" + times(47, " ") + "^^^^" + times(47, " ") + "- far right", "|", "far left"});
 }
 
 TEST_CASE("a line of many megabytes is shown at once") {
@@ -114,8 +107,7 @@ TEST_CASE("a line of many megabytes is shown at once") {
 
 TEST_CASE("colours surround the marks and change nothing else") {
     const Palette colours = palette(Severity::error, true);
-    const MarkedLine shown =
-        marked_line("ab cd", {{0, 2, false, "x"}, {3, 5, true, "y"}}, colours);
+    const MarkedLine shown = marked_line("ab cd", {{0, 2, false, "x"}, {3, 5, true, "y"}}, colours);
     CHECK(shown.source == "ab cd");
     CHECK(shown.below == Rows{"\x1b[1;34m--\x1b[0m \x1b[1;31m^^\x1b[0m \x1b[1;31my\x1b[0m",
                               "\x1b[1;34m|\x1b[0m", "\x1b[1;34mx\x1b[0m"});

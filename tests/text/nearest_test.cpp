@@ -10,19 +10,19 @@
 using Names = std::vector<std::string_view>;
 
 TEST_CASE("the nearest name is found, and nothing where nothing is near") {
-    const Names names = {"sphere", "superellipsoid", "box",       "torus",     "color",
-                         "pigment", "no_shadow",     "translate", "transform", "x"};
+    const Names names = {"sphere",  "superellipsoid", "box",       "torus",     "color",
+                         "pigment", "no_shadow",      "translate", "transform", "x"};
     struct Case {
         std::string_view word;
         std::string expected;
     };
     const Case cases[] = {
-        {"shpere", "sphere"},       // swapped
-        {"spere", "sphere"},        // left out
-        {"spheree", "sphere"},      // added
-        {"sphare", "sphere"},       // changed
-        {"SPHERE", "sphere"},       // case
-        {"Shpere", "sphere"},       // case and swapped
+        {"shpere", "sphere"},   // swapped
+        {"spere", "sphere"},    // left out
+        {"spheree", "sphere"},  // added
+        {"sphare", "sphere"},   // changed
+        {"SPHERE", "sphere"},   // case
+        {"Shpere", "sphere"},   // case and swapped
         {"bax", "box"},
         {"colour", "color"},
         {"noshadow", "no_shadow"},
@@ -30,7 +30,7 @@ TEST_CASE("the nearest name is found, and nothing where nothing is near") {
         {"SUPERELLIPSOID", "superellipsoid"},
         {"translat", "translate"},
         {"X", "x"},
-        {"y", ""},                  // short words attract nothing
+        {"y", ""},  // short words attract nothing
         {"bo", "box"},
         {"banana", ""},
         {"", ""},
@@ -55,8 +55,7 @@ TEST_CASE("a difference in case does not buy another slip") {
 
 TEST_CASE("few names: the nearest first, each once, no more than asked for") {
     const Names names = {"rotate", "rotated", "rotates", "rotate", "scale", "rotatte"};
-    CHECK(nearest_few("rotate", names) ==
-          std::vector<std::string>{"rotate", "rotated", "rotates"});
+    CHECK(nearest_few("rotate", names) == std::vector<std::string>{"rotate", "rotated", "rotates"});
     CHECK(nearest_few("rotate", names, 1) == std::vector<std::string>{"rotate"});
     CHECK(nearest_few("rotate", names, 9).size() == 4);
     CHECK(nearest_few("rotate", names, 0).empty());

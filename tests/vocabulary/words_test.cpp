@@ -18,9 +18,17 @@ TEST_CASE("each reserved word is there once", "[vocabulary]") {
 TEST_CASE("words have these classes", "[vocabulary]") {
     const Names names;
     const auto [spelling, word_class] = GENERATE(table<std::string, WordClass>({
-        {"sphere", WordClass::word}, {"texture", WordClass::layer}, {"sin", WordClass::unary_function}, {"vrotate", WordClass::function},
-        {"pi", WordClass::constant}, {"colour", WordClass::colour}, {"srgbft", WordClass::colour_prefix}, {"transmit", WordClass::channel},
-        {"array", WordClass::array}, {"function", WordClass::function_literal}, {"declare", WordClass::directive},
+        {"sphere", WordClass::word},
+        {"texture", WordClass::layer},
+        {"sin", WordClass::unary_function},
+        {"vrotate", WordClass::function},
+        {"pi", WordClass::constant},
+        {"colour", WordClass::colour},
+        {"srgbft", WordClass::colour_prefix},
+        {"transmit", WordClass::channel},
+        {"array", WordClass::array},
+        {"function", WordClass::function_literal},
+        {"declare", WordClass::directive},
     }));
     INFO(spelling);
     REQUIRE(names.find(spelling) != no_name);

@@ -25,11 +25,13 @@ TEST_CASE("every object that emits becomes a luminaire", "[world]") {
 
 TEST_CASE("the command line's light sampler goes before the scene's", "[world]") {
     Diagnostics diagnostics;
-    const Scene scene = scene_of("global_settings { light_sampler { every_light } } sphere { 0, 1 }");
+    const Scene scene =
+        scene_of("global_settings { light_sampler { every_light } } sphere { 0, 1 }");
     CHECK(compile(scene, {}, diagnostics).sampler.index() == LightSampler(EveryLight{}).index());
     CompileOptions options;
     options.light_sampler = LinearAlpha{};
-    CHECK(compile(scene, options, diagnostics).sampler.index() == LightSampler(LinearAlpha{}).index());
+    CHECK(compile(scene, options, diagnostics).sampler.index() ==
+          LightSampler(LinearAlpha{}).index());
 }
 
 TEST_CASE("an empty scene has a world", "[world]") {

@@ -47,7 +47,8 @@ TEST_CASE("spheres under a similarity stay spheres, others become shapes", "[wor
 }
 
 TEST_CASE("normals of smooth triangles are interpolated", "[world]") {
-    const World world = world_of("smooth_triangle { <0,0,0>, <-1,0,-1>, <2,0,0>, <1,0,-1>, <1,2,0>, <0,0,-1> }");
+    const World world =
+        world_of("smooth_triangle { <0,0,0>, <-1,0,-1>, <2,0,0>, <1,0,-1>, <1,2,0>, <0,0,-1> }");
     const Hit hit = first(world, Vec3(1, 0.001, -1), Vec3(1, 0.001, 0));
     CHECK(std::abs(hit.normal.z) == Approx(1));
     CHECK(std::abs(dot(hit.smooth_normal, Vec3(0, 0, -1))) == Approx(1).margin(1e-3));
@@ -69,7 +70,8 @@ TEST_CASE("light passes through what is clear, and counts each surface once", "[
 }
 
 TEST_CASE("objects can be left out for some rays", "[world]") {
-    const World world = world_of("sphere { <0, 0, 5>, 1 no_image } sphere { <0, 0, 9>, 1 no_reflection }");
+    const World world =
+        world_of("sphere { <0, 0, 5>, 1 no_image } sphere { <0, 0, 9>, 1 no_reflection }");
     Hit hit;
     const Ray ray{Vec3(0), Vec3(0, 0, 1)};
     REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
@@ -79,7 +81,8 @@ TEST_CASE("objects can be left out for some rays", "[world]") {
 }
 
 TEST_CASE("a point knows the clear solids that it is in", "[world]") {
-    const World world = world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
+    const World world =
+        world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
     CHECK(world.containing(Vec3(1, 0, 0)).size() == 1);
     CHECK(world.containing(Vec3(2.5, 0, 0)).empty());
 }

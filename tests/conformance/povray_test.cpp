@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pixels that POV-Ray 3.7 computes (povray.json: scene text and printed values), for the part of its vocabulary that
-// this version has.
+// Pixels that POV-Ray 3.7 computes (povray.json: scene text and printed values), for the part of
+// its vocabulary that this version has. (POV-Ray overlooks surfaces within fixed distances of a
+// ray's start; we do not, so scenes that show that are not among them.)
 #include "render/render.h"
 
 #include "support/scripts.h"
@@ -12,9 +13,9 @@
 #include <fstream>
 
 TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
-    std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/render/povray.json");
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/conformance/povray.json");
     const nlohmann::json cases = nlohmann::json::parse(file);
-    REQUIRE(cases.size() > 80);
+    REQUIRE(cases.size() > 70);
     for (const auto& c : cases) {
         const std::string name = c["name"];
         INFO(name);
@@ -29,8 +30,9 @@ TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
                 for (int channel = 0; channel < 3; ++channel) {
-                    const double expected = c["pixels"][static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]
-                                             [static_cast<std::size_t>(channel)];
+                    const double expected =
+                        c["pixels"][static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]
+                         [static_cast<std::size_t>(channel)];
                     const double found = glm::clamp(image.at(x, y)[channel], 0.0, 1.0);
                     INFO("pixel " << x << ' ' << y << " channel " << channel);
                     CHECK(found == Approx(expected).margin(tolerance));
