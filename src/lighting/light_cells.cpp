@@ -14,7 +14,7 @@ using std::numbers::pi;
 /// Entries that all lists together may have. A cell's share of them goes to its children by the
 /// length of their lists.
 double most_entries(std::size_t luminaires) {
-    return std::fmin(1e6, 1e5 + 64 * static_cast<double>(luminaires));
+    return std::fmin(1e6, 1e5 + 128 * static_cast<double>(luminaires));
 }
 /// Length of a list; of more luminaires the brightest are taken, and the others count as dim.
 constexpr std::size_t longest_list = 2048;

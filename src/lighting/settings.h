@@ -45,7 +45,7 @@ consteval auto LightBvh::vocabulary() {
 
 /// An octree whose cells list the luminaires that are bright there (the paper, section 4.3).
 struct LightOctree {
-    double threshold = 0.0005;
+    double threshold = 0.0007;
     double white = 1;
     int max_depth = 12;
     int max_bright = 128;

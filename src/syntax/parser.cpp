@@ -45,9 +45,9 @@ std::string Expected::list() const {
     if (value()) parts.push_back("a value");
     if (name()) parts.push_back("a name");
     if (has(Kind::S_TEXT) && !value()) parts.push_back("a string");
-    constexpr auto signs = std::array{
-        Kind::S_CLOSE_PARENTHESIS, Kind::S_CLOSE_BRACKET, Kind::S_CLOSE_BRACE,
-        Kind::S_HASH_END,          Kind::S_COLON,         Kind::S_COMMA};
+    constexpr auto signs =
+        std::array{Kind::S_CLOSE_PARENTHESIS, Kind::S_CLOSE_BRACKET, Kind::S_CLOSE_BRACE,
+                   Kind::S_HASH_END,          Kind::S_COLON,         Kind::S_COMMA};
     for (const auto sign : signs)
         if (has(sign)) parts.push_back(Parser::symbol_name(sign));
     if (has(Kind::S_GREATER) && !comparison()) parts.push_back("`>`");

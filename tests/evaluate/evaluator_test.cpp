@@ -13,8 +13,10 @@ TEST_CASE("nothing is evaluated when the text has errors", "[evaluate]") {
 }
 
 TEST_CASE("after too many errors evaluation ends", "[evaluate]") {
-    const Said result = said("#for (i, 1, 1000) #declare a = i / nope; #declare b = A[i]; #end #debug \"end\"");
-    CHECK(result.messages == "error: nothing is declared as `nope`\nerror: nothing is declared as `A`\n");
+    const Said result =
+        said("#for (i, 1, 1000) #declare a = i / nope; #declare b = A[i]; #end #debug \"end\"");
+    CHECK(result.messages ==
+          "error: nothing is declared as `nope`\nerror: nothing is declared as `A`\n");
     std::string many;
     for (int i = 0; i < 50; ++i) many += "#declare a = nope" + std::to_string(i) + ";\n";
     const Said stopped = said(many + "#debug \"end\"");
@@ -41,14 +43,19 @@ TEST_CASE("elements become values", "[evaluate]") {
     Evaluator evaluator(sources, loader, names, diagnostics);
     Meaning meaning;
     std::vector<std::string> kinds;
-    meaning.value = [](std::span<const Element> blocks) { return Value(static_cast<double>(blocks.size())); };
+    meaning.value = [](std::span<const Element> blocks) {
+        return Value(static_cast<double>(blocks.size()));
+    };
     meaning.set_default = [](const Element&) {};
     meaning.print = [](std::string_view) {};
-    meaning.top = [&](const Element& element) { kinds.emplace_back(kind_name(evaluator.value_of(element))); };
+    meaning.top = [&](const Element& element) {
+        kinds.emplace_back(kind_name(evaluator.value_of(element)));
+    };
     evaluator.set_meaning(meaning);
     evaluator.declare("depth", 3.0);
     evaluator.run(sources.add("main.pov", "depth \"s\" sphere { } rgb 1 array[2]"));
-    CHECK(kinds == std::vector<std::string>{"a number", "a string", "a number", "a colour", "an array"});
+    CHECK(kinds ==
+          std::vector<std::string>{"a number", "a string", "a number", "a colour", "an array"});
     CHECK_FALSE(diagnostics.failed());
     CHECK(evaluator.spelling(names.find("depth")) == "depth");
 }

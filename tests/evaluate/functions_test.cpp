@@ -24,19 +24,22 @@ TEST_CASE("random streams give POV-Ray's numbers", "[evaluate]") {
 }
 
 TEST_CASE("streams are numbered and do not disturb each other", "[evaluate]") {
-    CHECK(printed("#declare A = seed(0); #declare B = seed(1); P(A) P(B) P(rand(B)) P(rand(A)) P(rand(B))") ==
-          "0.000000 1.000000 0.421993 0.000003 0.487121");
+    CHECK(printed("#declare A = seed(0); #declare B = seed(1); P(A) P(B) P(rand(B)) P(rand(A)) "
+                  "P(rand(B))") == "0.000000 1.000000 0.421993 0.000003 0.487121");
     CHECK(printed("P(rand(5))") == "error: there is no random stream 5; seed(...) gives one\n");
 }
 
 TEST_CASE("the table of functions is in order and complete", "[evaluate]") {
     const auto table = functions();
-    CHECK(std::is_sorted(table.begin(), table.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
+    CHECK(std::is_sorted(table.begin(), table.end(),
+                         [](const auto& a, const auto& b) { return a.name < b.name; }));
     for (const Word& word : reserved_words()) {
-        if (word.word_class != WordClass::function && word.word_class != WordClass::unary_function) continue;
+        if (word.word_class != WordClass::function && word.word_class != WordClass::unary_function)
+            continue;
         if (word.spelling == "defined") continue;  // about a name, not a value
         INFO(word.spelling);
-        CHECK(std::any_of(table.begin(), table.end(), [&](const auto& f) { return f.name == word.spelling; }));
+        CHECK(std::any_of(table.begin(), table.end(),
+                          [&](const auto& f) { return f.name == word.spelling; }));
     }
     for (const FunctionInfo& function : table) {
         INFO(function.name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a script prints with #debug, for tests of the language without any items: blocks are walked and mean nothing.
+// What a script prints with #debug, for tests of the language without any items: blocks are walked
+// and mean nothing.
 #pragma once
 
 #include "evaluate/evaluator.h"
@@ -20,7 +21,8 @@ inline const std::string prelude =
     "#macro P(vv) #debug concat(str(vv, 0, 6), \" \") #end\n"
     "#macro V(nn, vv) #debug concat(\"<\", vstr(nn, vv, \",\", 0, 4), \"> \") #end\n";
 
-inline Said said(const std::string& script, const std::map<std::string, std::string>& files = {}, const Limits& limits = {}) {
+inline Said said(const std::string& script, const std::map<std::string, std::string>& files = {},
+                 const Limits& limits = {}) {
     SourceStore sources;
     Names names;
     Diagnostics diagnostics;
@@ -35,8 +37,10 @@ inline Said said(const std::string& script, const std::map<std::string, std::str
     Meaning meaning;
     meaning.top = [&](const Element& element) {
         constexpr std::string_view kinds[] = {"value", "word", "block", "entry", "braces", "list"};
-        result.elements += (result.elements.empty() ? "" : ", ") + std::string(kinds[static_cast<std::size_t>(element.kind)]);
-        if (element.word != no_name) result.elements += " " + std::string(names.spelling(element.word));
+        result.elements += (result.elements.empty() ? "" : ", ") +
+                           std::string(kinds[static_cast<std::size_t>(element.kind)]);
+        if (element.word != no_name)
+            result.elements += " " + std::string(names.spelling(element.word));
         if (element.body.tree) evaluator.walk(element.body, [](const Element&) {});
     };
     meaning.value = [&](std::span<const Element> blocks) {

@@ -7,16 +7,24 @@
 
 TEST_CASE("functions of strings have POV-Ray's values", "[evaluate]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
-        {R"(#debug str(1.5,0,2) #debug str(2,8,1) #debug str(-2,-6,1) #debug str(1/3,0,-1))", "1.50     2.0-002.00.333333"},
+        {R"(#debug str(1.5,0,2) #debug str(2,8,1) #debug str(-2,-6,1) #debug str(1/3,0,-1))",
+         "1.50     2.0-002.00.333333"},
         {R"(#debug vstr(2,<1,2,3>,",",0,1) #debug "|" #debug vstr(5,<1,2>,",",0,1) #debug "|" #debug vstr(1,<1,2,3>,",",0,1))",
          "1.0,2.0|1.0,2.0,0.0,0.0,0.0|1.0,2.0"},
-        {R"(#debug vstr(7,<1,2,3>,";",6,2) #debug "|" #debug vstr(3,2,",",0,1))", "  1.00;  2.00;  3.00;  0.00;  0.00|2.0,0.0,0.0"},
-        {R"(#debug concat("a","b","c") #debug substr("abcdef",2,3) #debug strupr("aBc") #debug strlwr("aBc"))", "abcbcdABCabc"},
-        {R"(P(strlen("abc")) P(strlen("")) P(strlen("\u00e9x")) P(asc("A")) P(asc("")))", "3.000000 0.000000 2.000000 65.000000 0.000000"},
-        {R"(P(val("1.5e1x")) P(val("")) P(strcmp("a","c")) P(strcmp("abc","ab")) P(strcmp("a","a")))", "15.000000 0.000000 -2.000000 99.000000 0.000000"},
-        {R"(#debug chr(65) #debug chr(233) #debug chr(8364) #debug substr("h\u00e9h",2,1))", "A\u00e9\u20ac\u00e9"},
-        {R"(#debug datetime(0) #debug "|" #debug datetime(366.5, "%d.%m.%y %H"))", "2000-01-01 00:00:00Z|01.01.01 12"},
-        {"#debug str(strlen(\"a\nb\"),0,0) #debug \" \" #debug str(asc(substr(\"a\nb\",2,1)),0,0)", "3 10"},
+        {R"(#debug vstr(7,<1,2,3>,";",6,2) #debug "|" #debug vstr(3,2,",",0,1))",
+         "  1.00;  2.00;  3.00;  0.00;  0.00|2.0,0.0,0.0"},
+        {R"(#debug concat("a","b","c") #debug substr("abcdef",2,3) #debug strupr("aBc") #debug strlwr("aBc"))",
+         "abcbcdABCabc"},
+        {R"(P(strlen("abc")) P(strlen("")) P(strlen("\u00e9x")) P(asc("A")) P(asc("")))",
+         "3.000000 0.000000 2.000000 65.000000 0.000000"},
+        {R"(P(val("1.5e1x")) P(val("")) P(strcmp("a","c")) P(strcmp("abc","ab")) P(strcmp("a","a")))",
+         "15.000000 0.000000 -2.000000 99.000000 0.000000"},
+        {R"(#debug chr(65) #debug chr(233) #debug chr(8364) #debug substr("h\u00e9h",2,1))",
+         "A\u00e9\u20ac\u00e9"},
+        {R"(#debug datetime(0) #debug "|" #debug datetime(366.5, "%d.%m.%y %H"))",
+         "2000-01-01 00:00:00Z|01.01.01 12"},
+        {"#debug str(strlen(\"a\nb\"),0,0) #debug \" \" #debug str(asc(substr(\"a\nb\",2,1)),0,0)",
+         "3 10"},
     }));
     INFO(script);
     CHECK(printed(script) == result);
@@ -25,8 +33,10 @@ TEST_CASE("functions of strings have POV-Ray's values", "[evaluate]") {
 TEST_CASE("what a function of strings cannot take is reported", "[evaluate]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#debug chr(65536)", "error: a character's code is from 0 to 65535, but this is 65536\n"},
-        {"#debug substr(\"abc\", 0, 1)", "error: the string has characters 1 to 3, and this is 0\n"},
-        {"#debug substr(\"abc\", 2, 3)", "error: from 2 on the string has 2 characters, and this asks for 3\n"},
+        {"#debug substr(\"abc\", 0, 1)",
+         "error: the string has characters 1 to 3, and this is 0\n"},
+        {"#debug substr(\"abc\", 2, 3)",
+         "error: from 2 on the string has 2 characters, and this asks for 3\n"},
         {"#debug concat(\"a\", 1)", "error: `concat` takes a string here, but this is a number\n"},
         {"#debug str(1)", "error: `str` takes 3 arguments, but here is 1\n"},
         {"P(strlen(5))", "error: `strlen` takes a string here, but this is a number\n"},

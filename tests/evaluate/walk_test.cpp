@@ -21,7 +21,8 @@ TEST_CASE("elements come without directives, in order", "[evaluate]") {
 }
 
 TEST_CASE("a block is walked when it is asked for", "[evaluate]") {
-    CHECK(said(prelude + "#declare a = 1; sphere { P(a) #declare a = 2; } P(a)").printed == "1.000000 2.000000 ");
+    CHECK(said(prelude + "#declare a = 1; sphere { P(a) #declare a = 2; } P(a)").printed ==
+          "1.000000 2.000000 ");
     CHECK(said(prelude + "#macro M(a) sphere { P(a) } #end M(3)").printed == "3.000000 ");
     CHECK(said("#while (1) sphere { #break } #break #end").messages ==
           "error: this #break is in no loop, #switch or macro that it could leave\n");
@@ -29,6 +30,8 @@ TEST_CASE("a block is walked when it is asked for", "[evaluate]") {
 
 TEST_CASE("a broken value is handed on, but not reported again", "[evaluate]") {
     const Said result = said("sphere { nope + 1 } nope * 2");
-    CHECK(result.messages == "error: nothing is declared as `nope`\nerror: nothing is declared as `nope`\n");
-    CHECK(said("#declare a = nope; #declare b = a + 1; #declare c = sin(b) + <b, a>; c").messages == "error: nothing is declared as `nope`\n");
+    CHECK(result.messages ==
+          "error: nothing is declared as `nope`\nerror: nothing is declared as `nope`\n");
+    CHECK(said("#declare a = nope; #declare b = a + 1; #declare c = sin(b) + <b, a>; c").messages ==
+          "error: nothing is declared as `nope`\n");
 }

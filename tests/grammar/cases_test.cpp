@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines in grammar/cases, a file for each production: what it accepts (+) and what it rejects (-).
+// The lines in grammar/cases, a file for each production: what it accepts (+) and what it rejects
+// (-).
 #include "syntax/parsed.h"
 
 #include <catch2/catch.hpp>
@@ -31,7 +32,8 @@ std::set<std::string> productions() {
 
 TEST_CASE("each production has its cases", "[grammar]") {
     std::set<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(grammar / "cases")) files.insert(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(grammar / "cases"))
+        files.insert(entry.path().filename().string());
     REQUIRE(files.size() > 40);
     CHECK(files == productions());
 }

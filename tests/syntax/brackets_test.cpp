@@ -14,14 +14,17 @@ TEST_CASE("what does not match is reported once", "[syntax]") {
         {"#if (1) sphere { 0, 1 }", "1:1 error: `#if` has no `#end`\n"},
         {"#end", "1:1 error: `#end` closes nothing that is open\n"},
         {"#else", "1:1 error: `#else` belongs between `#if` and its `#end`, and none is open\n"},
-        {"#case (1)", "1:1 error: `#case` belongs between `#switch` and its `#end`, and none is open\n"},
+        {"#case (1)",
+         "1:1 error: `#case` belongs between `#switch` and its `#end`, and none is open\n"},
         {"#if (1) 1 #else 2 #else 3 #end", "1:19 error: `#else` cannot follow `#else`\n"},
         {"#if (1) 1 #else 2 #elseif (1) 3 #end", "1:19 error: `#elseif` cannot follow `#else`\n"},
         {"sphere { #if (1) 0 }", "1:20 error: `}` comes before the `#end` of `#if`\n"},
         // A branch that opens a brace which another closes.
-        {"#if (1) union { #end sphere { 0, 1 } #if (1) } #end", "1:15 error: this `{` is not closed before `#end`\n"},
+        {"#if (1) union { #end sphere { 0, 1 } #if (1) } #end",
+         "1:15 error: this `{` is not closed before `#end`\n"},
         {"#if (a) union { #else merge { #end 1 }",
-         "1:15 error: this `{` is not closed before `#else`\n1:29 error: this `{` is not closed before `#end`\n"},
+         "1:15 error: this `{` is not closed before `#else`\n1:29 error: this `{` is not closed "
+         "before `#end`\n"},
     }));
     INFO(text);
     CHECK(Parsed(text).messages() == messages);
@@ -42,13 +45,18 @@ TEST_CASE("a message about brackets shows both places", "[syntax]") {
           "  | - this `}` stands further left\n");
 }
 
-TEST_CASE("after an error the parser goes on at the end of the bracket or at the next directive", "[syntax]") {
+TEST_CASE("after an error the parser goes on at the end of the bracket or at the next directive",
+          "[syntax]") {
     const auto [text, messages] = GENERATE(table<std::string, std::string>({
-        {"sphere { (1 + ), 2 } box { = }", "1:15 error: expected a value, but found `)`\n1:28 error: `=` does not fit here\n"},
-        {"sphere { 0 = { 1 } 3 } box { ? 1 } ", "1:12 error: `=` does not fit here\n1:30 error: `?` does not fit here\n"},
+        {"sphere { (1 + ), 2 } box { = }",
+         "1:15 error: expected a value, but found `)`\n1:28 error: `=` does not fit here\n"},
+        {"sphere { 0 = { 1 } 3 } box { ? 1 } ",
+         "1:12 error: `=` does not fit here\n1:30 error: `?` does not fit here\n"},
         {"#declare sphere = 3; #declare b = 4;\n#declare = 5;",
-         "1:10 error: `sphere` is a word of the language and cannot be the name of something else\n2:10 error: expected a name or `(`, but found `=`\n"},
-        {"#if (1 2) sphere { 0, 1 } #end #while () #end", "1:8 error: expected `)`, but found `2`\n1:40 error: expected a value, but found `)`\n"},
+         "1:10 error: `sphere` is a word of the language and cannot be the name of something "
+         "else\n2:10 error: expected a name or `(`, but found `=`\n"},
+        {"#if (1 2) sphere { 0, 1 } #end #while () #end",
+         "1:8 error: expected `)`, but found `2`\n1:40 error: expected a value, but found `)`\n"},
     }));
     INFO(text);
     CHECK(Parsed(text).messages() == messages);

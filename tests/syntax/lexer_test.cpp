@@ -10,7 +10,8 @@ struct Lexed {
         const SourceId source = sources.add("test", text);
         tree.source = source;
         Lexer lexer(source, sources, names, tree, diagnostics);
-        for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
+        for (Token token = lexer.next(); token.kind != TokenKind::end_of_file;
+             token = lexer.next()) {
             kinds += (kinds.empty() ? "" : " ") + std::string(name(token.kind));
             tokens.push_back(token);
         }
@@ -39,10 +40,13 @@ TEST_CASE("a text becomes these tokens", "[syntax]") {
         {"#declare # \n declare #/* # */local", "#declare #declare #declare"},
         {"#if#end", "#if #end"},
         {"/* a /* b */ c */ 1 // 2\r3", "number number"},
-        {"rgb color red texture array function sin max", "colour prefix colour channel layer array function literal unary function function"},
+        {"rgb color red texture array function sin max",
+         "colour prefix colour channel layer array function literal unary function function"},
         {"#version unofficial 3 unofficial", "#version unofficial number name"},
         {std::string("1\0 2\x1a 3", 7), "number number number"},
-        {"\xEF\xBB\xBF""1", "number"},
+        {"\xEF\xBB\xBF"
+         "1",
+         "number"},
     }));
     INFO(text);
     const Lexed lexed(text);
@@ -52,7 +56,16 @@ TEST_CASE("a text becomes these tokens", "[syntax]") {
 
 TEST_CASE("a number has this value", "[syntax]") {
     const auto [text, value] = GENERATE(table<std::string, double>({
-        {"007", 7}, {".5", .5}, {"5.", 5}, {"1e3", 1000}, {"1.5E-2", .015}, {"1e+2", 100}, {"1.e2", 100}, {"1e", 1}, {"1e+", 1}, {"1e999", HUGE_VAL},
+        {"007", 7},
+        {".5", .5},
+        {"5.", 5},
+        {"1e3", 1000},
+        {"1.5E-2", .015},
+        {"1e+2", 100},
+        {"1.e2", 100},
+        {"1e", 1},
+        {"1e+", 1},
+        {"1e999", HUGE_VAL},
         {"1e-999", 0},
     }));
     INFO(text);
@@ -110,5 +123,6 @@ TEST_CASE("tokens are dumped with place, kind and text", "[syntax]") {
     SourceStore sources;
     Names names;
     Diagnostics diagnostics;
-    CHECK(dump_tokens(sources.add("test", "box {\n 1 }"), sources, names, diagnostics) == "1:1 word box\n1:5 { {\n2:2 number 1\n2:4 } }\n");
+    CHECK(dump_tokens(sources.add("test", "box {\n 1 }"), sources, names, diagnostics) ==
+          "1:1 word box\n1:5 { {\n2:2 number 1\n2:4 } }\n");
 }

@@ -10,17 +10,26 @@ TEST_CASE("nodes are made in their simplest form", "[syntax]") {
         {"-1", "number -1\n"},
         {"-(1)", "unary -\n  group\n    number 1\n"},
         {"<1 /* a */, -2, 3>", "literal 1 -2 3\n"},
-        {"<1, 2, 3, 4, 5, 6>", "vector\n  number 1\n  number 2\n  number 3\n  number 4\n  number 5\n  number 6\n"},
+        {"<1, 2, 3, 4, 5, 6>",
+         "vector\n  number 1\n  number 2\n  number 3\n  number 4\n  number 5\n  number 6\n"},
         {"(1)", "group\n  number 1\n"},
         {"(1, 2)", "tuple\n  number 1\n  number 2\n"},
-        {"#declare T = texture { A };", "#declare with ;\n  target: name T\n  value: block texture\n    name A\n"},
+        {"#declare T = texture { A };",
+         "#declare with ;\n  target: name T\n  value: block texture\n    name A\n"},
         {"#declare T = texture { A } texture { B }",
-         "#declare\n  target: name T\n  value: layers\n    block texture\n      name A\n    block texture\n      name B\n"},
+         "#declare\n  target: name T\n  value: layers\n    block texture\n      name A\n    block "
+         "texture\n      name B\n"},
         {"#local a = 1;", "#local with ;\n  target: name a\n  value: number 1\n"},
-        {"rgb 1 filter 2 transmit 3", "colour\n  base: rgb\n    number 1\n  channels: channel filter\n    number 2\n  channels: channel transmit\n    number 3\n"},
-        {"color red 1 green 2", "colour\n  channels: channel red\n    number 1\n  channels: channel green\n    number 2\n"},
-        {"#macro M(a, optional b) #end", "#macro M\n  parameters: parameter a\n  parameters: parameter b, optional\n"},
-        {"#macro M(optional, b) #end", "#macro M\n  parameters: parameter optional\n  parameters: parameter b\n"},
+        {"rgb 1 filter 2 transmit 3",
+         "colour\n  base: rgb\n    number 1\n  channels: channel filter\n    number 2\n  channels: "
+         "channel transmit\n    number 3\n"},
+        {"color red 1 green 2",
+         "colour\n  channels: channel red\n    number 1\n  channels: channel green\n    number "
+         "2\n"},
+        {"#macro M(a, optional b) #end",
+         "#macro M\n  parameters: parameter a\n  parameters: parameter b, optional\n"},
+        {"#macro M(optional, b) #end",
+         "#macro M\n  parameters: parameter optional\n  parameters: parameter b\n"},
         {"function { pattern { marble } }", "function\n  body: block pattern\n    word marble\n"},
     }));
     INFO(text);

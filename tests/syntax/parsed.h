@@ -9,7 +9,8 @@
 #include <string>
 
 struct Parsed {
-    explicit Parsed(const std::string& text) : source(sources.add("test.pov", text)), tree(parse(source, sources, names, diagnostics)) {}
+    explicit Parsed(const std::string& text)
+        : source(sources.add("test.pov", text)), tree(parse(source, sources, names, diagnostics)) {}
 
     /// The messages, a line each: "1:5 error: ...".
     std::string messages() const {
@@ -17,7 +18,8 @@ struct Parsed {
         for (const Diagnostic& d : diagnostics.all()) {
             const Place place = sources.place(d.span.source, d.span.first);
             result += std::to_string(place.line) + ":" + std::to_string(place.column) +
-                      (d.severity == Severity::error ? " error: " : " warning: ") + d.message + "\n";
+                      (d.severity == Severity::error ? " error: " : " warning: ") + d.message +
+                      "\n";
         }
         return result;
     }

@@ -25,7 +25,8 @@ TEST_CASE("operators bind as in POV-Ray", "[syntax]") {
             const std::size_t end = dumped.find('\n', from) + 1;
             std::string line = dumped.substr(from, end - from);
             line.erase(0, line.find_first_not_of(' '));
-            if (const std::size_t label = line.find(": "); label != std::string::npos) line.erase(0, label + 2);
+            if (const std::size_t label = line.find(": "); label != std::string::npos)
+                line.erase(0, label + 2);
             if (line != "group\n") result += line;
             from = end;
         }
@@ -36,22 +37,39 @@ TEST_CASE("operators bind as in POV-Ray", "[syntax]") {
 
 TEST_CASE("elements stand side by side", "[syntax]") {
     const auto [text, count] = GENERATE(table<std::string, std::size_t>({
-        {"1 2", 2}, {"1 -2", 1}, {"1, -2", 2}, {"<0,0,0><1,0,0>.5", 3}, {"a (b)", 0}, {"a [1]", 1}, {"a, [1]", 2}, {"scale -2", 2},
-        {"a < 1, 2>", 2}, {"rgb 1 rgb 2", 2}, {"no_shadow rotate y", 3}, {"cylinder radius 2", 3}, {"filter all 1", 3}, {"sqr cube", 2},
+        {"1 2", 2},
+        {"1 -2", 1},
+        {"1, -2", 2},
+        {"<0,0,0><1,0,0>.5", 3},
+        {"a (b)", 0},
+        {"a [1]", 1},
+        {"a, [1]", 2},
+        {"scale -2", 2},
+        {"a < 1, 2>", 2},
+        {"rgb 1 rgb 2", 2},
+        {"no_shadow rotate y", 3},
+        {"cylinder radius 2", 3},
+        {"filter all 1", 3},
+        {"sqr cube", 2},
     }));
     INFO(text);
     const Parsed parsed(text);
     CHECK(parsed.messages() == "");
     std::size_t found = 0;
     for (NodeId id = parsed.tree.first; id != no_node; id = parsed.tree[id].next) ++found;
-    if (count > 0) CHECK(found == count);
-    else CHECK(parsed.dumped().starts_with("call a"));
+    if (count > 0)
+        CHECK(found == count);
+    else
+        CHECK(parsed.dumped().starts_with("call a"));
 }
 
 TEST_CASE("every node knows its place", "[syntax]") {
     const Parsed parsed("sphere { <1, 2, 3>, 4 + 5 }");
     const Tree& tree = parsed.tree;
-    const auto text = [&](NodeId id) { return std::string(parsed.sources.text(parsed.source).substr(tree[id].first, tree[id].last - tree[id].first)); };
+    const auto text = [&](NodeId id) {
+        return std::string(parsed.sources.text(parsed.source)
+                               .substr(tree[id].first, tree[id].last - tree[id].first));
+    };
     CHECK(text(tree.first) == "sphere { <1, 2, 3>, 4 + 5 }");
     const NodeId centre = tree.get<node::Block>(tree.first).body;
     CHECK(text(centre) == "<1, 2, 3>");
@@ -61,16 +79,21 @@ TEST_CASE("every node knows its place", "[syntax]") {
 
 TEST_CASE("a message says what would have fitted", "[syntax]") {
     const auto [text, message, help] = GENERATE(table<std::string, std::string, std::string>({
-        {"#declare a = 1 < 2;", "expected a value, `,` or `>`, but found `;`", "a vector ends in `>`; comparisons are written in parentheses: (a < b)"},
-        {"#declare a = 1 > 2;", "`>` does not fit here", "comparisons and conditions are written in parentheses: (a > b)"},
+        {"#declare a = 1 < 2;", "expected a value, `,` or `>`, but found `;`",
+         "a vector ends in `>`; comparisons are written in parentheses: (a < b)"},
+        {"#declare a = 1 > 2;", "`>` does not fit here",
+         "comparisons and conditions are written in parentheses: (a > b)"},
         {"a = 3;", "`=` does not fit here", "a name gets a value by `#declare Name = value;`"},
         {"#declare a 3;", "expected `=`, but found `3`", ""},
-        {"#declare c = rgb 1 + rgb 2;", "expected a value, but found `rgb`", "a colour word stands before the whole value: rgb (A + B), not A + rgb B"},
+        {"#declare c = rgb 1 + rgb 2;", "expected a value, but found `rgb`",
+         "a colour word stands before the whole value: rgb (A + B), not A + rgb B"},
         {"#for (i, 1, 2 #end", "`#end` comes before the end of `(`", "add the missing `)`"},
-        {"#macro sphere() #end", "`sphere` is a word of the language and cannot be the name of something else", ""},
+        {"#macro sphere() #end",
+         "`sphere` is a word of the language and cannot be the name of something else", ""},
         {"#include", "expected a value, but found the end of the file", ""},
         {"box { 1 + }", "expected a value, but found `}`", ""},
-        {"<1, 2", "expected a value, `,` or `>`, but found the end of the file", "a vector ends in `>`; comparisons are written in parentheses: (a < b)"},
+        {"<1, 2", "expected a value, `,` or `>`, but found the end of the file",
+         "a vector ends in `>`; comparisons are written in parentheses: (a < b)"},
     }));
     INFO(text);
     const Parsed parsed(text);
@@ -95,8 +118,11 @@ TEST_CASE("depth and size are no obstacle", "[syntax]") {
 
 TEST_CASE("any bytes give a tree", "[syntax]") {
     // Pieces of the language in any order: no crash, and an end.
-    const std::vector<std::string> pieces = {"{", "}", "(", ")", "[", "]", "<", ">", "1", "a", "sphere", "#if", "#else", "#end", "#macro", "#declare", "=", ",",
-                                             ";", "\"s\"", "rgb", "texture", "array", "function", "#switch", "#case", "#for", ".", "red", "+", "?", ":"};
+    const std::vector<std::string> pieces = {
+        "{",       "}",     "(",      ")",     "[",     "]",       "<",      ">",
+        "1",       "a",     "sphere", "#if",   "#else", "#end",    "#macro", "#declare",
+        "=",       ",",     ";",      "\"s\"", "rgb",   "texture", "array",  "function",
+        "#switch", "#case", "#for",   ".",     "red",   "+",       "?",      ":"};
     std::uint32_t state = 12345;
     for (int round = 0; round < 2000; ++round) {
         std::string text;

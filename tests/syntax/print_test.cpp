@@ -6,20 +6,26 @@
 #include <catch2/catch.hpp>
 
 TEST_CASE("printed text parses to the same tree", "[syntax]") {
-    const std::string text = GENERATE(as<std::string>(),
-        "", "1, -2, <1, 2>, a [1]", "sphere { <0, 1, 2>, 3 pigment { rgb <1, 0, 0> } no_shadow rotate -30 * y }",
-        "#declare A[1][2] = array[2][3] { { 1, 2, 3 }, { 4, 5, 6 } };", "#local S = \"a\\\"b\\\\c\\n\";",
-        "#declare deprecated once \"old\" a = 1;", "#declare (a, b) = (1, 2);", "#undef a #undef A[1]",
+    const std::string text = GENERATE(
+        as<std::string>(), "", "1, -2, <1, 2>, a [1]",
+        "sphere { <0, 1, 2>, 3 pigment { rgb <1, 0, 0> } no_shadow rotate -30 * y }",
+        "#declare A[1][2] = array[2][3] { { 1, 2, 3 }, { 4, 5, 6 } };",
+        "#local S = \"a\\\"b\\\\c\\n\";", "#declare deprecated once \"old\" a = 1;",
+        "#declare (a, b) = (1, 2);", "#undef a #undef A[1]",
         "#if (a < 1 & b) 1 #elseif (c) 2 #else 3 #end", "#ifdef (a) 1 #end #ifndef (A[1]) 2 #end",
         "#while (a ? b : !c) #break #end", "#for (i, 1, 10, 2) box { i, i } #end",
-        "#switch (a) 0 #case (1) 1 #range (2, 3) 2 #else 3 #end", "#macro M(a, optional b) a + b #end M(1, A[2])",
+        "#switch (a) 0 #case (1) 1 #range (2, 3) 2 #else 3 #end",
+        "#macro M(a, optional b) a + b #end M(1, A[2])",
         "#include \"a.inc\" #include concat(\"a\", b)", "#default { finish { ambient 0 } }",
         "#debug \"x\" #warning s #error str(1, 0, 0)", "#version 3.7; #version unofficial 3.6;",
         "#fopen F \"a.txt\" write #write (F, 1, \"a\", <1, 2>) #read (F, a, b) #fclose F",
         "rgb 1 filter .5, color Red, color red 1 blue 2, color rgb 1, Red filter .5, filter, 1",
-        "color_map { [0 rgb 1] [1, Red transmit 1] }", "function (x, y) { x + y < 2 } function { pattern { marble } } function 10, 20 { x }",
-        "#declare T = texture { A } texture { B };", "light_sampler { linear_alpha { threshold 1 } }", "<a, 1 + 2, (b > 1)>",
-        "(#declare b = 1; b)", "vrotate(x, <0, 90, 0>).y * M()", "text { ttf \"a.ttf\" \"b\" 1, 0 }");
+        "color_map { [0 rgb 1] [1, Red transmit 1] }",
+        "function (x, y) { x + y < 2 } function { pattern { marble } } function 10, 20 { x }",
+        "#declare T = texture { A } texture { B };",
+        "light_sampler { linear_alpha { threshold 1 } }", "<a, 1 + 2, (b > 1)>",
+        "(#declare b = 1; b)", "vrotate(x, <0, 90, 0>).y * M()",
+        "text { ttf \"a.ttf\" \"b\" 1, 0 }");
     INFO(text);
     const Parsed first(text);
     REQUIRE(first.messages() == "");

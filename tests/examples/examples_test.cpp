@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every example compiles without a word of complaint and renders to a picture that is neither black
+// nor full of holes.
+#include "render/render.h"
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("every example renders", "[examples]") {
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(CANDELABRA_SOURCE_DIR "/examples")) {
+        if (entry.path().extension() != ".pov") continue;
+        ++count;
+        const std::string path = fs::relative(entry.path(), CANDELABRA_SOURCE_DIR).string();
+        INFO(path);
+        const World world = world_of_file(path, {}, {});
+        CHECK(world.luminaires.size() > 0);
+        RenderSettings settings;
+        settings.width = 32;
+        settings.height = 24;
+        settings.samples = 1;
+        double sum = 0;
+        for (const Vec3& pixel : render(world, settings).image.pixels) {
+            REQUIRE(std::isfinite(pixel.x + pixel.y + pixel.z));
+            REQUIRE(min_component(pixel) >= 0);
+            sum += grey(pixel);
+        }
+        CHECK(sum / (32 * 24) > 0.005);
+    }
+    CHECK(count >= 20);
+}
+
+TEST_CASE("the paper's flakes have its numbers of spheres and luminaires", "[examples]") {
+    const auto luminaires = [](const Declares& declares) {
+        return world_of_file("examples/paper/fig6.pov", declares, ConstantAlpha{})
+            .luminaires.size();
+    };
+    const World world = world_of_file("examples/paper/fig6.pov", {}, ConstantAlpha{});
+    CHECK(world.spheres.size() == 2 * 7381);
+    CHECK(world.luminaires.size() == 7381);
+    CHECK(luminaires({{"Luminaires", 1.0}}) == 1);
+    CHECK(luminaires({{"Depth", 5.0}}) == 66430);
+}

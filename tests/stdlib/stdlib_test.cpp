@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each file of the standard library can be included alone and twice, says nothing, and declares
+// what it documents.
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("each library file can be included alone and twice", "[stdlib]") {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(CANDELABRA_SOURCE_DIR "/stdlib")) {
+        const std::string include = "#include \"" + entry.path().filename().string() + "\"\n";
+        const Evaluated once = evaluated("#version 3.7;\n" + include);
+        INFO(include << once.diagnostics);
+        CHECK(once.diagnostics.empty());
+        CHECK(once.printed.empty());
+        CHECK(once.scene.objects.empty());
+        CHECK(evaluated("#version 3.7;\n" + include + include).diagnostics.empty());
+        ++count;
+    }
+    CHECK(count >= 4);
+}
+
+TEST_CASE("library names have their values", "[stdlib]") {
+    struct Case {
+        const char* file;
+        const char* expression;
+        const char* printed;
+    };
+    const Case cases[] = {
+        {"colors.inc", "vstr(3, Red, \",\", 0, 3)", "1.000,0.000,0.000"},
+        {"colors.inc", "vstr(3, SummerSky, \",\", 0, 6)", "0.220000,0.690000,0.870000"},
+        {"colors.inc", "vstr(3, Clear, \",\", 0, 1)", "1.0,1.0,1.0"},
+        {"consts.inc", "vstr(3, xy, \",\", 0, 1)", "1.0,1.0,0.0"},
+        {"consts.inc", "str(Water_Ior, 0, 2)", "1.33"},
+        {"sphereflake.inc", "str(Sphereflake_Count(4), 0, 0)", "7381"},
+    };
+    for (const Case& c : cases) {
+        const Evaluated result = evaluated("#version 3.7; #include \"" + std::string(c.file) +
+                                           "\" #debug " + c.expression);
+        INFO(c.expression << result.diagnostics);
+        CHECK(result.printed == c.printed);
+    }
+}
+
+TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") {
+    struct Case {
+        const char* array;
+        std::size_t lamps;
+    };
+    const Case cases[] = {
+        {"Light_Grid(L, <3, 4, 5>, <1, 1, 1>)", 60},
+        {"Light_Line(L, 7, <0, 0, 0>, <5, 0, 0>)", 7},
+        {"Light_Ring(L, 12, 3)", 12},
+        {"Light_Helix(L, 30, 2, 5, 3)", 30},
+        {"Light_Sphere(L, 50, 4)", 50},
+        {"Light_String(L, 9, P, 0.1)", 9},
+        {"Light_Spline_String(L, 11, P, 0.1)", 11},
+        {"Light_Scatter(L, 20, <-9, 0, -9>, <9, 0, 9>, 0.5, 1)", 20},
+        {"Light_Facade(L, L, <4, 3>, <1, 1>, 0.5, 1)", 12},
+        {"Light_Street(L, 6, 5, 8)", 12},
+        {"Light_Positions(L, P)", 3},
+    };
+    const std::string before = R"(#version 3.7; #include "light_arrays.inc"
+        #declare L = sphere { 0, 0.05 pigment { rgb 1 } finish { emission 1 } }
+        #declare P = array[3] { <-5, 3, 0>, <0, 4, 2>, <6, 3, 1> }
+        object { )";
+    for (const Case& c : cases) {
+        const World world = world_of(before + c.array + " }");
+        INFO(c.array);
+        CHECK(world.luminaires.size() == c.lamps);
+    }
+}
+
+TEST_CASE("a light array that cannot be meant says the rule", "[stdlib]") {
+    const Evaluated result = evaluated(
+        "#version 3.7; #include \"light_arrays.inc\" object { Light_Ring(sphere { 0, 1 }, 0, 3) }");
+    CHECK(result.failed);
+    CHECK(result.diagnostics.find("must be a whole number from 1") != std::string::npos);
+}
