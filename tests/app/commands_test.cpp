@@ -130,7 +130,7 @@ TEST_CASE("assumed_gamma reaches the file") {
     CHECK(corner("#version 3.6;") == Approx(0.5));
 }
 
-TEST_CASE("-F renders without a file") {
+TEST_CASE("no file is written with -F") {
     Shell shell;
     CHECK(shell.render({"-F", "+O" + shell.path("no/such/folder/x.png")}) == 0);
     CHECK(has(shell.err, "no file: "));
