@@ -12,7 +12,7 @@ struct Colour {
     double filter = 0;
     double transmit = 0;
 
-    /// Light that passes through a surface of this colour (shading.md 1.1).
+    /// Light that passes through a surface of this colour, per channel.
     Vec3 passing() const { return filter * rgb + Vec3(transmit); }
     /// Share of the surface that is not transparent; may be negative.
     double opacity() const { return 1 - filter - transmit; }
