@@ -91,7 +91,8 @@ int main(int argc, char** argv) {
     };
     const std::vector<Row> rows = {{ConstantAlpha{}, 10}, {LinearAlpha{}, 1},  {LinearAlpha{}, 10},
                                    {LightBvh{}, 1},       {LightBvh{}, 10},    {LightBvh{}, 40},
-                                   {LightOctree{}, 1},    {LightOctree{}, 10}, {LightOctree{}, 40}};
+                                   {LightOctree{}, 1},    {LightOctree{}, 10}, {LightOctree{}, 40},
+                                   {EveryLight{}, 1}};
     const Run opponent = timed(flakes(LightBvh{}, false), 10);
     const Noise opponent_noise = compare(opponent.rendering.image, converged);
     std::printf("%-15s %7s %12s %8s %8s %8s %9s %9s   %s\n", "strategy", "samples", "shadow rays",
