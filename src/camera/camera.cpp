@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/camera.h"
 
+#include <numbers>
+
 namespace {
 
-constexpr double radians_per_degree = 3.14159265358979323846 / 180;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 
 Projection untransformed(const View& view, bool parallel) {
     Projection f{view.location, view.direction.value_or(Vec3(0, 0, 1)),

@@ -68,5 +68,5 @@ consteval auto LightOctree::vocabulary() {
           "dim luminaires that are asked at each hit", between(1, 64)});
 }
 
-/// Every strategy there is; the first of the list is not the default: see RenderSettings.
+/// Every strategy there is. GlobalSettings says which one is the default.
 using LightSampler = std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree>;

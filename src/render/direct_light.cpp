@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/direct_light.h"
 
+#include <numbers>
+
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 Vec3 from_source(const World& world, const PointLight& light, const Shading& s, RayCounts& rays) {
     const Vec3 offset = light.location - s.position;

@@ -27,14 +27,15 @@ public:
     int height() const { return height_; }
     PixelSum& at(int x, int y) { return pixels_[index(x, y)]; }
     const PixelSum& at(int x, int y) const { return pixels_[index(x, y)]; }
-    /// Means of the samples; black where there are none.
-    Image image() const;
-
-private:
+    /// Number of the pixel, row by row from the top.
     std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
     }
+    /// Means of the samples; black where there are none.
+    Image image() const;
+
+private:
     int width_, height_;
     std::vector<PixelSum> pixels_;
 };

@@ -58,16 +58,11 @@ private:
         // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
         // than that.
         const AdaptiveRule rule{settings_.antialias_threshold / 10, most_samples(settings_)};
-        std::vector<std::uint32_t> more(static_cast<std::size_t>(film_.width()) *
-                                        static_cast<std::size_t>(film_.height()));
-        const auto index = [&](int x, int y) {
-            return static_cast<std::size_t>(y) * static_cast<std::size_t>(film_.width()) +
-                   static_cast<std::size_t>(x);
-        };
+        std::vector<std::uint32_t> more(film_.index(0, film_.height()));
         for (int y = 0; y < film_.height(); ++y)
             for (int x = 0; x < film_.width(); ++x)
-                more[index(x, y)] = samples_to_add(film_, x, y, rule);
-        over_tiles({0.5, 1}, [&](int x, int y) { return more[index(x, y)]; });
+                more[film_.index(x, y)] = samples_to_add(film_, x, y, rule);
+        over_tiles({0.5, 1}, [&](int x, int y) { return more[film_.index(x, y)]; });
     }
 
     /// Adds count(x, y) samples to each pixel.
@@ -92,11 +87,8 @@ private:
 
     void add_samples(Tracer& tracer, int x, int y, std::uint32_t count) {
         PixelSum& pixel = film_.at(x, y);
-        const auto number =
-            static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(film_.width()) +
-            static_cast<std::uint64_t>(x);
         Key key;
-        key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + number;
+        key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + film_.index(x, y);
         for (const std::uint32_t last = pixel.samples + count; pixel.samples < last;) {
             key.sample = pixel.samples;
             const double dx = settings_.antialias ? uniform(key, Purpose::pixel_x) : 0.5;

@@ -2,10 +2,11 @@
 #include "render/shade.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles. The cosine is
 /// that of the light.

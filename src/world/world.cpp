@@ -186,11 +186,3 @@ double World::opacity(const Colour& colour) const {
         return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
     return colour.opacity();
 }
-
-std::size_t World::memory_bytes() const {
-    const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-    return bytes(spheres) + bytes(triangles) + bytes(shapes) + bytes(normals) + bytes(normals_of) +
-           bytes(unbounded) + bytes(material_of) + bytes(materials) + bytes(luminaires) +
-           tree.memory_bytes() +
-           std::visit([](const auto& built) { return built.memory_bytes(); }, sampler);
-}

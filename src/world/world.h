@@ -94,9 +94,6 @@ public:
         return face ? ~material_of[primitive] : primitive;
     }
 
-    /// Of the primitives and the index structures; textures are not counted.
-    std::size_t memory_bytes() const;
-
     // Primitives are counted through: spheres, then triangles, then shapes.
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;
