@@ -3,10 +3,8 @@
 
 #include "base/colour.h"
 #include "picture/file.h"
+#include "picture/formats.h"
 #include "text/message.h"
-
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <array>
@@ -64,28 +62,18 @@ std::vector<float> floats(const Image& image, const PictureFormat& format) {
     return result;
 }
 
-OIIO::ImageSpec specification(const Image& image, const PictureFormat& format, bool linear) {
-    using OIIO::TypeDesc;
-    const TypeDesc whole = format.bits == 16 ? TypeDesc::UINT16 : TypeDesc::UINT8;
-    OIIO::ImageSpec spec(image.width, image.height, 3, linear ? TypeDesc(TypeDesc::FLOAT) : whole);
-    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
-    spec.attribute("Software", "Candelabra");
-    // A fixed time: the same picture must give the same bytes.
-    spec.attribute("DateTime", "2000:01:01 00:00:00");
-    if (format.type == PictureType::exr) spec.attribute("compression", "zip");
-    if (format.type == PictureType::jpeg) spec.attribute("Compression", "jpeg:95");
-    if (format.type == PictureType::tga)
-        spec.attribute("compression", format.compressed ? "rle" : "none");
-    return spec;
-}
-
-bool write_pixels(OIIO::ImageOutput& output, const Image& image, const PictureFormat& format,
-                  bool linear) {
-    using OIIO::TypeDesc;
-    if (linear) return output.write_image(TypeDesc::FLOAT, floats(image, format).data());
-    if (format.bits == 16)
-        return output.write_image(TypeDesc::UINT16, integers<std::uint16_t>(image, format).data());
-    return output.write_image(TypeDesc::UINT8, integers<std::uint8_t>(image, format).data());
+RawPicture raw_picture(const Image& image, const PictureFormat& format, const TypeInfo& type) {
+    RawPicture raw{image.width, image.height, {}, type.extension, {}};
+    if (type.linear)
+        raw.values = floats(image, format);
+    else if (format.bits == 16)
+        raw.values = integers<std::uint16_t>(image, format);
+    else
+        raw.values = integers<std::uint8_t>(image, format);
+    if (format.type == PictureType::exr) raw.compression = "zip";
+    if (format.type == PictureType::jpeg) raw.compression = "jpeg:95";
+    if (format.type == PictureType::tga) raw.compression = format.compressed ? "rle" : "none";
+    return raw;
 }
 
 }  // namespace
@@ -114,18 +102,14 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
 std::optional<std::string> encode(const Image& image, const PictureFormat& format,
                                   Diagnostics& diagnostics) {
     const TypeInfo& type = info(format.type);
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    const auto output = OIIO::ImageOutput::create(std::string(type.extension));
-    const bool done = output && output->set_ioproxy(&memory) &&
-                      output->open("picture." + std::string(type.extension),
-                                   specification(image, format, type.linear)) &&
-                      write_pixels(*output, image, format, type.linear) && output->close();
-    if (done) return std::string(bytes.begin(), bytes.end());
-    const std::string why = output ? output->geterror() : OIIO::geterror();
+    const Formats* formats = picture_formats(diagnostics);
+    if (!formats) return std::nullopt;
+    std::string bytes;
+    const std::string problem = formats->write(raw_picture(image, format, type), bytes);
+    if (problem.empty()) return bytes;
     diagnostics.add(error(Fault::io, {},
                           message("cannot make a ", type.extension, " file of ", image.width,
-                                  " by ", image.height, " pixels", why.empty() ? "" : ": ", why)));
+                                  " by ", image.height, " pixels: ", problem)));
     return std::nullopt;
 }
 

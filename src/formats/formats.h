@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Picture files as they are stored, before any meaning: what picture/ is built on. OpenImageIO is
+// behind it, whose many libraries take longer to load than most scenes take to read; so this module
+// is a library of its own, opened when the first picture is read or written.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// What a file holds. Whole numbers come as 0..1; alpha is left out.
+struct StoredPicture {
+    int width = 0;
+    int height = 0;
+    int channels = 3;           ///< 1 or 3
+    std::vector<float> values;  ///< row by row from the top, channels side by side
+    bool linear = false;        ///< the file says so, or holds floating-point numbers
+    double gamma = 0;           ///< of the values, if the file says it; otherwise 0
+};
+
+/// What a file shall hold: three channels.
+struct RawPicture {
+    int width = 0;
+    int height = 0;
+    std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> values;
+    std::string_view extension;    ///< names the format
+    std::string_view compression;  ///< in OpenImageIO's words; empty for the format's own
+};
+
+/// The entry points. Each returns what went wrong, or an empty string.
+struct Formats {
+    /// A picture of more than `most_pixels` is refused: its file is taken for a damaged one.
+    std::string (*read)(const std::string& path, std::int64_t most_pixels, StoredPicture&);
+    std::string (*write)(const RawPicture&, std::string& bytes);
+};
+
+/// The name of the library, and of its one function: `const Formats* candelabra_formats()`.
+inline constexpr auto formats_library = "libcandelabra_formats.so";
+inline constexpr auto formats_function = "candelabra_formats";

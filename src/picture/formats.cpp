@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/formats.h"
+
+#include "text/message.h"
+
+#include <dlfcn.h>
+
+namespace {
+
+struct Opened {
+    const Formats* formats = nullptr;
+    std::string problem;
+};
+
+Opened open_library() {
+    // Found beside the program or where it was installed: the program's run path says.
+    void* const library = dlopen(formats_library, RTLD_NOW | RTLD_LOCAL);
+    void* const entry = library ? dlsym(library, formats_function) : nullptr;
+    if (!entry) return {nullptr, dlerror()};
+    return {reinterpret_cast<const Formats* (*)()>(entry)(), {}};
+}
+
+}  // namespace
+
+const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
+    static const Opened opened = open_library();
+    if (!opened.formats)
+        diagnostics.add(
+            error(Fault::io, asked_at,
+                  message("the library of picture formats cannot be opened: ", opened.problem)));
+    return opened.formats;
+}
