@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
 
+#include "app/diagnostics_json.h"
 #include "app/help.h"
 #include "app/output.h"
 #include "app/progress.h"
@@ -19,6 +20,7 @@
 #include "text/loader.h"
 #include "text/message.h"
 #include "world/compile.h"
+#include "world/review.h"
 
 #include <filesystem>
 #include <iostream>
@@ -48,13 +50,21 @@ private:
         return options_.task == Task::check || options_.task == Task::check_syntax;
     }
 
+    /// Progress, figures, praise: everything on the error stream that is no diagnostic.
+    bool talks() const { return options_.verbose && !options_.diagnostics_as_json; }
+
+    std::string written(const Diagnostic& diagnostic) const {
+        return options_.diagnostics_as_json ? to_json(diagnostic, sources_)
+                                            : format(diagnostic, sources_, console_.coloured);
+    }
+
     /// Prints what is new; true when there are errors.
     bool say_diagnostics() {
         const auto& all = diagnostics_.all();
         for (; said_ < all.size(); ++said_)
             if (options_.verbose || all[said_].severity != Severity::note)
-                console_.err(format(all[said_], sources_, console_.coloured));
-        if (diagnostics_.full())
+                console_.err(written(all[said_]));
+        if (diagnostics_.full() && !options_.diagnostics_as_json)
             console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
         return diagnostics_.failed();
     }
@@ -123,6 +133,7 @@ private:
             compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));
+        review(scene, world, diagnostics_);
         if (say_diagnostics()) return exit_status::scene;
         if (is_check()) return finish(world);
         Output fitting = output;
@@ -140,7 +151,7 @@ private:
     }
 
     void say_correct() {
-        if (options_.verbose) console_.err(message(harmless(*options_.scene), ": no errors\n"));
+        if (talks()) console_.err(message(harmless(*options_.scene), ": no errors\n"));
     }
 
     Scene evaluate_scene(SourceId main) {
@@ -151,14 +162,17 @@ private:
         options.facts.image_height = options_.render.height;
         options.facts.clock = options_.clock.value_or(0);
         options.facts.clock_given = options_.clock.has_value();
-        if (options_.verbose) options.print = console_.err;
+        if (options_.diagnostics_as_json)
+            options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
+        else if (options_.verbose)
+            options.print = console_.err;
         return evaluate(sources_, loader, main, options, diagnostics_);
     }
 
     int render_picture(const World& world, const Output& output) {
         using enum Progress::Style;
         Progress progress(
-            !options_.verbose   ? silent
+            !talks()            ? silent
             : console_.terminal ? terminal
                                 : lines,
             [] { return time_now().seconds; }, console_.err);
@@ -172,7 +186,7 @@ private:
             write_picture(rendering.image, output.path, output.format, diagnostics_);
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
-        if (options_.verbose && status == exit_status::done)
+        if (talks() && status == exit_status::done)
             console_.err(message(options_.to_file ? harmless(output.path) : "no file", ": ",
                                  summary(statistics_), "\n"));
         return status;
@@ -229,9 +243,10 @@ std::string explanation(const Options& options, Diagnostics& diagnostics) {
     return description(options.topic, options.form, diagnostics);
 }
 
-int usage_errors(const Console& console, const Diagnostics& diagnostics) {
+int usage_errors(const Console& console, const Options& options, const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all())
-        console.err(format(each, SourceStore(), console.coloured));
+        console.err(options.diagnostics_as_json ? to_json(each, SourceStore())
+                                                : format(each, SourceStore(), console.coloured));
     return exit_status::usage;
 }
 
@@ -240,11 +255,12 @@ int usage_errors(const Console& console, const Diagnostics& diagnostics) {
 int run(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
     const Options options = read_options(arguments, diagnostics);
-    if (diagnostics.failed()) return usage_errors(console, diagnostics);
+    if (diagnostics.failed()) return usage_errors(console, options, diagnostics);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe) {
         console.out(explanation(options, diagnostics));
-        return diagnostics.failed() ? usage_errors(console, diagnostics) : exit_status::done;
+        return diagnostics.failed() ? usage_errors(console, options, diagnostics)
+                                    : exit_status::done;
     }
     if (!options.scene) {
         console.err(short_usage());

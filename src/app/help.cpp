@@ -77,7 +77,7 @@ std::string option_help(std::string_view topic) {
 }
 
 std::vector<std::string_view> topics() {
-    std::vector<std::string_view> names = {"options", "compatibility"};
+    std::vector<std::string_view> names = {"options", "compatibility", "warnings"};
     for (const ItemGroup& group : catalogue()) {
         names.push_back(group.name);
         for (const ItemInfo* item : group.items) names.push_back(item->name);
@@ -94,6 +94,14 @@ std::vector<ManualEntry> function_entries() {
     std::vector<ManualEntry> result;
     for (const FunctionInfo& each : functions())
         result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help)});
+    return result;
+}
+
+std::vector<ManualEntry> warning_entries() {
+    std::vector<ManualEntry> result;
+    for (const FaultInfo& fault : all_faults())
+        if (!fault.warns_of.empty())
+            result.push_back({std::string(fault.name), std::string(fault.warns_of)});
     return result;
 }
 
@@ -165,6 +173,7 @@ std::string short_usage() {
 std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
     if (topic.empty() || same_letters(topic, "options")) return overview();
     if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
+    if (same_letters(topic, "warnings")) return manual(warning_entries(), ManualForm::text);
     std::string text = item_help(topic);
     for (const FunctionInfo& each : functions())
         if (same_letters(each.name, topic))
@@ -188,10 +197,12 @@ std::string description(std::string_view part, ManualForm form, Diagnostics& dia
     if (part == "compatibility") return manual(entries(false), form);
     if (part == "functions") return manual(function_entries(), form);
     if (part == "words") return words(form);
+    if (part == "warnings") return manual(warning_entries(), form);
     if (!part.empty()) {
-        diagnostics.add(error(Fault::option, {},
-                              message("there is nothing called `", harmless(part), "` to describe"))
-                            .with_help("items, functions, options, compatibility or words"));
+        diagnostics.add(
+            error(Fault::option, {},
+                  message("there is nothing called `", harmless(part), "` to describe"))
+                .with_help("items, functions, options, compatibility, words or warnings"));
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);

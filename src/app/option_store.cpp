@@ -186,6 +186,44 @@ void store::gamma(Options&, const Given& given, Diagnostics& diagnostics) {
                "pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, +FH");
 }
 
+void store::diagnostics(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (*given.value != "text" && *given.value != "json")
+        return refuse(given, diagnostics, "diagnostics are written as text or as json");
+    options.diagnostics_as_json = *given.value == "json";
+}
+
+/// Names of warnings with commas between: what a name says holds for what comes after it.
+void store::warn(Options&, const Given& given, Diagnostics& diagnostics) {
+    std::vector<std::string_view> names = {"all", "none", "error"};
+    for (const FaultInfo& fault : all_faults())
+        if (!fault.warns_of.empty()) names.push_back(fault.name);
+    std::string_view rest = *given.value;
+    while (!rest.empty()) {
+        const std::string_view word = rest.substr(0, rest.find(','));
+        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+        const bool on = !word.starts_with("no-") || std::ranges::count(names, word) > 0;
+        const std::string_view wanted = on ? word : word.substr(3);
+        if (std::ranges::find(names, wanted) == names.end()) {
+            const std::string meant = nearest(wanted, names);
+            return refuse(given, diagnostics,
+                          message("there is no warning `", harmless(wanted), "`"),
+                          meant.empty() ? "--help warn names all"
+                                        : message("did you mean `", on ? "" : "no-", meant, "`?"));
+        }
+        if (wanted == "error") diagnostics.make_warnings_errors();
+        for (const FaultInfo& fault : all_faults())
+            if (wanted == "all" || wanted == "none" || wanted == fault.name)
+                diagnostics.set_warning(fault.fault, on && wanted != "none");
+    }
+}
+
+void store::warning_level(Options&, const Given& given, Diagnostics& diagnostics) {
+    const auto level = number(*given.value);
+    if (!level || *level < 0 || *level > 10)
+        return refuse(given, diagnostics, "a warning level is a number from 0 (none) to 10");
+    for (const FaultInfo& fault : all_faults()) diagnostics.set_warning(fault.fault, *level > 0);
+}
+
 void store::check(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.task = given.value ? Task::check_syntax : Task::check;
     if (given.value && *given.value != "syntax")

@@ -53,6 +53,9 @@ void stats(Options&, const Given&, Diagnostics&);
 void help(Options&, const Given&, Diagnostics&);
 void version(Options&, const Given&, Diagnostics&);
 void describe(Options&, const Given&, Diagnostics&);
+void diagnostics(Options&, const Given&, Diagnostics&);
+void warn(Options&, const Given&, Diagnostics&);
+void warning_level(Options&, const Given&, Diagnostics&);
 void quality(Options&, const Given&, Diagnostics&);
 void gamma(Options&, const Given&, Diagnostics&);
 

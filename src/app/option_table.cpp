@@ -73,6 +73,14 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("K", "Clock", "", value, "n", store::clock, "value of clock in the scene"),
     option("V", "Verbose", "", sign, "", store::verbose,
            "progress and a summary (the default); -V: warnings and errors only"),
+    option("", "", "warn", value, "names", store::warn,
+           "warnings by name, with commas between: `no-division-by-zero` switches one off, `none` "
+           "and `all` do what they say, `error` makes warnings errors; see WARNINGS"),
+    option("WL", "Warning_Level", "", value, "n", store::warning_level,
+           "0: no warnings; anything else: all"),
+    option("", "", "diagnostics", value, "form", store::diagnostics,
+           "text (the default) or json: an object on a line for each message, and nothing else on "
+           "the error stream"),
     option("", "", "check", maybe_value, "syntax", store::check,
            "everything but rendering; =syntax: reads the scene, but does not evaluate it"),
     option("", "", "dump", value, "stage", store::dump,
@@ -84,7 +92,7 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "version", nothing, "", store::version, "name and version"),
     option("", "", "describe", maybe_words, "form part", store::describe,
            "options and vocabulary as text, roff or json; part: items, functions, options, "
-           "compatibility or words"),
+           "compatibility, words or warnings"),
     accepted("D", "Display", sign_and_value, "", "accepted without effect: no preview is shown"),
     accepted("P", "Pause_When_Done", sign, "", "accepted without effect"),
     option("Q", "Quality", "", value, "n", store::quality,
@@ -111,7 +119,6 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("UV", "Vista_Buffer", sign, "", ""),
     ignored("RVP", "Radiosity_Vain_Pretrace", sign, "", ""),
     ignored("MI", "Max_Image_Buffer_Memory", value, "n", ""),
-    ignored("WL", "Warning_Level", value, "n", "all warnings are given"),
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
     ignored("AC", "Antialias_Confidence", value, "n", ""),
     ignored("", "Display_Gamma", value, "g", no_preview),

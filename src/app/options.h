@@ -46,6 +46,7 @@ struct Options {
     std::optional<double> clock;
     RenderSettings render;
     bool verbose = true;
+    bool diagnostics_as_json = false;
     std::string stats_file;
     std::string topic;                   ///< of --help, or what --describe describes
     ManualForm form = ManualForm::text;  ///< of --describe

@@ -188,7 +188,7 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
 void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
     if (contains(effectless, word)) {
         if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
-            report(warning(Fault::not_implemented, element.word_span,
+            report(warning(Fault::no_effect, element.word_span,
                            message('`', word, "` has no effect in this version")));
         return;
     }

@@ -61,7 +61,7 @@ public:
     void finish(bool version_given) {
         scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
         scene_.gamma_handling = gamma_given_ || scene_.language_version >= 3.7;
-        if (!camera_given_) scene_.camera = binder_.default_camera;
+        if (!scene_.camera_given) scene_.camera = binder_.default_camera;
     }
 
 private:
@@ -100,12 +100,12 @@ private:
     void take_camera(const Element& element) {
         Camera camera = binder_.default_camera;
         if (!read_camera(binder_, element, camera)) return;
-        if (camera_given_)
+        if (scene_.camera_given)
             binder_.evaluator.report(
                 warning(Fault::duplicate, element.word_span,
                         "there is a camera before this one; the last one counts"));
         scene_.camera = camera;
-        camera_given_ = true;
+        scene_.camera_given = true;
     }
 
     Value textures(std::span<const Element> elements) {
@@ -176,7 +176,6 @@ private:
     Scene& scene_;
     OpenBlock top_{binder_, {}, {}};
     bool gamma_given_ = false;
-    bool camera_given_ = false;
 };
 
 }  // namespace

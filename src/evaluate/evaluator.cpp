@@ -3,6 +3,7 @@
 
 #include "evaluate/deep_stack.h"
 #include "evaluate/state.h"
+#include "syntax/lint.h"
 #include "syntax/parser.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -82,6 +83,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
 
 void Evaluator::State::run(SourceId main) {
     const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics));
+    lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;
     if (!stopped_)

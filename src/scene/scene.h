@@ -55,6 +55,7 @@ struct Scene {
     std::vector<ObjectHandle> objects;
     std::vector<PlacedLight> lights;
     Camera camera;
+    bool camera_given = false;  ///< otherwise it is the default
     Background background;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none

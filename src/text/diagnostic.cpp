@@ -1,69 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/diagnostic.h"
 
+#include <array>
 #include <utility>
 
-std::string_view name(Fault fault) {
-    switch (fault) {
-        case Fault::syntax:
-            return "syntax";
-        case Fault::unterminated:
-            return "unterminated";
-        case Fault::unknown_character:
-            return "unknown_character";
-        case Fault::unknown_word:
-            return "unknown_word";
-        case Fault::unknown_name:
-            return "unknown_name";
-        case Fault::wrong_type:
-            return "wrong_type";
-        case Fault::wrong_count:
-            return "wrong_count";
-        case Fault::out_of_range:
-            return "out_of_range";
-        case Fault::duplicate:
-            return "duplicate";
-        case Fault::missing:
-            return "missing";
-        case Fault::misplaced:
-            return "misplaced";
-        case Fault::semicolon:
-            return "semicolon";
-        case Fault::redefinition:
-            return "redefinition";
-        case Fault::uninitialised:
-            return "uninitialised";
-        case Fault::bad_index:
-            return "bad_index";
-        case Fault::domain:
-            return "domain";
-        case Fault::division_by_zero:
-            return "division_by_zero";
-        case Fault::degenerate:
-            return "degenerate";
-        case Fault::recursion_limit:
-            return "recursion_limit";
-        case Fault::loop_limit:
-            return "loop_limit";
-        case Fault::include_not_found:
-            return "include_not_found";
-        case Fault::file_access:
-            return "file_access";
-        case Fault::io:
-            return "io";
-        case Fault::option:
-            return "option";
-        case Fault::deprecated:
-            return "deprecated";
-        case Fault::not_implemented:
-            return "not_implemented";
-        case Fault::user_error:
-            return "user_error";
-        case Fault::user_warning:
-            return "user_warning";
-    }
-    return "";
+namespace {
+
+constexpr auto infos = std::array{
+    FaultInfo{Fault::syntax, "syntax", "a sign that means nothing where it stands"},
+    FaultInfo{Fault::unterminated, "unterminated"},
+    FaultInfo{Fault::unknown_character, "unknown-character"},
+    FaultInfo{Fault::unknown_word, "unknown-word"},
+    FaultInfo{Fault::unknown_name, "unknown-name", "an #undef of what is not declared"},
+    FaultInfo{Fault::wrong_type, "wrong-type"},
+    FaultInfo{Fault::wrong_count, "wrong-count", "values that are left over or missing"},
+    FaultInfo{Fault::out_of_range, "out-of-range"},
+    FaultInfo{Fault::duplicate, "duplicate", "something given twice, of which the last counts"},
+    FaultInfo{Fault::missing, "missing"},
+    FaultInfo{Fault::misplaced, "misplaced"},
+    FaultInfo{Fault::semicolon, "semicolon", "a `;` too many or too few"},
+    FaultInfo{Fault::redefinition, "redefinition"},
+    FaultInfo{Fault::uninitialised, "uninitialised"},
+    FaultInfo{Fault::bad_index, "bad-index"},
+    FaultInfo{Fault::domain, "domain", "an argument that a function is not defined for"},
+    FaultInfo{Fault::division_by_zero, "division-by-zero",
+              "a division by zero, which gives infinity"},
+    FaultInfo{Fault::degenerate, "degenerate",
+              "a shape without extent, or a vector without direction"},
+    FaultInfo{Fault::recursion_limit, "recursion-limit"},
+    FaultInfo{Fault::loop_limit, "loop-limit"},
+    FaultInfo{Fault::include_not_found, "include-not-found"},
+    FaultInfo{Fault::file_access, "file-access"},
+    FaultInfo{Fault::io, "io"},
+    FaultInfo{Fault::option, "option", "an option of the command line that has no effect"},
+    FaultInfo{Fault::deprecated, "deprecated",
+              "old ways of writing, and names that are declared as deprecated"},
+    FaultInfo{Fault::not_implemented, "not-implemented",
+              "what this version leaves out of the picture"},
+    FaultInfo{Fault::unused_parameter, "unused-parameter",
+              "a parameter that its macro does not use"},
+    FaultInfo{Fault::no_effect, "no-effect", "a value that is accepted but changes nothing"},
+    FaultInfo{Fault::no_camera, "no-camera",
+              "a scene without a camera, which gets the default one"},
+    FaultInfo{Fault::no_object, "no-object", "a scene without an object"},
+    FaultInfo{Fault::no_light, "no-light", "a scene that nothing lights"},
+    FaultInfo{Fault::camera_inside, "camera-inside", "a camera inside an object"},
+    FaultInfo{Fault::user_error, "user-error"},
+    FaultInfo{Fault::user_warning, "user-warning", "what the scene itself says by #warning"},
+};
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < infos.size(); ++i)
+        if (static_cast<std::size_t>(infos[i].fault) != i) return false;
+    return static_cast<std::size_t>(Fault::user_warning) + 1 == infos.size();
 }
+static_assert(in_order());
+
+}  // namespace
+
+std::span<const FaultInfo> all_faults() { return infos; }
+
+std::string_view name(Fault fault) { return infos[static_cast<std::size_t>(fault)].name; }
 
 Diagnostic& Diagnostic::with_label(std::string text) {
     label = std::move(text);
@@ -119,6 +116,10 @@ std::size_t Diagnostics::KeyHash::operator()(const Key& key) const {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
+    if (diagnostic.severity == Severity::warning) {
+        if (muted_[static_cast<std::size_t>(diagnostic.fault)]) return;
+        if (warnings_are_errors_) diagnostic.severity = Severity::error;
+    }
     const bool is_error = diagnostic.severity == Severity::error;
     if (is_error && full()) return;
     if (!seen_.insert({diagnostic.span, diagnostic.message}).second) return;

@@ -7,9 +7,10 @@
 
 #include "text/span.h"
 
-#include <array>
+#include <bitset>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -46,40 +47,25 @@ enum class Fault {
     option,
     deprecated,
     not_implemented,
+    unused_parameter,
+    no_effect,
+    no_camera,
+    no_object,
+    no_light,
+    camera_inside,
     user_error,
     user_warning,
 };
 
-inline constexpr auto all_faults = std::array{
-    Fault::syntax,
-    Fault::unterminated,
-    Fault::unknown_character,
-    Fault::unknown_word,
-    Fault::unknown_name,
-    Fault::wrong_type,
-    Fault::wrong_count,
-    Fault::out_of_range,
-    Fault::duplicate,
-    Fault::missing,
-    Fault::misplaced,
-    Fault::semicolon,
-    Fault::redefinition,
-    Fault::uninitialised,
-    Fault::bad_index,
-    Fault::domain,
-    Fault::division_by_zero,
-    Fault::degenerate,
-    Fault::recursion_limit,
-    Fault::loop_limit,
-    Fault::include_not_found,
-    Fault::file_access,
-    Fault::io,
-    Fault::option,
-    Fault::deprecated,
-    Fault::not_implemented,
-    Fault::user_error,
-    Fault::user_warning,
+/// A kind of problem as people know it: `division-by-zero`.
+struct FaultInfo {
+    Fault fault;
+    std::string_view name;
+    std::string_view warns_of = {};  ///< empty: always an error
 };
+
+/// All of them, in the order of the enumerators.
+std::span<const FaultInfo> all_faults();
 
 std::string_view name(Fault fault);
 
@@ -125,9 +111,15 @@ public:
 
     static constexpr std::size_t most_errors = 20;
 
-    /// Keeps the diagnostic unless the same message was given for the same span, or it is an error
-    /// and the collector is full. One without frames gets those of the provider.
+    /// Keeps the diagnostic unless the same message was given for the same span, or it is a warning
+    /// that is switched off, or an error and the collector is full. One without frames gets those
+    /// of the provider.
     void add(Diagnostic diagnostic);
+
+    /// Whether warnings of a kind are kept; at first all are.
+    void set_warning(Fault fault, bool kept) { muted_[static_cast<std::size_t>(fault)] = !kept; }
+    /// From now on warnings count as errors.
+    void make_warnings_errors() { warnings_are_errors_ = true; }
 
     bool failed() const { return errors_ > 0; }
     std::size_t error_count() const { return errors_; }
@@ -156,4 +148,6 @@ private:
     std::unordered_set<Key, KeyHash> seen_;
     Frames frames_;
     std::size_t errors_ = 0;
+    std::bitset<static_cast<std::size_t>(Fault::user_warning) + 1> muted_;
+    bool warnings_are_errors_ = false;
 };

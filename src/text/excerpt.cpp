@@ -133,9 +133,11 @@ private:
 
     void print_head() {
         const Severity severity = diagnostic_.severity;
-        const std::string_view title = severity == Severity::error     ? "error"
-                                       : severity == Severity::warning ? "warning"
-                                                                       : "note";
+        // The name is what switches a warning off.
+        const std::string title = severity == Severity::error ? "error"
+                                  : severity == Severity::warning
+                                      ? message("warning[", name(diagnostic_.fault), "]")
+                                      : "note";
         out_ += palette_.paint(palette_.primary, title);
         out_ += palette_.paint(palette_.strong, ":") + ' ';
         print_lines(diagnostic_.message, title.size() + 2, palette_.strong);

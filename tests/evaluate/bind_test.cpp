@@ -52,31 +52,31 @@ TEST_CASE("a word of a block means itself, though the scene has declared the nam
 
 TEST_CASE("each wrong value is told of once, with place and rule", "[evaluate]") {
     const auto [script, expected] = GENERATE(values<Case>({
-        {"sphere { 0, 1, 2 }", "error wrong_count: `sphere` takes 2 values, but here is one more"},
+        {"sphere { 0, 1, 2 }", "error wrong-count: `sphere` takes 2 values, but here is one more"},
         {"sphere { 0 }", "error missing: `sphere` needs `radius`"},
         {"cylinder { }", "error missing: `cylinder` needs `base`, `cap` and `radius`"},
         {"disc { 0, y }", "error missing: `disc` needs `radius`"},
         {"sphere { 0, -1 }",
-         "error out_of_range: `radius` of `sphere` must be above 0, but it is -1"},
+         "error out-of-range: `radius` of `sphere` must be above 0, but it is -1"},
         {"sphere { 0, <1, 2, 3> }",
-         "error wrong_type: `radius` of `sphere` must be a number, but it is a vector of 3"},
+         "error wrong-type: `radius` of `sphere` must be a number, but it is a vector of 3"},
         {"sphere { rgb 1, 1 }",
-         "error wrong_type: `centre` of `sphere` must be a vector of 3, but it is a colour"},
+         "error wrong-type: `centre` of `sphere` must be a vector of 3, but it is a colour"},
         {"sphere { <1, 2, 3, 4>, 1 }",
-         "error wrong_count: `centre` of `sphere` must be a vector of 3, but it is a vector of 4"},
+         "error wrong-count: `centre` of `sphere` must be a vector of 3, but it is a vector of 4"},
         {"sphere { \"here\", 1 }",
-         "error wrong_type: `centre` of `sphere` must be a vector of 3, but it is a string"},
+         "error wrong-type: `centre` of `sphere` must be a vector of 3, but it is a string"},
         {"sphere { 0, 1 translate }", "error missing: `translate` of `sphere` needs a vector"},
         {"sphere { 0, 1 translate rotate x }",
          "error missing: `translate` of `sphere` needs a vector"},
         {"global_settings { max_trace_level 0 }",
-         "error out_of_range: `max_trace_level` of `global_settings` must be from 1 to 256, but it "
+         "error out-of-range: `max_trace_level` of `global_settings` must be from 1 to 256, but it "
          "is 0"},
         {"global_settings { max_trace_level 2.5 }",
-         "error out_of_range: `max_trace_level` of `global_settings` must be a whole number, but "
+         "error out-of-range: `max_trace_level` of `global_settings` must be a whole number, but "
          "it is 2.5"},
         {"camera { angle 0 }",
-         "error out_of_range: `angle` of `camera` must be above 0 and at most 360, but it is 0"},
+         "error out-of-range: `angle` of `camera` must be above 0 and at most 360, but it is 0"},
         {"global_settings { adc_bailout 1 adc_bailout 2 }",
          "warning duplicate: `adc_bailout` of `global_settings` is given again; this one counts"},
     }));

@@ -17,10 +17,10 @@ struct Case {
 TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
     const auto [script, expected] = GENERATE(values<Case>({
         {"sphere { 0, 1 trnslate x scale 2 }",
-         "error unknown_word: `sphere` has no word `trnslate`"},
-        {"sphre { 0, 1 }", "error unknown_word: a scene has no word `sphre`"},
-        {"sphere { Centre, 1 }", "error unknown_name: nothing is declared as `Centre`"},
-        {"sphere { 0, 1 translate Offset }", "error unknown_name: nothing is declared as `Offset`"},
+         "error unknown-word: `sphere` has no word `trnslate`"},
+        {"sphre { 0, 1 }", "error unknown-word: a scene has no word `sphre`"},
+        {"sphere { Centre, 1 }", "error unknown-name: nothing is declared as `Centre`"},
+        {"sphere { 0, 1 translate Offset }", "error unknown-name: nothing is declared as `Offset`"},
         {"#declare T = texture { } sphere { 0, 1 T }",
          "error misplaced: a texture has no place in `sphere`"},
         {"sphere { 0, 1 location 3 }", "error misplaced: `location` has no place in `sphere`"},
@@ -29,18 +29,18 @@ TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
         {"sphere { 0, 1 { } }",
          "error misplaced: braces without a word before them have no place in `sphere`"},
         {"finish", "error misplaced: `finish` has no place in a scene"},
-        {"torus { 1, 2 }", "error not_implemented: `torus` is not available in this version"},
+        {"torus { 1, 2 }", "error not-implemented: `torus` is not available in this version"},
         {"sphere { 0, 1 pigment { bozo turbulence 1 octaves 3 } }",
-         "error not_implemented: `bozo` is not available in this version"},
+         "error not-implemented: `bozo` is not available in this version"},
         {"light_source { 0, 1 spotlight point_at x radius 3 falloff 4 }",
-         "error not_implemented: `spotlight` is not available in this version"},
+         "error not-implemented: `spotlight` is not available in this version"},
         {"sphere { 0, 1 finish { specular albedo 0.5 } }",
-         "error not_implemented: `albedo` is not available in this version"},
+         "error not-implemented: `albedo` is not available in this version"},
         {"sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }",
          "several:\n"
-         "warning: `bounded_by` has no effect in this version\n --> main.pov:2:15\n  |\n"
+         "warning[no-effect]: `bounded_by` has no effect in this version\n --> main.pov:2:15\n  |\n"
          "2 | sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }\n  |               ^^^^^^^^^^\n"
-         "warning: `sturm` has no effect in this version\n --> main.pov:2:44\n  |\n"
+         "warning[no-effect]: `sturm` has no effect in this version\n --> main.pov:2:44\n  |\n"
          "2 | sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }\n"
          "  |                                            ^^^^^\n"},
     }));

@@ -45,9 +45,9 @@ TEST_CASE("wrong cameras are told of once", "[evaluate]") {
     CHECK(complaint("camera { location x orthographic }") ==
           "error misplaced: the type `orthographic` must come first in `camera`");
     CHECK(complaint("camera { fisheye angle 180 }") ==
-          "error not_implemented: `fisheye` is not available in this version");
+          "error not-implemented: `fisheye` is not available in this version");
     CHECK(complaint("camera { locaton x }") ==
-          "error unknown_word: `camera` has no word `locaton`");
+          "error unknown-word: `camera` has no word `locaton`");
     CHECK(complaint("camera { look_at \"here\" }") ==
-          "error wrong_type: `look_at` of `camera` must be a vector of 3, but it is a string");
+          "error wrong-type: `look_at` of `camera` must be a vector of 3, but it is a string");
 }

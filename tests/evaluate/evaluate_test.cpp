@@ -64,11 +64,11 @@ TEST_CASE("what makes no scene is told of once", "[evaluate]") {
     CHECK(complaint("max_trace_level 5") ==
           "error misplaced: `max_trace_level` has no place in a scene");
     CHECK(complaint("#declare F = fog { distance 1 }") ==
-          "error not_implemented: `fog` is not available in this version");
+          "error not-implemented: `fog` is not available in this version");
     CHECK(complaint("#declare S = sphre { 0, 1 }") ==
-          "error unknown_word: a scene has no word `sphre`");
+          "error unknown-word: a scene has no word `sphre`");
     CHECK(complaint("#default { sphere { 0, 1 } }") ==
           "error misplaced: `sphere` has no place in `#default`");
     CHECK(complaint("#default { finsh { } }") ==
-          "error unknown_word: `#default` has no word `finsh`");
+          "error unknown-word: `#default` has no word `finsh`");
 }

@@ -58,5 +58,5 @@ TEST_CASE("wrong lights are told of once", "[evaluate]") {
     CHECK(complaint("light_source { 0, 1 no_shadow }") ==
           "error misplaced: `no_shadow` has no place in `light_source`");
     CHECK(complaint("light_source { 0, 1 area_light x, y, 2, 2 adaptive 1 jitter }") ==
-          "error not_implemented: `area_light` is not available in this version");
+          "error not-implemented: `area_light` is not available in this version");
 }

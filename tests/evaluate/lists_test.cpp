@@ -29,16 +29,16 @@ TEST_CASE("lists may be written by loops", "[evaluate]") {
 TEST_CASE("wrong lists are told of once", "[evaluate]") {
     const std::string head = "mesh2 { vertex_vectors { 3, 0, x, y } ";
     CHECK(complaint("mesh2 { vertex_vectors { 2, 0, x, y } face_indices { 1, <0, 1, 2> } }") ==
-          "error wrong_count: `vertex_vectors` has 3 entries, but its count is 2");
+          "error wrong-count: `vertex_vectors` has 3 entries, but its count is 2");
     CHECK(complaint("mesh2 { vertex_vectors { } }") ==
           "error missing: `vertex_vectors` needs a count");
     CHECK(complaint("mesh2 { vertex_vectors 3 }")
-              .rfind("error wrong_type: `vertex_vectors` of `mesh2` must be a list", 0) == 0);
+              .rfind("error wrong-type: `vertex_vectors` of `mesh2` must be a list", 0) == 0);
     CHECK(complaint(head + "face_indices { 1, <0, 1, 0.5> } }") ==
-          "error bad_index: an entry of `face_indices` must be three whole numbers");
+          "error bad-index: an entry of `face_indices` must be three whole numbers");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0 } }") ==
-          "error not_implemented: textures of single faces are not available in this version");
+          "error not-implemented: textures of single faces are not available in this version");
     CHECK(complaint(head + "face_indices { 1, \"a\" } }") ==
-          "error wrong_type: an entry of `face_indices` must be a vector of 3, but it is a string");
+          "error wrong-type: an entry of `face_indices` must be a vector of 3, but it is a string");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 3> } }").rfind("error degenerate: ", 0) == 0);
 }

@@ -85,7 +85,7 @@ TEST_CASE("wrong objects are told of once", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 sphere { 0, 1 } }") ==
           "error misplaced: `sphere` has no place in `sphere`");
     CHECK(complaint("union { torus { 1, 2 } torus { 1, 2 } }") ==
-          "error not_implemented: `torus` is not available in this version");
+          "error not-implemented: `torus` is not available in this version");
     CHECK(complaint("cylinder { 0, 0, 1 }").rfind("error degenerate: ", 0) == 0);
 }
 

@@ -54,9 +54,9 @@ TEST_CASE("a pigment is a pattern with its colours", "[evaluate]") {
 
 TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("<1, 0, 0>") ==
-          "error wrong_type: a colour must be said to be one, but this is a vector of 3");
+          "error wrong-type: a colour must be said to be one, but this is a vector of 3");
     CHECK(wrong("0.5") ==
-          "error wrong_type: a colour must be said to be one, but this is a number");
+          "error wrong-type: a colour must be said to be one, but this is a number");
     CHECK(wrong("\"red\"") == "error misplaced: a string has no place in `pigment`");
     CHECK(wrong("rgb 1 rgb 0") ==
           "error misplaced: a pigment has one colour or one pattern, and this is a second");
@@ -67,7 +67,7 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("checker color_map { [0 rgb 1] }") ==
           "error misplaced: `checker` takes two colours, not a `color_map`");
     CHECK(wrong("checker rgb 1, rgb 0, rgb 1") ==
-          "error wrong_count: `checker` takes 2 colours, but here is one more");
+          "error wrong-count: `checker` takes 2 colours, but here is one more");
     CHECK(wrong("gradient") == "error missing: `pigment` needs `direction`");
     CHECK(wrong("gradient x color_map { }") == "error missing: `color_map` has no entries");
     CHECK(wrong("gradient x color_map { [rgb 1] }") ==
@@ -75,9 +75,9 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("gradient x color_map { [0] }") ==
           "error missing: an entry of `color_map` needs a colour");
     CHECK(wrong("gradient x color_map { [0 rgb 1 rgb 0] }") ==
-          "error wrong_count: an entry of `color_map` has one colour for each number");
+          "error wrong-count: an entry of `color_map` has one colour for each number");
     CHECK(wrong("gradient x color_map { [0 <1, 2, 3>] }") ==
-          "error wrong_type: a colour must be said to be one, but this is a vector of 3");
+          "error wrong-type: a colour must be said to be one, but this is a vector of 3");
     CHECK(wrong("quick_color rgb 1") ==
-          "warning not_implemented: `quick_color` has no effect in this version");
+          "warning not-implemented: `quick_color` has no effect in this version");
 }

@@ -42,7 +42,7 @@ inline Script run(const std::string& script, const std::map<std::string, std::st
     return result;
 }
 
-/// The one thing that is said about the script: "error out_of_range: message", or "nothing".
+/// The one thing that is said about the script: "error out-of-range: message", or "nothing".
 inline std::string complaint(const std::string& script) {
     const Script done = run("#version 3.7;\n" + script);
     if (done.said.empty()) return "nothing";

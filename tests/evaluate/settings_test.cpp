@@ -43,20 +43,20 @@ TEST_CASE("a background is one colour, the last one", "[evaluate]") {
 
 TEST_CASE("wrong settings are told of once", "[evaluate]") {
     CHECK(complaint("global_settings { charset utf8 }") ==
-          "warning not_implemented: `charset` has no effect in this version");
+          "warning not-implemented: `charset` has no effect in this version");
     CHECK(complaint("global_settings { radiosity { count 100 } }") ==
-          "warning not_implemented: `radiosity` has no effect in this version");
+          "warning not-implemented: `radiosity` has no effect in this version");
     CHECK(complaint("global_settings { foo 1 }") ==
-          "error unknown_word: `global_settings` has no word `foo`");
+          "error unknown-word: `global_settings` has no word `foo`");
     CHECK(complaint("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }") ==
           "warning duplicate: `assumed_gamma` has been given before; the first one counts");
     CHECK(complaint("global_settings { light_sampler { } }") ==
           "error missing: `light_sampler` needs the name of a strategy");
     CHECK(complaint("global_settings { light_sampler { light_otree } }") ==
-          "error unknown_word: `light_sampler` has no word `light_otree`");
+          "error unknown-word: `light_sampler` has no word `light_otree`");
     CHECK(complaint("global_settings { light_sampler { every_light light_bvh } }") ==
           "error duplicate: `light_sampler` has one strategy, and this is a second");
     CHECK(complaint("global_settings { light_sampler { light_octree { threshold -1 } } }") ==
-          "error out_of_range: `threshold` of `light_octree` must be above 0, but it is -1");
+          "error out-of-range: `threshold` of `light_octree` must be above 0, but it is -1");
     CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
 }

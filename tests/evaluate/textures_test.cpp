@@ -103,7 +103,7 @@ TEST_CASE("an opaque texture covers another; layers that show are not available"
     const std::string red = "texture { pigment { rgb x } }";
     CHECK(sphere(glass + red).texture().pigment.colour.rgb == Vec3(1, 0, 0));
     const std::string layers =
-        "error not_implemented: layers of textures are not available in this version";
+        "error not-implemented: layers of textures are not available in this version";
     CHECK(complaint("sphere { 0, 1 " + red + glass + " }") == layers);
     CHECK(complaint("#declare T = " + red + glass) == layers);
     CHECK(complaint("sphere { 0, 1 texture { finish { reflection 1 } } " + red + " }") == layers);
@@ -113,15 +113,15 @@ TEST_CASE("an opaque texture covers another; layers that show are not available"
 
 TEST_CASE("wrong textures are told of once", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 texture { finish { ambiant 1 } } }") ==
-          "error unknown_word: `finish` has no word `ambiant`");
+          "error unknown-word: `finish` has no word `ambiant`");
     CHECK(complaint("sphere { 0, 1 texture { checker } }") ==
-          "error not_implemented: `checker` is not available in this version");
+          "error not-implemented: `checker` is not available in this version");
     CHECK(complaint("sphere { 0, 1 finish { reflection } }") ==
           "error missing: `reflection` of `finish` needs a colour or a block");
     CHECK(complaint("sphere { 0, 1 finish { reflection \"a\" } }") ==
-          "error wrong_type: `reflection` of `finish` must be a colour, but it is a string");
+          "error wrong-type: `reflection` of `finish` must be a colour, but it is a string");
     CHECK(complaint("sphere { 0, 1 interior { fade_distance 1 } }") ==
-          "error not_implemented: `fade_distance` is not available in this version");
+          "error not-implemented: `fade_distance` is not available in this version");
     CHECK(complaint("#declare F = finish { } sphere { 0, 1 finish { phong 1 F } }") ==
           "error misplaced: what is declared must come first: it would replace all that is before "
           "it in `finish`");

@@ -41,9 +41,9 @@ TEST_CASE("transforms that cannot be are told of", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 scale <1, 0, 1> }") ==
           "warning degenerate: `scale` of `sphere` is 0 along an axis, which is taken as 1");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1> }") ==
-          "error wrong_count: `matrix` needs 12 numbers, but it has 9");
+          "error wrong-count: `matrix` needs 12 numbers, but it has 9");
     CHECK(complaint("sphere { 0, 1 matrix }") ==
-          "error wrong_count: `matrix` needs 12 numbers, but it has 0");
+          "error wrong-count: `matrix` needs 12 numbers, but it has 0");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0> }") ==
           "error degenerate: this `matrix` makes everything flat");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0> }") ==
@@ -51,7 +51,7 @@ TEST_CASE("transforms that cannot be are told of", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 transform }") ==
           "error missing: `transform` needs a declared transform or a block");
     CHECK(complaint("sphere { 0, 1 transform 3 }") ==
-          "error wrong_type: `transform` needs a declared transform, but this is a number");
+          "error wrong-type: `transform` needs a declared transform, but this is a number");
     CHECK(complaint("sphere { 0, 1 transform { rotat x } }") ==
-          "error unknown_word: `transform` has no word `rotat`");
+          "error unknown-word: `transform` has no word `rotat`");
 }

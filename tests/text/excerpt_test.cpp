@@ -67,7 +67,7 @@ TEST_CASE("without a place there is no excerpt") {
     const Scene scene;
     CHECK(scene.print(warning(Fault::missing, {}, "there is no camera").with_help("camera { }")) ==
           R"(
-warning: there is no camera
+warning[missing]: there is no camera
 help: camera { }
 )");
     CHECK(scene.print(note(Fault::io, {}, "written").with_note("in 2 seconds\nby one thread")) ==

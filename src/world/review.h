@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is legal in a scene and yet likely a mistake, seen when it is complete: one that nobody can
+// see anything in. Called by the application before it renders.
+#pragma once
+
+#include "scene/scene.h"
+#include "text/diagnostic.h"
+#include "world/world.h"
+
+/// Warns of a scene without a camera, without objects, or that nothing lights. The world is the
+/// scene's.
+void review(const Scene&, const World&, Diagnostics&);

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An index below 0
+#version 3.7;
+#declare A = array[3] { 1, 2, 3 }
+#declare B = A[-1];

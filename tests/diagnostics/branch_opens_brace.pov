@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A branch that opens what it does not close
+#version 3.7;
+#if (1)
+    union {
+#else
+    merge {
+#end
+    sphere { 0, 1 }
+}

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// sin takes radians: no error, but both names exist
+#version 3.7;
+#declare A = sin(90 deg);

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A component that is not there
+#version 3.7;
+#declare V = <1, 2>;
+#declare A = V.z;

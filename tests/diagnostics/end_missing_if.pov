@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An #if without #end
+#version 3.7;
+#if (1)
+sphere { 0, 1 }
+#declare A = 2;

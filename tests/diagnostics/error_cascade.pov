@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One mistake in a macro is said once
+#version 3.7;
+#macro M(A)
+    sphere { 0, Nothing }
+#end
+#for (I, 1, 5)
+    M(I)
+#end

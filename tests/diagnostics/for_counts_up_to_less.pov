@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A loop that never runs is no error
+#version 3.7;
+#declare N = 0;
+#for (I, 1, N)
+    sphere { I, Unknown }
+#end
+sphere { 0, Unknown }

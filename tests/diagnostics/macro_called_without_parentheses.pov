@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A macro without parentheses
+#version 3.7;
+#macro Lamp()
+    sphere { 0, 1 }
+#end
+Lamp

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A dash instead of a minus
+#version 3.7;
+sphere { <0, –1, 0>, 1 }

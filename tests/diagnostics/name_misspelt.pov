@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A letter that is wrong
+#version 3.7;
+#declare Radius = 1;
+sphere { 0, Raduis }

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Another case of letters
+#version 3.7;
+#declare Radius = 1;
+sphere { 0, radius }

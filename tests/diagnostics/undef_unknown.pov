@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #undef of nothing
+#version 3.7;
+#undef Nothing

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A vector without `>`
+#version 3.7;
+sphere { <0, 1, 0, 1 }
+box { 0, 1 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/review.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+std::string said_about(const std::string& script) {
+    Diagnostics diagnostics;
+    const Scene scene = scene_of(script);
+    review(scene, compile(scene, {}, diagnostics), diagnostics);
+    std::string said;
+    for (const Diagnostic& each : diagnostics.all()) said += std::string(name(each.fault)) + ' ';
+    return said;
+}
+
+}  // namespace
+
+TEST_CASE("scenes in which nobody can see anything", "[world]") {
+    struct Case {
+        const char* script;
+        const char* said;
+    };
+    const auto [script, said] = GENERATE(values<Case>({
+        {"", "no-camera no-object "},
+        {"camera { location -z } light_source { 0, 1 }", "no-object "},
+        {"camera { location -z } sphere { 0, 1 }", "no-light "},
+        {"camera { location -z } sphere { 0, 1 } light_source { 0, 1 }", ""},
+        {"camera { location -z } sphere { 0, 1 finish { emission 1 } pigment { rgb 1 } }", ""},
+        {"camera { location -z } sphere { 0, 1 finish { ambient 1 } }", ""},
+        {"camera { location -z } sphere { 0, 1 } background { rgb 1 }", ""},
+        {"#default { camera { location -z } } plane { y, 0 } light_source { 0, 1 }", "no-camera "},
+    }));
+    INFO(script);
+    CHECK(said_about(script) == said);
+}
