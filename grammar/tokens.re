@@ -74,7 +74,10 @@ Token Lexer::scan() {
         "==" { double_sign(first, "="); return token(equal, first); }
         "&&" { double_sign(first, "&"); return token(both, first); }
         "||" { double_sign(first, "|"); return token(either, first); }
-        *    { stray(first); continue; }
+        *    {
+            if (const auto meant = stray(first)) return *meant;
+            continue;
+        }
         */
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/block.h"
 
+#include "evaluate/objects.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -185,7 +186,22 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
     return true;
 }
 
+/// A declared name that differs from the word in the case of letters only, or nothing.
+std::string_view OpenBlock::in_other_case(std::string_view word) const {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c; };
+    for (const std::string_view name : binder.evaluator.declared_names())
+        if (std::ranges::equal(name, word, {}, lower, lower)) return name;
+    return {};
+}
+
 void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
+    if (const std::string_view declared = in_other_case(word); !declared.empty()) {
+        report(error(Fault::unknown_name, element.word_span,
+                     message('`', word, "` is a word of the language, and has no place here"))
+                   .with_help(message("did you mean `", declared, "`, which is declared?")));
+        broken = true;
+        return;
+    }
     if (contains(effectless, word)) {
         if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
             report(warning(Fault::no_effect, element.word_span,
@@ -215,7 +231,14 @@ void OpenBlock::reject_value(const Element& element) {
     if (element.value.broken()) broken = true;
     if (element.value.absent() || broken) return;
     const std::string_view kind = kind_name(element.value);
-    const bool number = element.value.numbers() != nullptr;
+    const Numbers* numbers = element.value.numbers();
+    const bool number = numbers && !(numbers->is_colour() && makes_object(name));
+    if (numbers && !number) {
+        report(
+            error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()))
+                .with_help("an object gets its colour from a pigment: pigment { rgb <1, 0, 0> }"));
+        return;
+    }
     if (number && item && !item->fields.empty() &&
         item->fields.front().place == Placement::positional) {
         const auto most = std::ranges::count_if(

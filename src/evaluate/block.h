@@ -59,6 +59,7 @@ private:
     /// place is a hole.
     bool reject(const Element&, const WordList& words, bool wanted);
     bool reject_word(const Element&, const WordList& words, bool wanted);
+    std::string_view in_other_case(std::string_view word) const;
     void reject_reserved(const Element&, std::string_view word);
     void reject_value(const Element&);
     void reject_form(const Element&, std::string_view what);

@@ -198,7 +198,7 @@ void Brackets::end_of_file(const Token& end) {
                   message("`", spelling(opener), "` has no ", directive ? "`#end`" : "end"));
         if (open_.size() > 1)
             problem.pointing(span(open_[open_.size() - 2].token), "open around it");
-        if (!directive) add_misindented(problem);
+        add_misindented(problem, directive);
         diagnostics_.add(problem);
     }
     pending_.push_back(end);
@@ -208,15 +208,19 @@ void Brackets::end_of_file(const Token& end) {
     std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
 }
 
-/// Finds the first `}` at the start of a line that stands further left than the line of its `{`:
-/// one before it is missing.
-void Brackets::add_misindented(Diagnostic& problem) const {
+/// Finds the first `}` or `#end` at the start of a line that stands further left than the line of
+/// what it closes: one before it is missing.
+void Brackets::add_misindented(Diagnostic& problem, bool directives) const {
     const auto indentation = [&](std::uint32_t at, bool only_blanks) -> int {
-        const std::size_t start = text_.find_last_of("\r\n", at) + 1;
+        const std::size_t start = at == 0 ? 0 : text_.find_last_of("\r\n", at - 1) + 1;
         const std::size_t word = text_.find_first_not_of(" \t", start);
         return only_blanks && word != at ? -1 : static_cast<int>(word - start);
     };
-    std::vector<std::uint32_t> braces;
+    const auto is_opener = [&](TokenKind kind) {
+        return directives ? opens_directive(kind) : kind == TokenKind::open_brace;
+    };
+    const TokenKind closer = directives ? TokenKind::hash_end : TokenKind::close_brace;
+    std::vector<Token> openers;
     SourceStore copy;
     const SourceId id = copy.add("", std::string(text_));
     Names names;
@@ -224,16 +228,16 @@ void Brackets::add_misindented(Diagnostic& problem) const {
     Diagnostics ignored;
     Lexer lexer(id, copy, names, tree, ignored);
     for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        if (token.kind == TokenKind::open_brace) braces.push_back(token.first);
-        if (token.kind != TokenKind::close_brace || braces.empty()) continue;
+        if (is_opener(token.kind)) openers.push_back(token);
+        if (token.kind != closer || openers.empty()) continue;
         const int here = indentation(token.first, true);
-        if (here >= 0 && here < indentation(braces.back(), false)) {
-            problem.pointing({source_, braces.back(), braces.back() + 1},
-                             "perhaps this one is meant:");
-            problem.pointing(span(token), "this `}` stands further left");
+        if (here >= 0 && here < indentation(openers.back().first, false)) {
+            problem.pointing(span(openers.back()), "perhaps this one is meant:");
+            problem.pointing(span(token),
+                             message("this `", spelling(token), "` stands further left"));
             return;
         }
-        braces.pop_back();
+        openers.pop_back();
     }
 }
 

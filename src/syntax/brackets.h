@@ -41,7 +41,7 @@ private:
     bool close_until(std::size_t depth, const Token& closer);
     void end_of_file(const Token&);
     void report_unclosed(const Token& closer, std::size_t depth);
-    void add_misindented(Diagnostic&) const;
+    void add_misindented(Diagnostic&, bool directives) const;
     bool boundary(const Token&, std::size_t depth) const;
 
     Span span(const Token& token) const { return {source_, token.first, token.last}; }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/lexer.h"
 
+#include "syntax/escapes.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -101,6 +104,15 @@ constexpr auto directive_words = std::array{
     DirectiveWord{"write", TokenKind::hash_write},
 };
 
+/// The directive of a word that has no meaning without #; null for others.
+const DirectiveWord* without_hash(std::string_view spelling) {
+    constexpr auto words = std::array<std::string_view, 13>{
+        "local", "if",  "end",    "else", "elseif", "ifdef", "ifndef",
+        "while", "for", "switch", "case", "macro",  "undef"};
+    if (std::ranges::find(words, spelling) == words.end()) return nullptr;
+    return std::ranges::find(directive_words, spelling, &DirectiveWord::spelling);
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -124,6 +136,7 @@ double convert(const char*& p, const char* end) {
 }  // namespace
 
 Token Lexer::read_word(const char* first) {
+    if (foreign_letter()) return read_foreign_word(first);
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
     const NameId id = names_.intern(spelling);
     TokenKind kind = kind_of(names_.word_class(id));
@@ -131,6 +144,12 @@ Token Lexer::read_word(const char* first) {
     if (names_.word_class(id) == WordClass::directive) {
         if (spelling == "deprecated") kind = TokenKind::deprecated;
         if (spelling == "once") kind = TokenKind::once;
+        if (const auto* directive = without_hash(spelling)) {
+            diagnostics_.add(error(Fault::syntax, span(first, cursor_),
+                                   message("`", spelling, "` needs a # before it"))
+                                 .with_help(message("write `#", spelling, "`")));
+            return token(directive->kind, first, directive->value);
+        }
         // The oldest scenes leave out the #.
         if (spelling == "declare" || spelling == "include") {
             diagnostics_.add(warning(Fault::deprecated, span(first, cursor_),
@@ -214,6 +233,15 @@ void Lexer::skip_comment(const char* first) {
 }
 
 Token Lexer::read_number(const char* first) {
+    const bool hexadecimal = cursor_ == first + 1 && *first == '0' && cursor_ + 1 < limit_ &&
+                             (*cursor_ | 0x20) == 'x' && std::isxdigit(cursor_[1]);
+    if (hexadecimal) {
+        unsigned long value = 0;
+        cursor_ = std::from_chars(first + 2, limit_, value, 16).ptr;
+        diagnostics_.add(
+            error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
+                .with_help(message("write ", value)));
+    }
     const char* p = first;
     tree_.numbers.push_back(convert(p, cursor_));
     return token(TokenKind::number, first, static_cast<std::uint32_t>(tree_.numbers.size() - 1));
@@ -246,92 +274,77 @@ Token Lexer::read_text(const char* first) {
     const std::string_view raw(first + 1, static_cast<std::size_t>(cursor_ - first - 1));
     if (cursor_ >= limit_) {
         cursor_ = limit_;
-        diagnostics_.add(
-            error(Fault::unterminated, span(first, first + 1), "this string has no end")
-                .with_help("a string ends at the next `\"`"));
+        Diagnostic problem =
+            error(Fault::unterminated, span(first, first + 1), "this string has no end");
+        if (long_string_)
+            problem.pointing(*long_string_, "or this one, which goes on over the end of its line");
+        diagnostics_.add(problem.with_help("a string ends at the next `\"`"));
     } else {
         ++cursor_;
+        if (!long_string_ && raw.find('\n') != std::string_view::npos)
+            long_string_ = span(first, first + 1);
     }
     // Names of files keep their backslashes, as in POV-Ray.
-    tree_.texts.push_back(file_name_expected() ? std::string(raw)
-                                               : unescaped(raw, offset(first + 1)));
+    tree_.texts.push_back(file_name_expected()
+                              ? std::string(raw)
+                              : unescaped(raw, source_, offset(first + 1), diagnostics_));
     return token(TokenKind::text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
 }
 
-namespace {
-
-/// The character behind `\` and this letter, or 0.
-char escape(char letter) {
-    constexpr std::string_view letters = "abfnrtv'\"\\";
-    constexpr std::string_view meanings = "\a\b\f\n\r\t\v'\"\\";
-    const std::size_t i = letters.find(letter);
-    return i == std::string_view::npos ? '\0' : meanings[i];
-}
-
-/// Four hexadecimal digits as a number, or nothing.
-bool read_hex(std::string_view digits, unsigned& code) {
-    const auto [end, problem] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-    return problem == std::errc() && digits.size() == 4 && end == digits.data() + 4;
-}
-
-void append_utf8(std::string& text, unsigned code) {
-    if (code < 0x80) {
-        text += static_cast<char>(code);
-    } else if (code < 0x800) {
-        text += static_cast<char>(0xC0 | code >> 6);
-        text += static_cast<char>(0x80 | (code & 0x3F));
-    } else {
-        text += static_cast<char>(0xE0 | code >> 12);
-        text += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-        text += static_cast<char>(0x80 | (code & 0x3F));
-    }
-}
-
-}  // namespace
-
-std::string Lexer::unescaped(std::string_view raw, std::uint32_t offset) {
-    std::string result;
-    result.reserve(raw.size());
-    for (std::size_t i = 0; i < raw.size(); ++i) {
-        unsigned code = 0;
-        if (raw[i] == '\r') {
-            result += '\n';
-            if (i + 1 < raw.size() && raw[i + 1] == '\n') ++i;
-        } else if (raw[i] != '\\' || i + 1 == raw.size()) {
-            result += raw[i];
-        } else if (const char meaning = escape(raw[i + 1])) {
-            result += meaning;
-            ++i;
-        } else if (raw[i + 1] == 'u' && read_hex(raw.substr(i + 2, 4), code)) {
-            append_utf8(result, code);
-            i += 5;
-        } else {
-            const auto place = offset + static_cast<std::uint32_t>(i);
-            diagnostics_.add(
-                error(Fault::syntax, {source_, place, place + 2}, "a string has no such escape")
-                    .with_help("known are \\a \\b \\f \\n \\r \\t \\v \\' \\\" \\\\ and \\uXXXX; a "
-                               "backslash itself is \\\\"));
-            result += raw[i];
-        }
-    }
-    return result;
-}
-
-void Lexer::stray(const char* first) {
-    while (cursor_ < limit_ && (static_cast<unsigned char>(*cursor_) & 0x80) &&
-           (static_cast<unsigned char>(*first) & 0x80))
-        ++cursor_;
-    const std::string_view sign(first, static_cast<std::size_t>(cursor_ - first));
+/// What cannot begin a token. Where it is clear what was meant, that is returned.
+std::optional<Token> Lexer::stray(const char* first) {
+    cursor_ = first;
+    if (const ForeignSign* sign = foreign_sign(rest())) return read_foreign_sign(first, *sign);
+    if (foreign_letter()) return read_foreign_word(first);
+    ++cursor_;
     Diagnostic problem =
         error(Fault::unknown_character, span(first, cursor_), "this character means nothing here");
-    if (sign == "%")
+    if (*first == '%')
         problem.with_help("the remainder of a division is mod(a, b), its whole part div(a, b)");
-    if (sign == "^") problem.with_help("a power is pow(base, exponent)");
-    if (sign == "'") problem.with_help("strings are written in double quotes");
-    if (static_cast<unsigned char>(*first) & 0x80)
-        problem.with_help("outside strings and comments everything is written in ASCII");
+    if (*first == '^') problem.with_help("a power is pow(base, exponent)");
+    if (*first == '\'') problem.with_help("strings are written in double quotes");
     diagnostics_.add(problem);
+    return std::nullopt;
+}
+
+std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSign& sign) {
+    using enum TokenKind;
+    cursor_ += sign.sign.size();
+    diagnostics_.add(
+        error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
+            .with_help(sign.meant == " " ? "write an ordinary blank"
+                                         : message("write `", sign.meant, "`")));
+    if (sign.meant == "-") return token(minus, first);
+    if (sign.meant == "*") return token(times, first);
+    if (sign.meant == "/") return token(divide, first);
+    if (sign.meant == "<=") return token(less_equal, first);
+    if (sign.meant == ">=") return token(greater_equal, first);
+    if (sign.meant == "!=") return token(not_equal, first);
+    if (sign.meant == " ") return std::nullopt;
+    // A string goes on to the other quote, if that is on the same line.
+    for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
+        const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
+        if (*p != '"' && !(end && end->meant == "\"")) continue;
+        tree_.texts.emplace_back(cursor_, p);
+        cursor_ = p + (end ? end->sign.size() : 1);
+        return token(text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
+    }
+    return std::nullopt;
+}
+
+bool Lexer::foreign_letter() const {
+    return cursor_ < limit_ && (static_cast<unsigned char>(*cursor_) & 0x80) &&
+           !foreign_sign(rest());
+}
+
+/// A name with letters that names cannot have.
+Token Lexer::read_foreign_word(const char* first) {
+    while (cursor_ < limit_ && (is_letter(*cursor_) || is_digit(*cursor_) || foreign_letter()))
+        ++cursor_;
+    diagnostics_.add(error(Fault::unknown_character, span(first, cursor_),
+                           "a name consists of the letters A to Z and a to z, digits and `_`"));
+    const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    return token(TokenKind::name, first, static_cast<std::uint32_t>(names_.intern(spelling)));
 }
 
 void Lexer::second_point(const char* first) {

@@ -3,11 +3,13 @@
 // reported and left out. After the end of the text it gives end_of_file for ever.
 #pragma once
 
+#include "syntax/foreign.h"
 #include "syntax/token.h"
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
 #include "text/source.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,15 +29,18 @@ private:
     Token read_literal(const char* first);
     Token read_text(const char* first);
 
+    std::string_view rest() const { return {cursor_, static_cast<std::size_t>(limit_ - cursor_)}; }
     /// Skips blanks and comments; for use between # and its word.
     void skip_blanks();
     /// Skips a comment from just after its opening sign.
     void skip_line_comment();
     void skip_comment(const char* first);
-    void stray(const char* first);
+    std::optional<Token> stray(const char* first);
+    std::optional<Token> read_foreign_sign(const char* first, const ForeignSign&);
+    Token read_foreign_word(const char* first);
+    bool foreign_letter() const;
     void second_point(const char* first);
     void double_sign(const char* first, std::string_view instead);
-    std::string unescaped(std::string_view raw, std::uint32_t offset);
     bool file_name_expected() const;
 
     std::uint32_t offset(const char* p) const { return static_cast<std::uint32_t>(p - begin_); }
@@ -51,6 +56,7 @@ private:
     Names& names_;
     Tree& tree_;
     Diagnostics& diagnostics_;
+    std::optional<Span> long_string_;  ///< the first string that has a line end in it
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;
 };

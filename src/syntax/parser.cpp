@@ -78,6 +78,7 @@ std::string_view advice(Parser::symbol_kind_type found, const Expected& expected
         case Kind::S_COLOUR_PREFIX:
         case Kind::S_COLOUR:
         case Kind::S_CHANNEL:
+            if (expected.name()) return {};
             return "a colour word stands before the whole value: rgb (A + B), not A + rgb B";
         case Kind::S_DIVIDE:
         case Kind::S_TIMES:
@@ -85,6 +86,24 @@ std::string_view advice(Parser::symbol_kind_type found, const Expected& expected
         default:
             return {};
     }
+}
+
+/// What people write who come from another language; `before` and `after` are the text around the
+/// place.
+std::string_view habit(Parser::symbol_kind_type found, const Expected& expected,
+                       std::string_view before, std::string_view after) {
+    constexpr std::string_view change = "a value is changed by `#declare I = I + 1;`";
+    const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
+    const std::string wanted = expected.list();
+    if (before.ends_with("++") || before.ends_with("--")) return change;
+    if (wanted == "`(`") return "a condition stands in parentheses: (a > b)";
+    if (found == Kind::S_NUMBER && expected.name()) return "a name begins with a letter or `_`";
+    if (wanted != "`=`") return {};
+    if (after.substr(1).starts_with('=')) return change;
+    if (after.starts_with('.'))
+        return "parts of a vector are not set alone: #declare V = <2, V.y, V.z>;";
+    const bool hyphen = after.starts_with('-') && after.size() > 1 && letter(after[1]);
+    return hyphen ? "a name cannot have a `-`, but it can have a `_`" : "";
 }
 
 bool reserved_word(Parser::symbol_kind_type kind) {
@@ -117,8 +136,12 @@ void Parser::report_syntax_error(const context& context) const {
                 "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
         if (const std::string_view help = advice(found, expected); !help.empty())
             problem.with_help(std::string(help));
+        if (const std::string_view help = habit(found, expected, state.text.substr(0, place.first),
+                                                state.text.substr(place.first));
+            !help.empty())
+            problem.with_help(std::string(help));
         if (const auto open = state.brackets.innermost();
-            open && open->first != place.first && !expected.element() &&
+            open && open->first != place.first && !expected.element() && !expected.name() &&
             (expected.has(Kind::S_CLOSE_PARENTHESIS) || expected.has(Kind::S_CLOSE_BRACKET)))
             problem.pointing(*open, "opened here");
         state.diagnostics.add(problem);

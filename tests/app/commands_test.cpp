@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include <unistd.h>
 
@@ -258,4 +259,43 @@ TEST_CASE("included files are found beside the scene, in +L and in the standard 
     CHECK(has(shell.err, "other.inc"));
     CHECK(shell({shell.path("lit.pov"), "+L" + shell.path("nowhere"), "--check"}) == 0);
     CHECK(has(shell.err, "there is no folder"));
+}
+
+TEST_CASE("warnings are switched by name", "[app]") {
+    Shell shell;
+    shell.write("careless.pov",
+                "#version 3.7; #macro M(A) 1 #end #declare B = 1 / 0; camera { location y }\n"
+                "sphere { 0, 1 } light_source { 0, 1 }");
+    const auto said = [&](const std::vector<std::string>& switches) {
+        std::vector<std::string> arguments = {shell.path("careless.pov"), "--check"};
+        arguments.insert(arguments.end(), switches.begin(), switches.end());
+        const int status = shell(arguments);
+        std::string names;
+        for (const char* name : {"unused-parameter", "division-by-zero", "error:"})
+            if (shell.err.find(name) != std::string::npos) names += std::string(name) + ' ';
+        return names + std::to_string(status);
+    };
+    CHECK(said({}) == "unused-parameter division-by-zero 0");
+    CHECK(said({"--warn", "no-unused-parameter"}) == "division-by-zero 0");
+    CHECK(said({"--warn", "none"}) == "0");
+    CHECK(said({"+WL0"}) == "0");
+    CHECK(said({"--warn=none,division-by-zero"}) == "division-by-zero 0");
+    CHECK(said({"--warn=no-division-by-zero,error"}) == "error: 1");
+    CHECK(said({"--warn=devision-by-zero"}) == "division-by-zero error: 2");
+}
+
+TEST_CASE("diagnostics as JSON are all that is said", "[app]") {
+    Shell shell;
+    shell.write("wrong.pov", "#version 3.7;\n#debug \"hello\"\nsphere { 0, Radius }\n");
+    CHECK(shell({shell.path("wrong.pov"), "--check", "--diagnostics=json"}) == 1);
+    std::istringstream lines(shell.err);
+    std::vector<nlohmann::json> all;
+    for (std::string line; std::getline(lines, line);) all.push_back(nlohmann::json::parse(line));
+    REQUIRE(all.size() == 2);
+    CHECK(all[0]["severity"] == "debug");
+    CHECK(all[1]["name"] == "unknown-name");
+    CHECK(all[1]["place"]["line"] == 3);
+    CHECK(shell.render({"--diagnostics", "json", "+O" + shell.path("a.png")}) == 0);
+    CHECK(shell.err.empty());
+    CHECK(shell({"--diagnostics=xml"}) == 2);
 }

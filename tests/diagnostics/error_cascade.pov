@@ -2,7 +2,7 @@
 // One mistake in a macro is said once
 #version 3.7;
 #macro M(A)
-    sphere { 0, Nothing }
+    sphere { A, Nothing }
 #end
 #for (I, 1, 5)
     M(I)

@@ -79,5 +79,5 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("gradient x color_map { [0 <1, 2, 3>] }") ==
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
     CHECK(wrong("quick_color rgb 1") ==
-          "warning not-implemented: `quick_color` has no effect in this version");
+          "warning no-effect: `quick_color` has no effect in this version");
 }

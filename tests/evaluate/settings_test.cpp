@@ -43,9 +43,9 @@ TEST_CASE("a background is one colour, the last one", "[evaluate]") {
 
 TEST_CASE("wrong settings are told of once", "[evaluate]") {
     CHECK(complaint("global_settings { charset utf8 }") ==
-          "warning not-implemented: `charset` has no effect in this version");
+          "warning no-effect: `charset` has no effect in this version");
     CHECK(complaint("global_settings { radiosity { count 100 } }") ==
-          "warning not-implemented: `radiosity` has no effect in this version");
+          "warning no-effect: `radiosity` has no effect in this version");
     CHECK(complaint("global_settings { foo 1 }") ==
           "error unknown-word: `global_settings` has no word `foo`");
     CHECK(complaint("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }") ==

@@ -99,7 +99,15 @@ TEST_CASE("a string has this content", "[syntax]") {
 TEST_CASE("what is no token is reported and left out", "[syntax]") {
     const auto [text, message, kinds] = GENERATE(table<std::string, std::string, std::string>({
         {"1 % 2", "this character means nothing here", "number number"},
-        {"1 \xC3\xA9 2", "this character means nothing here", "number number"},
+        {"1 \xC3\xA9 2", "a name consists of the letters A to Z and a to z, digits and `_`",
+         "number name number"},
+        {"Gr\xC3\xB6ssen 2", "a name consists of the letters A to Z and a to z, digits and `_`",
+         "name number"},
+        {"1 \u2013 2", "this is a dash", "number - number"},
+        {"1\u00A0+ 2", "this is a no-break space", "number + number"},
+        {"\u201Ca\u201D 1", "this is a typographic quote", "string number"},
+        {"0x1F", "numbers are written in decimal digits", "number"},
+        {"end 1", "`end` needs a # before it", "#end number"},
         {"1.2.3", "a number has only one point", "number"},
         {"1..2", "a number has only one point", "number"},
         {"1 /* 2", "this comment has no end", "number"},
