@@ -204,8 +204,8 @@ constexpr auto table = std::array{
                  General(rotated)},
     FunctionInfo{"vstr", 5, 5, "n, v, separator, width, digits", "n numbers of a vector as text",
                  General(vector_text)},
-    FunctionInfo{"vturbulence", 4, 4, "lambda, omega, octaves, point", "turbulence as a vector",
-                 General(not_yet)},
+    FunctionInfo{"vturbulence", 4, 4, "lambda, omega, octaves, point", "sum of noises as a vector",
+                 General(vector_turbulence)},
 };
 
 }  // namespace

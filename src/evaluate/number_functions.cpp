@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/number_functions.h"
 
+#include "base/noise.h"
 #include "base/transform.h"
 #include "text/message.h"
 
@@ -145,6 +146,13 @@ Value cross_product(Call call) { return Numbers::vector(cross(call.vector(0), ca
 Value dot_product(Call call) { return dot(call.vector(0), call.vector(1)); }
 
 Value vector_length(Call call) { return length(call.vector(0)); }
+
+Value vector_turbulence(Call call) {
+    const Octaves octaves = {static_cast<int>(to_int32(call.number(2))),
+                             static_cast<float>(call.number(1)),
+                             static_cast<float>(call.number(0))};
+    return Numbers::vector(turbulence(call.vector(3), octaves));
+}
 
 Value rotated(Call call) {
     return Numbers::vector(Transform::rotation(call.vector(1)).direction(call.vector(0)));

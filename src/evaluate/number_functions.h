@@ -28,6 +28,7 @@ Value rotated_about(FunctionCall&);
 Value select(FunctionCall&);
 Value square_root(FunctionCall&);
 Value vector_length(FunctionCall&);
+Value vector_turbulence(FunctionCall&);
 
 /// To 32 bits, towards zero, as int() does it.
 double to_integer(double);

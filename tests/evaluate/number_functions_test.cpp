@@ -26,6 +26,11 @@ TEST_CASE("functions of numbers have POV-Ray's values", "[evaluate]") {
          "<0.0000,0.0000,1.0000>"},
         {"V(3,vaxis_rotate(x,z,90)) V(3,vaxis_rotate(x,5*z,90))",
          "<0.0000,1.0000,0.0000> <0.0000,1.0000,0.0000>"},
+        {"V(3,vturbulence(2,.5,6,<1.5,2.5,3.5>)) V(3,vturbulence(2.3,.7,3,<-1.1,.2,7.7>))",
+         "<0.0696,-0.0389,0.0250> <-0.7165,0.2786,-0.2594>"},
+        {"V(3,vturbulence(2,.5,99,<1,2,3>)) V(3,vturbulence(2,.5,1,<1.5,2.5,3.5>)) "
+         "V(3,vturbulence(2,.5,6,0))",
+         "<-0.3900,-0.5329,0.4165> <-0.0547,-0.0043,0.0022> <-0.8730,0.7107,-0.9051>"},
     }));
     INFO(script);
     std::string got = printed(script);

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/noise.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <vector>
+
+namespace {
+
+constexpr std::uint32_t hash_mask = 4095;
+using HashTable = std::array<std::uint16_t, hash_mask + 1>;
+
+/// A permutation of 0 to 4095.
+constexpr HashTable make_hash_table() {
+    HashTable table{};
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<std::uint16_t>(i);
+    NoiseSequence sequence(0);
+    for (std::size_t i = table.size(); i-- > 0;)
+        std::swap(table[i], table[sequence.next() & hash_mask]);
+    return table;
+}
+
+/// CRC-16 of the number's bytes, high byte first, three times over.
+constexpr std::uint16_t checksum(double number) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    std::uint16_t sum = 0;
+    for (int byte = 0; byte < 24; ++byte) {
+        sum ^= static_cast<std::uint16_t>(bits >> (56 - byte % 8 * 8) & 0xff);
+        for (int bit = 0; bit < 8; ++bit)
+            sum = static_cast<std::uint16_t>((sum & 1) != 0 ? sum >> 1 ^ 0xa001 : sum >> 1);
+    }
+    return sum;
+}
+
+/// The nearest number with 6 significant decimal digits, for numbers of size 1e-5 to 1.
+constexpr double six_digits(double x) {
+    double scale = 1e5;
+    for (double size = x < 0 ? -x : x; size < 1; size *= 10) scale *= 10;
+    const double scaled = x * scale;
+    const auto whole = static_cast<std::int64_t>(scaled + (scaled < 0 ? -0.5 : 0.5));
+    return static_cast<double>(whole) / scale;
+}
+
+/// Coefficients in -1 to 1; the hash (0 to 255) plus the offset of the noise (up to 8) and the
+/// number of the coefficient (up to 3) is an index.
+constexpr auto make_coefficients() {
+    std::array<double, 267> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double x = 2.0 * checksum(static_cast<double>(i) * 0.12345) / 65535 - 1;
+        table[i] = six_digits(x);
+    }
+    return table;
+}
+
+/// Only their address is taken at run time.
+struct Tables {
+    HashTable hash = make_hash_table();
+    std::array<double, 267> coefficients = make_coefficients();
+};
+constexpr Tables tables;
+
+/// Where a coordinate lies between two neighbours of the lattice.
+struct Place {
+    std::array<std::uint32_t, 2> index{};
+    std::array<double, 2> offset{};
+    std::array<double, 2> weight{};
+};
+
+constexpr double smooth(double t) { return t * t * (3 - 2 * t); }
+
+/// Beyond this a double has no fraction that is worth anything.
+constexpr double farthest = 1e17;
+
+bool usable(const Vec3& p) {
+    // Written so that it is false for numbers that are none.
+    return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
+}
+
+Place place_of(double t) {
+    // The next whole number downwards, but 1e-10 below a negative one counts as on it.
+    const auto whole = static_cast<std::int64_t>(t >= 0 ? t : t - (1 - 1e-10));
+    const double fraction = t - static_cast<double>(whole);
+    const auto index = static_cast<std::uint32_t>(static_cast<std::uint64_t>(whole) + 10000);
+    const double far = smooth(fraction);
+    return {{index & hash_mask, (index + 1) & hash_mask}, {fraction, fraction - 1}, {1 - far, far}};
+}
+
+/// Calls use(coefficients of the corner, its weight, offset from it) for the corners of the
+/// lattice's cell around the point.
+template <class Use>
+void for_corners(const Vec3& point, Use use) {
+    const Place px = place_of(point.x), py = place_of(point.y), pz = place_of(point.z);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::uint32_t hash_x = tables.hash[px.index[i]];
+        for (std::size_t j = 0; j < 2; ++j) {
+            const std::uint32_t hash_y = tables.hash[hash_x ^ py.index[j]];
+            const double weight = px.weight[i] * py.weight[j];
+            for (std::size_t k = 0; k < 2; ++k) {
+                const std::size_t hash = tables.hash[hash_y ^ pz.index[k]] & 255;
+                use(tables.coefficients.data() + hash, weight * pz.weight[k],
+                    Vec3(px.offset[i], py.offset[j], pz.offset[k]));
+            }
+        }
+    }
+}
+
+double corner_value(const double* c, const Vec3& offset) {
+    return 0.5 * c[0] + c[1] * offset.x + c[2] * offset.y + c[3] * offset.z;
+}
+
+double raw_noise(const Vec3& point) {
+    double sum = 0;
+    for_corners(point, [&](const double* c, double weight, const Vec3& offset) {
+        sum += weight * corner_value(c, offset);
+    });
+    return sum;
+}
+
+/// The tables of Perlin's noise: unit vectors, and the indices that choose among them.
+struct PerlinTables {
+    static constexpr std::uint32_t count = 2048;
+    std::array<Vec3, 2 * count + 2> gradients{};
+    std::array<std::uint16_t, 2 * count + 2> indices{};
+
+    PerlinTables() {
+        NoiseSequence sequence(1);
+        const auto component = [&] {
+            return (static_cast<double>(sequence.next() & hash_mask) - 2048) / 2048;
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            double square = 0;
+            do {
+                for (int axis = 0; axis < 3; ++axis) gradients[i][axis] = component();
+                square = dot(gradients[i], gradients[i]);
+            } while (square > 1 || square < 1e-5);
+            gradients[i] /= std::sqrt(square);
+        }
+        // One entry too many takes part in the shuffle, as in the original: 0 occurs twice.
+        for (std::uint32_t i = 0; i < count; ++i) indices[i] = static_cast<std::uint16_t>(i);
+        for (std::uint32_t i = count; i > 0; i -= 2)
+            std::swap(indices[i], indices[sequence.next() & (count - 1)]);
+        for (std::uint32_t i = 0; i < count + 2; ++i) {
+            indices[count + i] = indices[i];
+            gradients[count + i] = gradients[i];
+        }
+    }
+};
+
+const PerlinTables& perlin_tables() {
+    static const PerlinTables made;
+    return made;
+}
+
+double perlin_noise(const Vec3& point) {
+    const PerlinTables& table = perlin_tables();
+    std::array<Place, 3> at;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double t = point[axis] + 10000000.023157213;
+        const double whole = std::floor(t), fraction = t - whole;
+        const auto index = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole));
+        const double far = smooth(fraction);
+        at[static_cast<std::size_t>(axis)] = {
+            {index & (PerlinTables::count - 1), (index + 1) & (PerlinTables::count - 1)},
+            {fraction, fraction - 1},
+            {1 - far, far}};
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) {
+            const std::size_t ij = table.indices[table.indices[at[0].index[i]] + at[1].index[j]];
+            for (std::size_t k = 0; k < 2; ++k)
+                sum += at[0].weight[i] * at[1].weight[j] * at[2].weight[k] *
+                       dot(table.gradients[ij + at[2].index[k]],
+                           Vec3(at[0].offset[i], at[1].offset[j], at[2].offset[k]));
+        }
+    return sum;
+}
+
+double limited(double x) { return std::clamp(x, 0.0, 1.0); }
+
+/// Calls add(factor of the frequency, weight) for the octaves after the first.
+template <class Add>
+void further_octaves(const Octaves& octaves, Add add) {
+    const int count = std::clamp(octaves.count, 1, Octaves::most);
+    double frequency = octaves.lambda, weight = octaves.omega;
+    for (int i = 1; i < count; ++i) {
+        add(frequency, weight);
+        frequency *= octaves.lambda;
+        weight *= octaves.omega;
+    }
+}
+
+}  // namespace
+
+NoiseGenerator noise_generator(double number) {
+    // Far from the integers there are no lowest bits to speak of.
+    const auto bits = std::abs(number) < 2147483648.0 ? static_cast<std::int32_t>(number) & 3 : 0;
+    return static_cast<NoiseGenerator>(std::max(bits, 1));
+}
+
+double noise(const Vec3& point, NoiseGenerator generator) {
+    const Vec3 p = usable(point) ? point : Vec3(0);
+    switch (generator) {
+        case NoiseGenerator::original:
+            return limited(raw_noise(p) + 0.5);
+        case NoiseGenerator::perlin:
+            return limited(0.5 * (1.59 * perlin_noise(p) + 0.985));
+        case NoiseGenerator::full_range:
+            break;
+    }
+    return limited((raw_noise(p) + 1.05242) * 0.48985582);
+}
+
+Vec3 vector_noise(const Vec3& point) {
+    Vec3 sum(0);
+    const Vec3 p = usable(point) ? point : Vec3(0);
+    for_corners(p, [&](const double* c, double weight, const Vec3& offset) {
+        sum += weight * Vec3(corner_value(c, offset), corner_value(c + 4, offset),
+                             corner_value(c + 8, offset));
+    });
+    return sum;
+}
+
+Vec3 turbulence(const Vec3& point, const Octaves& octaves) {
+    Vec3 sum = vector_noise(point);
+    further_octaves(octaves, [&](double frequency, double weight) {
+        sum += weight * vector_noise(frequency * point);
+    });
+    return sum;
+}
+
+double scalar_turbulence(const Vec3& point, const Octaves& octaves, NoiseGenerator generator) {
+    // The generators of full range are stretched to that of the original; only the first term is
+    // limited again.
+    const bool original = generator == NoiseGenerator::original;
+    const auto stretched = [&](double value) { return original ? value : 2 * value - 0.5; };
+    double sum = limited(stretched(noise(point, generator)));
+    further_octaves(octaves, [&](double frequency, double weight) {
+        sum += weight * stretched(noise(frequency * point, generator));
+    });
+    return sum;
+}
+
+std::uint32_t cell_hash(std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto low = [](std::int64_t i) { return static_cast<std::uint32_t>(i) & hash_mask; };
+    return tables.hash[tables.hash[tables.hash[low(x)] ^ low(y)] ^ low(z)];
+}
+
+std::span<const double> random_table() {
+    static const std::vector<double> numbers = [] {
+        std::vector<double> made(32768);
+        std::mt19937 twister;
+        for (double& number : made) number = twister() / 4294967296.0;
+        return made;
+    }();
+    return numbers;
+}

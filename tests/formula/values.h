@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values of internal functions as POV-Ray 3.7 prints them, against the functions of the table.
+#pragma once
+
+#include "formula/internal.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+/// The value of a function by name; the arguments start with x, y, z.
+inline double value_of(std::string_view name, const std::vector<double>& arguments) {
+    const auto all = internal_functions();
+    const auto found = std::ranges::find(all, name, &InternalFunction::name);
+    REQUIRE(found != all.end());
+    REQUIRE(arguments.size() == static_cast<std::size_t>(found->parameters));
+    return found->code(arguments.data());
+}
+
+struct ExpectedValue {
+    std::string_view name;
+    std::vector<double> parameters;
+    double value;
+};
+
+/// All at the point (0.31, 0.42, -0.57), with 8 digits.
+inline void check_values(std::initializer_list<ExpectedValue> expected) {
+    for (const ExpectedValue& e : expected) {
+        INFO(e.name);
+        std::vector<double> arguments = {0.31, 0.42, -0.57};
+        arguments.insert(arguments.end(), e.parameters.begin(), e.parameters.end());
+        CHECK(value_of(e.name, arguments) == Approx(e.value).margin(6e-9).epsilon(0));
+    }
+}
