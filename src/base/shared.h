@@ -2,8 +2,7 @@
 // A value that is stored once and shared by its copies; editing one copy makes it its own.
 #pragma once
 
-#include <memory>
-#include <utility>
+#include "base/handle.h"
 
 /// Copy-on-write handle. Never empty. Used where a value is big and declared objects are copied
 /// often.
@@ -11,17 +10,14 @@ template <class T>
 class Shared {
 public:
     using Content = T;
-    Shared() : value_(std::make_shared<T>()) {}
-    Shared(T value) : value_(std::make_shared<T>(std::move(value))) {}
+    Shared() : value_(make_handle<T>()) {}
+    Shared(T value) : value_(make_handle<T>(std::move(value))) {}
 
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_.get(); }
     /// The content for writing, which no other handle sees.
-    T& edit() {
-        if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
-        return *value_;
-    }
+    T& edit() { return value_.edit(); }
 
 private:
-    std::shared_ptr<T> value_;
+    Handle<T> value_;
 };

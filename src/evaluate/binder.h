@@ -18,7 +18,7 @@ struct DeclaredCamera {
 
 struct Binder {
     Evaluator& evaluator;
-    Handle<Texture> default_texture = std::make_shared<const Texture>();
+    Handle<Texture> default_texture = make_handle<Texture>();
     Camera default_camera = {};
     TextureStore textures = {};
     std::set<std::string, std::less<>> warned =

@@ -116,5 +116,5 @@ void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, N
     macro.defined.last =
         macro.defined.first +
         static_cast<std::uint32_t>(name == std::string_view::npos ? 0 : name + head);
-    scope.declare(node.name, Handle<MacroData>(std::make_shared<const MacroData>(macro)));
+    scope.declare(node.name, make_handle<MacroData>(macro));
 }

@@ -94,7 +94,7 @@ private:
         const auto* together = std::get_if<Union>(&object.form);
         if (together && together->children.empty()) return;
         if (!object.texture) object.texture = binder_.default_texture;
-        scene_.objects.push_back(std::make_shared<const Object>(std::move(object)));
+        scene_.objects.push_back(make_handle<Object>(std::move(object)));
     }
 
     void take_camera(const Element& element) {
@@ -147,8 +147,7 @@ private:
 
     template <class T>
     static Value handle(std::optional<T> made) {
-        return made ? Value(Handle<T>(std::make_shared<const T>(std::move(*made))))
-                    : Value(Absence::broken);
+        return made ? Value(make_handle<T>(std::move(*made))) : Value(Absence::broken);
     }
 
     template <class T>

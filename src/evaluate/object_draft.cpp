@@ -30,7 +30,7 @@ Object ObjectDraft::finished(TextureStore& textures, Span span) {
     if (declared && only_moved() && std::holds_alternative<Union>(declared->form)) {
         Object whole = another(declared);
         whole.span = span;
-        if (moved) whole.transform = std::make_shared<const Transform>(movement);
+        if (moved) whole.transform = make_handle<Transform>(movement);
         return whole;
     }
     Object result = std::move(object);
@@ -40,8 +40,8 @@ Object ObjectDraft::finished(TextureStore& textures, Span span) {
         result.transform = declared->transform;
     }
     if (moved)
-        result.transform = std::make_shared<const Transform>(
-            result.transform ? result.transform->then(movement) : movement);
+        result.transform =
+            make_handle<Transform>(result.transform ? result.transform->then(movement) : movement);
     if (textured) result.texture = texture.shared(textures);
     result.no_shadow = switches.no_shadow;
     result.no_image = switches.no_image;

@@ -63,7 +63,7 @@ private:
         Interior interior = draft_.object.interior ? *draft_.object.interior : Interior{};
         draft_.furnished = true;
         if (!read_interior(block_.binder, element, interior)) return false;
-        draft_.object.interior = std::make_shared<const Interior>(interior);
+        draft_.object.interior = make_handle<Interior>(interior);
         return true;
     }
 
@@ -132,7 +132,7 @@ private:
         if (kind_ == Kind::together) {
             auto& together = std::get<Union>(draft_.object.form);
             append_lights(made, together.lights);
-            together.children.push_back(std::make_shared<const Object>(std::move(made)));
+            together.children.push_back(make_handle<Object>(std::move(made)));
             return;
         }
         draft_.take(made);

@@ -27,12 +27,12 @@ bool equal_plain(const Texture& a, const Texture& b) {
 
 }  // namespace
 
-std::shared_ptr<const Texture> TextureStore::share(Texture texture) {
+Handle<Texture> TextureStore::share(Texture texture) {
     if (texture.pigment.pattern || !texture.pigment.map.empty())
-        return std::make_shared<const Texture>(std::move(texture));
+        return make_handle<Texture>(std::move(texture));
     const std::size_t hash = hash_of(texture);
     const auto [first, last] = plain_.equal_range(hash);
     for (auto it = first; it != last; ++it)
         if (equal_plain(*it->second, texture)) return it->second;
-    return plain_.emplace(hash, std::make_shared<const Texture>(std::move(texture)))->second;
+    return plain_.emplace(hash, make_handle<Texture>(std::move(texture)))->second;
 }

@@ -11,8 +11,8 @@
 class TextureStore {
 public:
     /// A handle to an equal texture. Patterned ones are not compared: they are rarely equal.
-    std::shared_ptr<const Texture> share(Texture);
+    Handle<Texture> share(Texture);
 
 private:
-    std::unordered_multimap<std::size_t, std::shared_ptr<const Texture>> plain_;
+    std::unordered_multimap<std::size_t, Handle<Texture>> plain_;
 };

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/colour.h"
+#include "base/handle.h"
 #include "base/vector.h"
 #include "text/span.h"
 
@@ -65,9 +66,6 @@ struct ArrayData {
 
 struct MacroData;
 
-template <class T>
-using Handle = std::shared_ptr<const T>;
-
 class Value {
 public:
     using Content =
@@ -79,7 +77,7 @@ public:
     Value(Absence why) : content_(why) {}
     Value(double number) : content_(Numbers::scalar(number)) {}
     Value(const Numbers& numbers) : content_(numbers) {}
-    Value(std::string text) : content_(std::make_shared<const std::string>(std::move(text))) {}
+    Value(std::string text) : content_(make_handle<std::string>(std::move(text))) {}
     template <class T>
     Value(Handle<T> handle) : content_(std::move(handle)) {}
     Value(std::shared_ptr<ArrayData> array) : content_(std::move(array)) {}

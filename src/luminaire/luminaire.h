@@ -45,7 +45,7 @@ struct TriangleEmitter {
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
     Shape shape;
-    std::shared_ptr<const Transform> transform;  ///< null: none
+    Handle<Transform> transform;  ///< null: none
 };
 
 using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter>;

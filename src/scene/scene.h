@@ -4,6 +4,7 @@
 #pragma once
 
 #include "backdrop/background.h"
+#include "base/handle.h"
 #include "base/transform.h"
 #include "camera/camera.h"
 #include "light/light.h"
@@ -13,14 +14,13 @@
 #include "surface/texture.h"
 #include "text/span.h"
 
-#include <memory>
 #include <variant>
 #include <vector>
 
 struct Object;
 /// Objects are shared, never changed once they are made: a lamp that stands a million times is
 /// stored once.
-using ObjectHandle = std::shared_ptr<const Object>;
+using ObjectHandle = Handle<Object>;
 
 /// A light source of POV-Ray's kind.
 struct PlacedLight {
@@ -38,10 +38,10 @@ struct Union {
 /// One object: a shape or a union, where it stands and how it looks.
 struct Object {
     std::variant<Shape, Union> form;
-    std::shared_ptr<const Transform> transform;  ///< of the form; null: none
-    std::shared_ptr<const Texture>
+    Handle<Transform> transform;  ///< of the form; null: none
+    Handle<Texture>
         texture;  ///< in the space after the transform; null: the parent's, or the default
-    std::shared_ptr<const Interior> interior;  ///< null: the parent's, or the atmosphere
+    Handle<Interior> interior;  ///< null: the parent's, or the atmosphere
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;

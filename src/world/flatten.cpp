@@ -9,17 +9,16 @@ namespace {
 
 /// What an object has from the unions around it.
 struct Inherited {
-    std::shared_ptr<const Transform> transform;  ///< null: none
-    std::shared_ptr<const Texture> texture;      ///< in world space
-    std::shared_ptr<const Interior> interior;
+    Handle<Transform> transform;  ///< null: none
+    Handle<Texture> texture;      ///< in world space
+    Handle<Interior> interior;
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
 };
 
-std::shared_ptr<const Transform> combined(const std::shared_ptr<const Transform>& inner,
-                                          const std::shared_ptr<const Transform>& outer) {
+Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer) {
     if (!inner) return outer;
     if (!outer) return inner;
-    return std::make_shared<const Transform>(inner->then(*outer));
+    return make_handle<Transform>(inner->then(*outer));
 }
 
 class Flattener {
@@ -74,13 +73,12 @@ private:
 
     /// A texture moves with the unions around its object. Plain colours look the same everywhere
     /// and are not copied.
-    std::shared_ptr<const Texture> world_texture(
-        const std::shared_ptr<const Texture>& texture,
-        const std::shared_ptr<const Transform>& transform) {
+    Handle<Texture> world_texture(const Handle<Texture>& texture,
+                                  const Handle<Transform>& transform) {
         if (!transform || !texture->pigment.pattern) return texture;
         auto& known = textures_[TextureKey(texture.get(), transform.get())];
         if (!known) {
-            known = std::make_shared<const Texture>(transformed(*texture, *transform));
+            known = make_handle<Texture>(transformed(*texture, *transform));
             kept_transforms_.push_back(transform);
         }
         return known;
@@ -160,8 +158,8 @@ private:
         world_.normals.push_back({unit(n.normal1), unit(n.normal2), unit(n.normal3)});
     }
 
-    void add_shape(const Shape& shape, const std::shared_ptr<const Transform>& transform,
-                   std::uint32_t material, Span span) {
+    void add_shape(const Shape& shape, const Handle<Transform>& transform, std::uint32_t material,
+                   Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
         if (finite(bounds(shape))) {
             note_luminaire(Unplaced::shape, index, material, span);
@@ -217,8 +215,8 @@ private:
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_;
     std::vector<Unplaced> glowing_;
     std::map<MaterialKey, std::uint32_t> material_indices_;
-    std::map<TextureKey, std::shared_ptr<const Texture>> textures_;
-    std::vector<std::shared_ptr<const Transform>>
+    std::map<TextureKey, Handle<Texture>> textures_;
+    std::vector<Handle<Transform>>
         kept_transforms_;  ///< so that no address in textures_ is used twice
 };
 

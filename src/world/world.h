@@ -17,9 +17,9 @@ inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
 
 /// The look of some primitives and what they do to rays; many primitives share one.
 struct Material {
-    std::shared_ptr<const Texture> texture;    ///< in world space; never null
-    std::shared_ptr<const Interior> interior;  ///< null: the atmosphere's
-    bool transparent = false;                  ///< light can pass through it
+    Handle<Texture> texture;    ///< in world space; never null
+    Handle<Interior> interior;  ///< null: the atmosphere's
+    bool transparent = false;   ///< light can pass through it
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
@@ -43,7 +43,7 @@ struct CornerNormals {
 /// A primitive of any other shape, under any affine map.
 struct PlacedShape {
     Shape shape;
-    std::shared_ptr<const Transform> transform;  ///< null: none
+    Handle<Transform> transform;  ///< null: none
 };
 
 /// Where a ray met a surface.

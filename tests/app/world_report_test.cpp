@@ -11,11 +11,11 @@ TEST_CASE("the report tells what a world is made of") {
     glow.finish.emission = Vec3(2);
     Object lamp, floor;
     lamp.form = Sphere{Vec3(0, 2, 0), 1};
-    lamp.texture = std::make_shared<const Texture>(glow);
+    lamp.texture = make_handle<Texture>(glow);
     floor.form = Plane{};
-    floor.texture = std::make_shared<const Texture>();
+    floor.texture = make_handle<Texture>();
     Scene scene;
-    scene.objects = {std::make_shared<const Object>(lamp), std::make_shared<const Object>(floor)};
+    scene.objects = {make_handle<Object>(lamp), make_handle<Object>(floor)};
     scene.settings.light_sampler = EveryLight{};
     Diagnostics diagnostics;
     const std::string text = report(compile(scene, {}, diagnostics));

@@ -30,12 +30,10 @@ const std::vector<Lamp>& lamps() {
     return all;
 }
 
-std::vector<std::shared_ptr<const Transform>> maps() {
+std::vector<Handle<Transform>> maps() {
     const Transform turn = Transform::rotation(Vec3(20, 50, 70));
-    return {
-        nullptr,
-        std::make_shared<const Transform>(turn.then(Transform::translation(Vec3(0.3, 0.2, 0.1)))),
-        std::make_shared<const Transform>(Transform::scaling(Vec3(0.5, 1.5, -1)).then(turn))};
+    return {nullptr, make_handle<Transform>(turn.then(Transform::translation(Vec3(0.3, 0.2, 0.1)))),
+            make_handle<Transform>(Transform::scaling(Vec3(0.5, 1.5, -1)).then(turn))};
 }
 
 /// Densities have poles at the rim, which sums over directions resolve slowly, so they are cut off.
@@ -152,7 +150,7 @@ TEST_CASE("the sphere around an area emitter holds it, and its axis is its norma
 TEST_CASE("area under a map: exact for similarities and flat shapes, near for others",
           "[luminaire]") {
     const auto scaled = [](const Vec3& factors) {
-        return std::make_shared<const Transform>(Transform::scaling(factors));
+        return make_handle<Transform>(Transform::scaling(factors));
     };
     CHECK(emitting_area(AreaEmitter{Sphere{Vec3(0), 1}, scaled(Vec3(3))}) == Approx(36 * pi));
     CHECK(emitting_area(AreaEmitter{Disc{Vec3(0), Vec3(0, 0, 1), 1, 0}, scaled(Vec3(2, 3, 5))}) ==

@@ -8,13 +8,13 @@ namespace {
 ObjectHandle object(const Shape& shape) {
     Object result;
     result.form = shape;
-    return std::make_shared<const Object>(result);
+    return make_handle<Object>(result);
 }
 
 ObjectHandle together(std::vector<ObjectHandle> children) {
     Object result;
     result.form = Union{std::move(children), {}};
-    return std::make_shared<const Object>(result);
+    return make_handle<Object>(result);
 }
 
 const std::string head = "#version 3.7;\ncamera { perspective }\n";
@@ -54,18 +54,18 @@ TEST_CASE("every shape is written with its places in their order") {
 TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
     Object glass;
     glass.form = Sphere();
-    glass.transform = std::make_shared<const Transform>(Transform::translation(Vec3(1, 2, 3)));
+    glass.transform = make_handle<Transform>(Transform::translation(Vec3(1, 2, 3)));
     glass.no_shadow = true;
     glass.hollow = true;
-    glass.interior = std::make_shared<const Interior>(Interior{1.5});
+    glass.interior = make_handle<Interior>(Interior{1.5});
     Texture texture;
     texture.pigment.colour = {Vec3(1), 0.5, 0};
     texture.finish.ambient = Vec3(0);
     texture.finish.reflection.least = Vec3(0.25);
     texture.finish.reflection.greatest = Vec3(0.5);
     texture.finish.reflection.fresnel = true;
-    glass.texture = std::make_shared<const Texture>(texture);
-    CHECK(body({std::make_shared<const Object>(glass)}) ==
+    glass.texture = make_handle<Texture>(texture);
+    CHECK(body({make_handle<Object>(glass)}) ==
           "sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 2, 3> no_shadow hollow interior { "
           "ior 1.5 } "
           "texture { pigment { rgbft <1, 1, 1, 0.5, 0> } "
@@ -79,16 +79,16 @@ TEST_CASE("patterns are written with their colours") {
     texture.pigment.pattern = Checker();
     texture.pigment.map = {{0, {Vec3(0)}}, {1, {Vec3(1, 0, 0)}}};
     texture.pigment.transform = Transform::scaling(Vec3(2));
-    floor.texture = std::make_shared<const Texture>(texture);
-    const std::string checkered = body({std::make_shared<const Object>(floor)});
+    floor.texture = make_handle<Texture>(texture);
+    const std::string checkered = body({make_handle<Object>(floor)});
     CHECK(checkered.find("texture { pigment { checker rgb 0, rgb <1, 0, 0> matrix <2, 0, 0, 0, 2, "
                          "0, 0, 0, 2, 0, 0, 0> } }") != std::string::npos);
 
     texture.pigment = {};
     texture.pigment.pattern = Gradient{Vec3(1, 0, 0)};
     texture.pigment.map = {{0, {Vec3(0)}}, {0.5, {Vec3(1), 0, 1}}};
-    floor.texture = std::make_shared<const Texture>(texture);
-    const std::string graded = body({std::make_shared<const Object>(floor)});
+    floor.texture = make_handle<Texture>(texture);
+    const std::string graded = body({make_handle<Object>(floor)});
     CHECK(graded.find("texture { pigment { gradient <1, 0, 0> color_map { [0 rgb 0] [0.5 rgbft <1, "
                       "1, 1, 0, 1>] } } }") != std::string::npos);
 }
@@ -155,7 +155,7 @@ TEST_CASE("a union of one object that adds nothing is that object") {
     Object hidden;
     hidden.form = Union{{object(Sphere())}, {}};
     hidden.no_shadow = true;
-    CHECK(body({std::make_shared<const Object>(hidden)}) ==
+    CHECK(body({make_handle<Object>(hidden)}) ==
           "union {\n    sphere { 0, 1 }\n    no_shadow\n}\n");
 }
 

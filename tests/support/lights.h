@@ -44,7 +44,7 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
     Transform map =
         Transform::scaling({size, size / 2, size / 4}).then(Transform::rotation(draw.point(180)));
     map = map.then(Transform::translation(place));
-    return AreaEmitter{Sphere{Vec3(0), 1}, std::make_shared<const Transform>(map)};
+    return AreaEmitter{Sphere{Vec3(0), 1}, make_handle<Transform>(map)};
 }
 
 /// A point somewhere around an emitter of that place and size: inside, on, near or far.
