@@ -194,8 +194,9 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
         if (options.print) options.print(text);
     };
     evaluator.set_meaning(std::move(meaning));
-    for (const auto& [name, value] : options.declares)
-        std::visit([&](const auto& content) { evaluator.declare(name, Value(content)); }, value);
+    for (const auto& declared : options.declares)
+        std::visit([&](const auto& content) { evaluator.declare(declared.first, Value(content)); },
+                   declared.second);
     evaluator.run(main);
     reader.finish(evaluator.version_given());
     return scene;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <ranges>
 
 namespace {
 
@@ -43,10 +42,15 @@ std::size_t LightPlaces::memory_bytes() const {
 
 LightIndex DimSet::nth(std::uint64_t n) const {
     // The j-th of the list has bright[j] - j dim ones before it, which never falls with j.
-    const auto indices = std::views::iota(std::size_t{0}, bright_.size());
-    const auto passed =
-        std::ranges::partition_point(indices, [&](std::size_t j) { return bright_[j] - j <= n; });
-    return static_cast<LightIndex>(n + static_cast<std::uint64_t>(passed - indices.begin()));
+    std::size_t passed = 0, behind = bright_.size();
+    while (passed < behind) {
+        const std::size_t j = (passed + behind) / 2;
+        if (bright_[j] - j <= n)
+            passed = j + 1;
+        else
+            behind = j;
+    }
+    return static_cast<LightIndex>(n + passed);
 }
 
 std::uint64_t DimSet::places() const {
