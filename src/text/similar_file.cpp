@@ -27,7 +27,8 @@ std::string gist(std::string_view name) {
 std::string stem(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
 std::string joined(const std::string& folder, const std::string& name) {
-    return folder.empty() || folder.ends_with('/') ? folder + name : folder + '/' + name;
+    const bool needs_slash = !folder.empty() && !folder.ends_with('/') && !name.empty();
+    return needs_slash ? folder + '/' + name : folder + name;
 }
 
 /// How a name of the folder is like the wanted one; the smaller the better, 0 is the same.
@@ -67,24 +68,25 @@ std::vector<std::string> entries(const std::string& folder, bool folders, const 
     return result;
 }
 
-/// The path below the folder, each part the most like the wanted one; the rank of the worst.
-Likeness follow(std::string folder, std::string wanted, const Lister& list) {
+/// The path from the folder on, each part the most like the wanted one; the rank of the worst.
+Likeness follow(const std::string& folder, std::string wanted, const Lister& list) {
+    std::string path;
     int worst = 0;
     for (std::size_t slash; (slash = wanted.find('/')) != std::string::npos;) {
         std::string part = wanted.substr(0, slash);
         wanted.erase(0, slash + 1);
         if (part.empty() || part == ".") continue;
         if (part != "..") {
-            Likeness found = most_like(part, entries(folder, true, list));
+            Likeness found = most_like(part, entries(joined(folder, path), true, list));
             worst = std::max(worst, found.rank);
             part = std::move(found.name);
             if (part.empty()) return {};
         }
-        folder = joined(folder, part);
+        path = joined(path, part);
     }
-    const Likeness found = most_like(wanted, entries(folder, false, list));
+    const Likeness found = most_like(wanted, entries(joined(folder, path), false, list));
     if (found.name.empty()) return {};
-    return {std::max(worst, found.rank), joined(folder, found.name)};
+    return {std::max(worst, found.rank), joined(path, found.name)};
 }
 
 }  // namespace
@@ -108,9 +110,13 @@ std::string similar_file(const std::string& name, const std::vector<std::string>
                          const Lister& list) {
     std::string wanted = name;
     std::replace(wanted.begin(), wanted.end(), '\\', '/');
+    if (wanted.starts_with('/')) {
+        const std::string path = follow("/", wanted, list).name;
+        return path.empty() ? path : '/' + path;
+    }
     Likeness best;
     for (const std::string& folder : folders) {
-        const Likeness found = follow(wanted.starts_with('/') ? "/" : folder, wanted, list);
+        const Likeness found = follow(folder, wanted, list);
         if (found.rank < best.rank) best = found;
     }
     return best.name;

@@ -15,7 +15,7 @@ using Lister = std::function<std::vector<std::string>(const std::string& folder)
 
 Lister disk_lister();
 
-/// The path of the file that is most like the name in one of the folders, or "". Of equally good
-/// ones the first.
+/// The name, as a scene would write it, of the file that is most like it in one of the folders, or
+/// "". Of equally good ones the first.
 std::string similar_file(const std::string& name, const std::vector<std::string>& folders,
                          const Lister&);
