@@ -31,7 +31,7 @@ void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeI
         return;
     }
     if (file.reader || file.writer)
-        scope.declare(node.file, Handle<DataFile>(std::make_shared<DataFile>(std::move(file))));
+        scope.declare(node.file, make_handle<DataFile>(std::move(file)));
     else
         stopped_ = true;  // each use of the name would be reported again
 }
