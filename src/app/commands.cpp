@@ -3,6 +3,7 @@
 
 #include "app/diagnostics_json.h"
 #include "app/help.h"
+#include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/stats.h"
@@ -40,12 +41,29 @@ public:
         const Output output = output_of(options_, diagnostics_);
         if (say_diagnostics()) return exit_status::usage;
         if (!destinations_work(output)) return exit_status::file;
+        bound_memory();
         const std::optional<SourceId> main = read_scene();
         if (say_diagnostics() || !main) return exit_status::file;
         return dispatch(*main, output);
     }
 
 private:
+    /// The evaluation's stack is room that is set aside and hardly ever used, so it does not count.
+    void bound_memory() {
+        const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
+        if (bytes) limit_memory(*bytes + options_.limits.stack_bytes);
+    }
+
+    /// What the scene may touch: what belongs to it, and what the options add.
+    Door door(const std::string& picture_folder, const std::vector<std::string>& library) const {
+        std::vector<std::string> readable = {scene_folder_, ""};
+        std::vector<std::string> writable = {picture_folder};
+        readable.insert(readable.end(), library.begin(), library.end());
+        readable.insert(readable.end(), options_.readable.begin(), options_.readable.end());
+        writable.insert(writable.end(), options_.writable.begin(), options_.writable.end());
+        return Door(readable, std::move(writable));
+    }
+
     bool is_check() const {
         return options_.task == Task::check || options_.task == Task::check_syntax;
     }
@@ -124,7 +142,7 @@ private:
             return say(is_check() ? "" : dump(tree, names_));
         }
         statistics_.parse = time_now();
-        const Scene scene = evaluate_scene(main);
+        const Scene scene = evaluate_scene(main, folder_of(output));
         statistics_.parse = time_now() - statistics_.parse;
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
@@ -154,9 +172,12 @@ private:
         if (talks()) console_.err(message(harmless(*options_.scene), ": no errors\n"));
     }
 
-    Scene evaluate_scene(SourceId main) {
-        const Loader loader(disk_reader(), scene_folder_, library_paths());
+    Scene evaluate_scene(SourceId main, const std::string& picture_folder) {
+        const std::vector<std::string> library = library_paths();
+        const Loader loader(disk_reader(), scene_folder_, library, door(picture_folder, library),
+                            disk_lister());
         EvaluateOptions options;
+        options.limits = options_.limits;
         options.declares = options_.declares;
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;

@@ -28,6 +28,15 @@ std::optional<std::variant<double, std::string>> declared_value(std::string_view
     return std::nullopt;
 }
 
+/// A whole number, which may be written 1e9. What it counts in megabytes fits into 64 bits, too.
+std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics) {
+    const auto value = number(*given.value);
+    if (value && *value >= 1 && *value <= 1e12 && std::floor(*value) == *value)
+        return static_cast<std::uint64_t>(*value);
+    refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12");
+    return std::nullopt;
+}
+
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
@@ -272,6 +281,35 @@ void store::output(Options& options, const Given& given, Diagnostics&) {
 
 void store::library(Options& options, const Given& given, Diagnostics&) {
     options.library_paths.push_back(*given.value);
+}
+
+void store::allow_read(Options& options, const Given& given, Diagnostics&) {
+    options.readable.push_back(*given.value);
+}
+
+void store::allow_write(Options& options, const Given& given, Diagnostics&) {
+    options.writable.push_back(*given.value);
+}
+
+void store::limit_steps(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.limits.steps = limit(given, diagnostics).value_or(options.limits.steps);
+}
+
+void store::limit_depth(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const Limits usual;
+    const std::uint64_t depth = limit(given, diagnostics).value_or(usual.call_depth);
+    options.limits.call_depth = depth;
+    options.limits.stack_bytes =
+        std::max(usual.stack_bytes, usual.stack_bytes / usual.call_depth * depth);
+}
+
+void store::limit_memory(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (const auto megabytes = limit(given, diagnostics)) options.memory_bytes = *megabytes << 20;
+}
+
+void store::limit_written(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (const auto megabytes = limit(given, diagnostics))
+        options.limits.written_bytes = *megabytes << 20;
 }
 
 void store::verbose(Options& options, const Given& given, Diagnostics&) {

@@ -4,11 +4,13 @@
 // file.
 #pragma once
 
+#include "evaluate/limits.h"
 #include "picture/write.h"
 #include "scene/settings.h"
 #include "text/diagnostic.h"
 #include "vocabulary/manual.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -42,6 +44,10 @@ struct Options {
     std::optional<int> bits;
     bool compressed = false;
     std::vector<std::string> library_paths;
+    std::vector<std::string> readable;  ///< folders that the scene may read below, too
+    std::vector<std::string> writable;  ///< folders that it may write below, too
+    Limits limits;
+    std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
     std::vector<Declaration> declares;
     std::optional<double> clock;
     RenderSettings render;

@@ -50,3 +50,8 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
                             .with_help("png can (+FN16); OpenEXR has 32 (+FE)"));
     return output;
 }
+
+std::string folder_of(const Output& output) {
+    if (output.path == "-" || is_device_or_pipe(output.path)) return {};
+    return fs::path(output.path).parent_path().string();
+}

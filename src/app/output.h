@@ -13,3 +13,7 @@ struct Output {
 /// ending gets it. Without a name it is the scene's, in the current folder or the folder of +O.
 /// Devices and pipes are taken by the name that they have. Reports what does not fit together.
 Output output_of(const Options&, Diagnostics&);
+
+/// The folder of the picture, below which the scene may write; "" is the current one, also for
+/// standard output, devices and pipes.
+std::string folder_of(const Output&);

@@ -232,7 +232,8 @@ void OpenBlock::reject_value(const Element& element) {
     if (element.value.absent() || broken) return;
     const std::string_view kind = kind_name(element.value);
     const Numbers* numbers = element.value.numbers();
-    const bool number = numbers && !(numbers->is_colour() && makes_object(name));
+    const bool number =
+        numbers && !(numbers->is_colour() && makes_object(binder.evaluator.names().find(name)));
     if (numbers && !number) {
         report(
             error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()))

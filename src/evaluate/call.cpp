@@ -193,12 +193,14 @@ Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, Node
                            " and cannot be called"));
         return emit_broken();
     }
+    if (too_many_steps(tree.span(id))) return Flow::stopped;
     if (frames.depth() >= limits.call_depth) {
         if (!stopped_)
             report(error(Fault::recursion_limit, tree.span(id),
                          message("macros call each other ", limits.call_depth,
                                  " deep, which is the limit"))
-                       .with_help("a recursion needs an #if that ends it"));
+                       .with_help("a recursion needs an #if that ends it; --limit-depth raises the "
+                                  "limit"));
         stopped_ = true;
         return Flow::stopped;
     }

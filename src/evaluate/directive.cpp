@@ -14,11 +14,6 @@ constexpr double tolerance = 1e-10;
 
 Flow Evaluator::State::directive(const Tree& tree, NodeId id, Take take) {
     const NodeContent& content = tree[id].content;
-    const auto not_yet = [&](std::string_view name) {
-        broken(Fault::not_implemented, tree.span(id),
-               message("`#", name, "` is known but not implemented"));
-        return Flow::end;
-    };
     switch (content.index()) {
         case kind<node::Declare>:
             declare(tree, *std::get_if<node::Declare>(&content), id);
@@ -57,13 +52,17 @@ Flow Evaluator::State::directive(const Tree& tree, NodeId id, Take take) {
             set_version(tree, *std::get_if<node::Version>(&content), id);
             break;
         case kind<node::Open>:
-            return not_yet("fopen");
+            open_file(tree, *std::get_if<node::Open>(&content), id);
+            break;
         case kind<node::Close>:
-            return not_yet("fclose");
+            close_file(tree, *std::get_if<node::Close>(&content), id);
+            break;
         case kind<node::Read>:
-            return not_yet("read");
+            read_values(tree, *std::get_if<node::Read>(&content), id);
+            break;
         case kind<node::Write>:
-            return not_yet("write");
+            write_values(tree, *std::get_if<node::Write>(&content), id);
+            break;
         default:
             break;
     }
@@ -87,20 +86,21 @@ Flow Evaluator::State::branch(const Tree& tree, const node::If& node, Take take)
     return Flow::end;
 }
 
-bool Evaluator::State::too_many_passes(std::uint64_t passes, Span span) {
-    if (passes < limits.loop_passes) return false;
+bool Evaluator::State::too_many_steps(Span span) {
+    if (++steps <= limits.steps) return false;
     if (!stopped_)
         report(error(Fault::loop_limit, span,
-                     message("this loop has not ended after ", limits.loop_passes,
-                             " passes, which is the limit"))
-                   .with_help("something in its body must make its condition false, or #break"));
+                     message("this scene takes more than ", limits.steps,
+                             " passes of loops and calls of macros, which is the limit"))
+                   .with_help("something in a loop must make its condition false, or #break; "
+                              "--limit-steps raises the limit"));
     stopped_ = true;
     return true;
 }
 
 Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, Take take) {
-    for (std::uint64_t passes = 0; condition(tree, node.condition) && !stopped_; ++passes) {
-        if (too_many_passes(passes, tree.span(node.condition))) return Flow::stopped;
+    while (condition(tree, node.condition) && !stopped_) {
+        if (too_many_steps(tree.span(node.condition))) return Flow::stopped;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
@@ -143,8 +143,8 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
     scope.declare_local(name, start);
     if (!(step > 0 ? start < end + tolerance : start > end - tolerance)) return Flow::end;
     double i = start;
-    for (std::uint64_t passes = 0; inside(i); ++passes) {
-        if (too_many_passes(passes, tree.span(id))) return Flow::stopped;
+    while (inside(i)) {
+        if (too_many_steps(tree.span(id))) return Flow::stopped;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
@@ -221,8 +221,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const std::string directory = directory_of(sources.name(span.source));
     const std::optional<Found> found = loader.load(name, directory);
     if (!found) {
-        report(error(Fault::include_not_found, span, message("there is no file `", name, "`"))
-                   .with_note(loader.searched_note(name, directory)));
+        report(loader.problem(name, span, FileKind::include, directory));
         // What the file would have declared is missing from here on: more messages would follow
         // from this one.
         stopped_ = true;

@@ -8,6 +8,10 @@
 #include "text/message.h"
 #include "text/nearest.h"
 
+#include <array>
+#include <memory>
+#include <new>
+
 Evaluator::Evaluator(SourceStore& sources, const Loader& loader, Names& names,
                      Diagnostics& diagnostics, const RunFacts& facts)
     : state_(std::make_unique<State>(*this, sources, loader, names, diagnostics, facts)) {}
@@ -46,7 +50,7 @@ void Evaluator::run(SourceId main) {
         // What runs between two checks, the binder included, fits into the margin.
         const std::size_t margin = std::size_t{1} << 20;
         state.stack_end = &here - (bytes - margin);
-        state.run(main);
+        state.run_within_memory(main);
     });
     state.stack_end = nullptr;
     state.diagnostics.set_frames({});
@@ -81,6 +85,21 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
         number(name, 0);
 }
 
+void Evaluator::State::run_within_memory(SourceId main) {
+    // Given back to have room for the message.
+    auto reserve = std::make_unique<std::array<char, std::size_t{1} << 20>>();
+    try {
+        run(main);
+    } catch (const std::bad_alloc&) {
+        reserve.reset();
+        stopped_ = true;
+        const std::vector<Frame> open = frames.list(names);
+        report(error(Fault::io, open.empty() ? Span() : open.front().called_at,
+                     "there is not enough memory to evaluate this scene")
+                   .with_help("--limit-memory says how much there may be"));
+    }
+}
+
 void Evaluator::State::run(SourceId main) {
     const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics));
     lint(tree, names, diagnostics);
@@ -99,7 +118,9 @@ void Evaluator::State::walk_whole(const Tree& tree, NodeId first, Take take) {
 bool Evaluator::State::room(const Tree& tree, NodeId node) {
     const char here = 0;
     if (!stack_end || &here > stack_end) return true;
-    if (!stopped_) broken(Fault::recursion_limit, tree.span(node), "this is nested too deeply");
+    if (!stopped_)
+        report(error(Fault::recursion_limit, tree.span(node), "this is nested too deeply")
+                   .with_help("--limit-depth makes room for deeper calls of macros"));
     stopped_ = true;
     return false;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far evaluation goes before it takes a scene for a mistake. Each limit has a diagnostic that
-// names it.
+// names it, and the option that raises it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 struct Limits {
     std::size_t call_depth = 200'000;          ///< macro calls inside each other
     std::size_t include_depth = 100;           ///< include files inside each other
-    std::uint64_t loop_passes = 100'000'000;   ///< of one loop
+    std::uint64_t steps = 200'000'000;         ///< passes of loops and calls of macros, in all
     std::size_t array_elements = 100'000'000;  ///< of one array
+    std::uint64_t written_bytes = std::uint64_t{1} << 30;  ///< by #write, in all files together
     std::size_t stack_bytes = std::size_t{1} << 30;
 };

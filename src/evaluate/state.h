@@ -4,6 +4,7 @@
 #pragma once
 
 #include "evaluate/evaluator.h"
+#include "evaluate/files.h"
 #include "evaluate/frames.h"
 #include "evaluate/functions.h"
 #include "evaluate/macro.h"
@@ -33,6 +34,8 @@ struct Evaluator::State {
 
     // ---- evaluator.cpp
     void run(SourceId main);
+    /// The same, with a message when memory runs out.
+    void run_within_memory(SourceId main);
     /// Whether there is stack left to go deeper; reports when not.
     bool room(const Tree&, NodeId);
     void report(Diagnostic diagnostic) { diagnostics.add(std::move(diagnostic)); }
@@ -101,7 +104,8 @@ struct Evaluator::State {
     Flow walk_one(const Tree&, NodeId, Take take);
     static bool is_directive(const Tree&, NodeId);
     Flow directive(const Tree&, NodeId, Take take);
-    bool too_many_passes(std::uint64_t passes, Span);
+    /// Counts one more step; reports when it is one too many.
+    bool too_many_steps(Span);
     Flow branch(const Tree&, const node::If&, Take take);
     Flow loop_while(const Tree&, const node::While&, Take take);
     Flow loop_for(const Tree&, const node::For&, NodeId, Take take);
@@ -117,6 +121,21 @@ struct Evaluator::State {
     const Tree* load(const std::string& name, Span);
     void speak(const Tree&, const node::Message&, NodeId);
     void set_version(const Tree&, const node::Version&, NodeId);
+
+    // ---- files.cpp
+    void open_file(const Tree&, const node::Open&, NodeId);
+    void open_for_reading(DataFile&, Span);
+    void open_for_writing(DataFile&, bool append, Span);
+    /// The file behind a name; null when there is none, which has been reported.
+    Handle<DataFile> open_file_named(const Tree&, NodeId);
+    Handle<DataFile> open_file_named(NameId, Span);
+    void close_file(const Tree&, const node::Close&, NodeId);
+    void read_values(const Tree&, const node::Read&, NodeId);
+    bool read_into(const Tree&, NodeId target, DataReader&);
+    void write_values(const Tree&, const node::Write&, NodeId);
+    void write_value(DataWriter&, const Value&, const std::optional<BinaryForm>&, Span);
+
+    // ---- walk.cpp
     /// Hands the element of a value node to `take`, with channels that follow it (`Red filter .5`);
     /// gives the next node.
     NodeId take_value(const Tree&, NodeId, Take take);
@@ -124,7 +143,7 @@ struct Evaluator::State {
 
     Evaluator& evaluator;
     SourceStore& sources;
-    const Loader& loader;
+    Loader loader;  ///< knows what this run has written
     Names& names;
     Diagnostics& diagnostics;
     RunFacts facts;
@@ -137,6 +156,8 @@ struct Evaluator::State {
     std::deque<Tree> trees;
     std::map<std::string, const Tree*> loaded;
     std::size_t include_depth = 0;
+    std::uint64_t steps = 0;
+    std::uint64_t written_bytes = 0;
     double version = 3.7;
     bool version_given = false;
     Span last_break;

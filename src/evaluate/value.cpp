@@ -48,6 +48,7 @@ struct KindName {
     std::string_view operator()(const Handle<std::vector<ColourStop>>&) const {
         return "a colour map";
     }
+    std::string_view operator()(const Handle<DataFile>&) const { return "an open file"; }
 };
 
 }  // namespace

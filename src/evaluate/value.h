@@ -18,6 +18,7 @@
 #include <vector>
 
 struct ColourStop;
+struct DataFile;
 struct DeclaredCamera;
 struct Finish;
 struct Interior;
@@ -72,7 +73,7 @@ public:
         std::variant<Absence, Numbers, Handle<std::string>, std::shared_ptr<ArrayData>,
                      Handle<MacroData>, Handle<Object>, Handle<Texture>, Handle<Pigment>,
                      Handle<Finish>, Handle<Interior>, Handle<Transform>, Handle<DeclaredCamera>,
-                     Handle<PlacedLight>, Handle<std::vector<ColourStop>>>;
+                     Handle<PlacedLight>, Handle<std::vector<ColourStop>>, Handle<DataFile>>;
 
     Value(Absence why) : content_(why) {}
     Value(double number) : content_(Numbers::scalar(number)) {}

@@ -206,7 +206,7 @@ struct Print {
         return {say("#read ("), commas(n.content), say(")")};
     }
     Pieces operator()(const node::Write& n) const {
-        return {say("#write ("), commas(n.content), say(")")};
+        return {say("#write ("), blanks(n.content), say(")")};
     }
 };
 

@@ -72,10 +72,13 @@ std::string directory_of(const std::string& path) {
     return path.substr(0, std::max<std::size_t>(slash, 1));
 }
 
-Loader::Loader(Reader reader, std::string scene_directory, std::vector<std::string> library_paths)
+Loader::Loader(Reader reader, std::string scene_directory, std::vector<std::string> library_paths,
+               Door door, Lister lister)
     : reader_(std::move(reader)),
       scene_directory_(std::move(scene_directory)),
-      library_paths_(std::move(library_paths)) {}
+      library_paths_(std::move(library_paths)),
+      door_(std::move(door)),
+      lister_(std::move(lister)) {}
 
 std::vector<std::string> Loader::places(const std::string& name,
                                         const std::string& including_directory) const {
@@ -95,6 +98,9 @@ std::vector<std::string> Loader::searched(const std::string& name,
     std::vector<std::string> paths;
     const auto folders = places(name, including_directory);
     for (const std::string& candidate : candidates(name, kind)) {
+        if (const auto own = written_.empty() ? std::nullopt : door_.destination(candidate);
+            own && written_.contains(*own))
+            add_once(paths, *own);
         for (const std::string& folder : folders) add_once(paths, inside(folder, candidate));
     }
     return paths;
@@ -103,6 +109,7 @@ std::vector<std::string> Loader::searched(const std::string& name,
 std::optional<Found> Loader::load(const std::string& name, const std::string& including_directory,
                                   FileKind kind) const {
     for (std::string& path : searched(name, including_directory, kind)) {
+        if (!door_.may_read(path)) continue;
         if (auto text = reader_(path)) return Found{std::move(path), std::move(*text)};
     }
     return {};
@@ -117,4 +124,35 @@ std::string Loader::searched_note(const std::string& name,
         note += folder.empty() ? "the current directory" : message("`", folder, "`");
     }
     return note;
+}
+
+std::optional<std::string> Loader::closed_path(const std::string& name,
+                                               const std::string& including_directory,
+                                               FileKind kind) const {
+    for (const std::string& path : searched(name, including_directory, kind))
+        if (!door_.may_read(path) && reader_(path)) return path;
+    return {};
+}
+
+bool Loader::refused(const std::string& name, const std::string& including_directory,
+                     FileKind kind) const {
+    return closed_path(name, including_directory, kind).has_value();
+}
+
+Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
+                           const std::string& including_directory) const {
+    if (const auto path = closed_path(name, including_directory, kind))
+        return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
+            .with_note(door_.reading_rule())
+            .with_help(Door::reading_help(*path));
+    Diagnostic result =
+        error(Fault::include_not_found, span, message("there is no file `", name, "`"));
+    result.with_note(searched_note(name, including_directory));
+    if (!lister_) return result;
+    std::vector<std::string> folders;
+    for (const std::string& folder : places(name, including_directory))
+        if (door_.may_read(folder)) folders.push_back(folder);
+    if (const std::string near = similar_file(name, folders, lister_); !near.empty())
+        result.with_help(message("did you mean `", near, "`?"));
+    return result;
 }

@@ -3,10 +3,17 @@
 
 // Finds and reads the files that a scene names. The evaluator asks; how a path is read is an
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
-// including file, the folder of the scene, the current directory, and the library paths in order.
+// including file, the folder of the scene, the current directory, and the library paths in order;
+// a file that the scene itself has written comes first. What the door does not let through is not
+// read.
+
+#include "text/diagnostic.h"
+#include "text/door.h"
+#include "text/similar_file.h"
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,8 +38,10 @@ struct Found {
 /// Folders are given as directory_of() writes them; "" stands for none.
 class Loader {
 public:
+    /// The lister serves messages only.
     explicit Loader(Reader reader, std::string scene_directory = {},
-                    std::vector<std::string> library_paths = {});
+                    std::vector<std::string> library_paths = {}, Door door = {},
+                    Lister lister = {});
 
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
                               FileKind kind = FileKind::include) const;
@@ -42,15 +51,34 @@ public:
                                       const std::string& including_directory = {},
                                       FileKind kind = FileKind::include) const;
 
-    /// The places in one line for a note: "looked in `scenes`, the current directory, `lib`".
-    std::string searched_note(const std::string& name,
-                              const std::string& including_directory = {}) const;
+    /// Why load() gave nothing: places that were searched and the name that was perhaps meant, or
+    /// the rule that forbids it.
+    Diagnostic problem(const std::string& name, Span, FileKind kind = FileKind::include,
+                       const std::string& including_directory = {}) const;
+
+    /// Whether there is such a file, but the scene may not read it.
+    bool refused(const std::string& name, const std::string& including_directory = {},
+                 FileKind kind = FileKind::include) const;
+
+    const Door& door() const { return door_; }
+    /// The scene has written the file at this destination of the door: its text is found under this
+    /// name from now on.
+    void written(const std::string& destination) { written_.insert(destination); }
 
 private:
     std::vector<std::string> places(const std::string& name,
                                     const std::string& including_directory) const;
+    std::string searched_note(const std::string& name,
+                              const std::string& including_directory) const;
+    /// The first path that the door does not let through though there is a file.
+    std::optional<std::string> closed_path(const std::string& name,
+                                           const std::string& including_directory,
+                                           FileKind kind) const;
 
     Reader reader_;
     std::string scene_directory_;
     std::vector<std::string> library_paths_;
+    Door door_;
+    Lister lister_;
+    std::set<std::string> written_;
 };

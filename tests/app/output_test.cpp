@@ -66,3 +66,11 @@ TEST_CASE("16 bits a channel are for formats that have them") {
     REQUIRE(diagnostics.error_count() == 1);
     CHECK(diagnostics.all()[0].message == "a file of format exr cannot have 16 bits a channel");
 }
+
+TEST_CASE("the folder of the picture") {
+    CHECK(folder_of({"a.png", {}}) == "");
+    CHECK(folder_of({"out/a.png", {}}) == "out");
+    CHECK(folder_of({"/a.png", {}}) == "/");
+    CHECK(folder_of({"-", {}}) == "");
+    CHECK(folder_of({"/dev/null", {}}) == "");
+}

@@ -5,6 +5,7 @@
 // POV-Ray's answer is not one to follow. The test fails when such a script begins to agree, so that
 // the line is taken away; UPDATE_EXPECTED=1 takes away all that can go.
 #include "evaluate/evaluate.h"
+#include "support/folder.h"
 #include "text/excerpt.h"
 
 #include <catch2/catch.hpp>
@@ -40,23 +41,6 @@ void write(const fs::path& path, const std::string& text) {
     std::ofstream(path, std::ios::binary) << text;
 }
 
-/// A folder of its own for the files of a script, gone at the end.
-class Folder {
-public:
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "candelabra-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    ~Folder() { fs::remove_all(path_); }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
 struct Outcome {
     std::string printed;
     std::string said;  ///< all diagnostics
@@ -66,7 +50,9 @@ struct Outcome {
 Outcome run(const std::string& script, const fs::path& folder) {
     SourceStore sources;
     Diagnostics diagnostics;
-    const Loader loader(disk_reader(), folder.string(), {CANDELABRA_SOURCE_DIR "/stdlib"});
+    const std::string library = CANDELABRA_SOURCE_DIR "/stdlib";
+    const Loader loader(disk_reader(), folder.string(), {library},
+                        Door({folder.string(), library}, {folder.string()}));
     Outcome outcome;
     EvaluateOptions options;
     options.facts.image_width = 8;
@@ -147,9 +133,9 @@ std::string utf8(const std::string& bytes) {
 /// What differs, or nothing.
 std::string difference(const Json& test, const Json& files) {
     const Folder folder;
-    for (const auto& [name, text] : files.items()) write(folder.path() / name, text);
+    for (const auto& [name, text] : files.items()) folder.put(name, text);
     const std::string whole = test.value("prefix", prefix) + test["script"].get<std::string>();
-    write(folder.path() / "x.pov", whole);
+    folder.put("x.pov", whole);
     const Outcome outcome = run(whole, folder.path());
     const bool fails = test.value("fails", false);
     if (outcome.failed != fails)
@@ -157,7 +143,7 @@ std::string difference(const Json& test, const Json& files) {
     if (!fails && !same_text(squeezed(outcome.printed), squeezed(test.value("prints", ""))))
         return "prints: " + outcome.printed;
     if (test.contains("writes"))
-        if (const std::string written = utf8(content_of(folder.path() / "o.txt"));
+        if (const std::string written = utf8(folder.get("o.txt"));
             written != test["writes"].get<std::string>())
             return "writes: " + written;
     return {};

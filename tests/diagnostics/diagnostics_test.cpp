@@ -50,7 +50,7 @@ Said said_about(const fs::path& scene) {
         return disk((folder() / path).string());
     });
     EvaluateOptions options;
-    options.limits.loop_passes = 10'000;
+    options.limits.steps = 20'000;
     options.limits.call_depth = 10'000;
     evaluate(sources, loader, sources.add(scene.filename().string(), read(scene)), options,
              diagnostics);

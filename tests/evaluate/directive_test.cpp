@@ -50,8 +50,8 @@ TEST_CASE("a wrong directive gets one message", "[evaluate]") {
         {"#version 9;", "error: the language has versions 1 to 3.8, but this asks for 9\n"},
         {"#include \"nosuch.inc\" P(nope)", "error: there is no file `nosuch.inc`\n"},
         {"#include 1", "error: #include takes the name of a file, but this is a number\n"},
-        {"#fopen F \"a\" write", "error: `#fopen` is known but not implemented\n"},
-        {"#fclose F", "error: `#fclose` is known but not implemented\n"},
+        {"#fopen F \"a\" write", "error: a scene may not write `a`\n"},
+        {"#fclose P", "error: `P` is a macro and not an open file\n"},
     }));
     INFO(script);
     CHECK(printed(script) == result);
@@ -83,10 +83,14 @@ TEST_CASE("files are included, each in a scope of its own", "[evaluate]") {
 
 TEST_CASE("a loop without end is an error", "[evaluate]") {
     Limits limits;
-    limits.loop_passes = 1000;
+    limits.steps = 1000;
     CHECK(said("#while (1) #end", {}, limits).messages ==
-          "error: this loop has not ended after 1000 passes, which is the limit\n");
+          "error: this scene takes more than 1000 passes of loops and calls of macros, which is "
+          "the limit\n");
     CHECK(said("#for (i, 0, 1) #declare i = 0; #end", {}, limits).messages ==
-          "error: this loop has not ended after 1000 passes, which is the limit\n");
+          "error: this scene takes more than 1000 passes of loops and calls of macros, which is "
+          "the limit\n");
     CHECK(said("#for (i, 1, 1000) #end", {}, limits).messages == "");
+    CHECK(said("#macro M(n) #if (n > 0) M(n - 1) M(n - 1) #end #end M(60)", {}, limits).messages !=
+          "");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/loader.h"
 
+#include "support/folder.h"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -84,12 +86,47 @@ TEST_CASE("searched paths are listed once each") {
     CHECK(loader.searched("b", "/", FileKind::data).front() == "/b");
 }
 
-TEST_CASE("the note names the places") {
-    const Loader loader(files({}), "scenes", {"lib"});
-    CHECK(loader.searched_note("a") == "looked in `scenes`, the current directory, `lib`");
-    CHECK(loader.searched_note("a", "parts") ==
-          "looked in `parts`, `scenes`, the current directory, `lib`");
-    CHECK(loader.searched_note("/a") == "an absolute name is looked for only where it says");
+TEST_CASE("the message about a missing file names the places and what was perhaps meant") {
+    const auto list = [](const std::string& folder) {
+        return folder == "lib" ? Paths{"Aa.inc"} : Paths{};
+    };
+    const Loader loader(files({}), "scenes", {"lib"}, {}, list);
+    const auto note = [&](const std::string& name, const std::string& from = {}) {
+        const Diagnostic problem = loader.problem(name, {}, FileKind::include, from);
+        CHECK(problem.fault == Fault::include_not_found);
+        CHECK(problem.message == "there is no file `" + name + "`");
+        return problem.notes.at(0);
+    };
+    CHECK(note("a") == "looked in `scenes`, the current directory, `lib`");
+    CHECK(note("a", "parts") == "looked in `parts`, `scenes`, the current directory, `lib`");
+    CHECK(note("/a") == "an absolute name is looked for only where it says");
+    CHECK(loader.problem("aa.inc", {}).help == "did you mean `Aa.inc`?");
+    CHECK(loader.problem("zz.inc", {}).help.empty());
+}
+
+TEST_CASE("what the door does not let through is not read, and the message names the option") {
+    const Folder folder;
+    folder.put("scene/a.inc", "inside");
+    folder.put("b.inc", "outside");
+    const Loader loader(disk_reader(), folder / "scene", {}, Door({folder / "scene"}, {}));
+    CHECK(loader.load("a.inc")->text == "inside");
+    CHECK_FALSE(loader.load("../b.inc"));
+    CHECK(loader.refused("../b.inc"));
+    CHECK_FALSE(loader.refused("../c.inc"));
+    const Diagnostic problem = loader.problem("../b.inc", {});
+    CHECK(problem.fault == Fault::file_access);
+    CHECK(problem.help == "`--allow-read " + folder / "scene/.." + "` allows it");
+}
+
+TEST_CASE("a file that the scene has written is found before others of its name") {
+    const Folder folder;
+    folder.put("scene/a.inc", "old");
+    folder.put("out/a.inc", "new");
+    Loader loader(disk_reader(), folder / "scene", {}, Door({folder / "scene"}, {folder / "out"}));
+    CHECK(loader.load("a.inc")->text == "old");
+    loader.written(*loader.door().destination("a.inc"));
+    CHECK(loader.load("a.inc")->text == "new");
+    CHECK(loader.load("a")->text == "new");
 }
 
 TEST_CASE("the folder of a path") {

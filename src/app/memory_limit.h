@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds the memory of the whole run, so that a scene that wants too much gets a message and not
+// the machine's rescue. Called once at the start of a run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+/// The memory of this machine, or nothing if it does not tell.
+std::optional<std::uint64_t> physical_memory();
+
+/// From now on an allocation beyond this many bytes throws std::bad_alloc. Does nothing where the
+/// system has a lower limit already.
+void limit_memory(std::uint64_t bytes);

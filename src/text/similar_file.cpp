@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/similar_file.h"
+
+#include "text/nearest.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Letters and digits only, in small letters: what people remember of a name.
+std::string gist(std::string_view name) {
+    std::string result;
+    for (const char c : name) {
+        if (c >= 'A' && c <= 'Z')
+            result += static_cast<char>(c - 'A' + 'a');
+        else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80))
+            result += c;
+    }
+    return result;
+}
+
+std::string stem(const std::string& name) { return name.substr(0, name.rfind('.')); }
+
+std::string joined(const std::string& folder, const std::string& name) {
+    const bool needs_slash = !folder.empty() && !folder.ends_with('/') && !name.empty();
+    return needs_slash ? folder + '/' + name : folder + name;
+}
+
+/// How a name of the folder is like the wanted one; the smaller the better, 0 is the same.
+struct Likeness {
+    int rank = 5;
+    std::string name;
+};
+
+Likeness most_like(const std::string& wanted, const std::vector<std::string>& names) {
+    Likeness best;
+    const auto offer = [&](int rank, const std::string& name) {
+        if (rank < best.rank) best = {rank, name};
+    };
+    for (const std::string& name : names) {
+        if (name == wanted) offer(0, name);
+        if (gist(wanted).empty()) continue;
+        if (gist(name) == gist(wanted)) offer(1, name);
+        if (stem(name) == wanted) offer(2, name);
+        if (gist(stem(name)) == gist(stem(wanted))) offer(3, name);
+    }
+    std::vector<std::string> stems;
+    std::transform(names.begin(), names.end(), std::back_inserter(stems), stem);
+    const std::string near = nearest(stem(wanted), {stems.begin(), stems.end()});
+    const auto found = std::find(stems.begin(), stems.end(), near);
+    if (!near.empty()) offer(4, names[static_cast<std::size_t>(found - stems.begin())]);
+    return best;
+}
+
+/// The entries of one kind, folders without their `/`.
+std::vector<std::string> entries(const std::string& folder, bool folders, const Lister& list) {
+    std::vector<std::string> result;
+    for (std::string& name : list(folder)) {
+        if (name.ends_with('/') != folders) continue;
+        if (folders) name.pop_back();
+        result.push_back(std::move(name));
+    }
+    return result;
+}
+
+/// The path from the folder on, each part the most like the wanted one; the rank of the worst.
+Likeness follow(const std::string& folder, std::string wanted, const Lister& list) {
+    std::string path;
+    int worst = 0;
+    for (std::size_t slash; (slash = wanted.find('/')) != std::string::npos;) {
+        std::string part = wanted.substr(0, slash);
+        wanted.erase(0, slash + 1);
+        if (part.empty() || part == ".") continue;
+        if (part != "..") {
+            Likeness found = most_like(part, entries(joined(folder, path), true, list));
+            worst = std::max(worst, found.rank);
+            part = std::move(found.name);
+            if (part.empty()) return {};
+        }
+        path = joined(path, part);
+    }
+    const Likeness found = most_like(wanted, entries(joined(folder, path), false, list));
+    if (found.name.empty()) return {};
+    return {std::max(worst, found.rank), joined(path, found.name)};
+}
+
+}  // namespace
+
+Lister disk_lister() {
+    return [](const std::string& folder) {
+        std::vector<std::string> names;
+        std::error_code failed;
+        for (fs::directory_iterator entry(folder.empty() ? "." : folder, failed), end;
+             !failed && entry != end; entry.increment(failed)) {
+            std::error_code unknown;
+            names.push_back(entry->path().filename().string() +
+                            (entry->is_directory(unknown) ? "/" : ""));
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    };
+}
+
+std::string similar_file(const std::string& name, const std::vector<std::string>& folders,
+                         const Lister& list) {
+    std::string wanted = name;
+    std::replace(wanted.begin(), wanted.end(), '\\', '/');
+    if (wanted.starts_with('/')) {
+        const std::string path = follow("/", wanted, list).name;
+        return path.empty() ? path : '/' + path;
+    }
+    Likeness best;
+    for (const std::string& folder : folders) {
+        const Likeness found = follow(folder, wanted, list);
+        if (found.rank < best.rank) best = found;
+    }
+    return best.name;
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/files.h"
+
+#include "evaluate/evaluate.h"
+#include "support/folder.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+struct Said {
+    std::string printed;
+    std::string messages;  ///< a line each, with the help
+};
+
+/// A script whose files are in the folder.
+Said said(const Folder& folder, const std::string& script, const Limits& limits = {}) {
+    const std::string here = folder.path().string();
+    SourceStore sources;
+    Diagnostics diagnostics;
+    const Loader loader(disk_reader(), here, {}, Door({here}, {here}));
+    Said result;
+    EvaluateOptions options;
+    options.limits = limits;
+    options.print = [&](std::string_view text) { result.printed += text; };
+    const std::string whole = "#version 3.7; #macro P(vv) #debug concat(str(vv, 0, 0), \" \") #end\n";
+    evaluate(sources, loader, sources.add(here + "/main.pov", whole + script), options,
+             diagnostics);
+    for (const Diagnostic& each : diagnostics.all())
+        result.messages += each.message + (each.help.empty() ? "" : " | " + each.help) + "\n";
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("what is written can be read and included", "[files]") {
+    const Folder folder;
+    const Said result = said(folder, R"(
+        #fopen Out "numbers.txt" write #write(Out, 1, ",", <2, 3>) #fclose Out
+        #fopen Out "numbers.txt" append #write(Out, ",4") #fclose Out
+        #fopen In "numbers.txt" read
+        #while (defined(In)) #read(In, V) #debug vstr(2, 0*x + V, ",", 0, 0) #debug " " #end
+        #macro Value(Text)
+            #fopen Code "code.inc" write #write(Code, "#declare Result = ", Text, ";") #fclose Code
+            #include "code.inc"
+            Result
+        #end
+        P(Value("1+1")) P(Value("3*3")))");
+    CHECK(result.messages == "");
+    CHECK(result.printed == "1,1 2,3 4,4 2 9 ");
+    CHECK(folder.get("numbers.txt") == "1,<2,3> ,4");
+}
+
+TEST_CASE("reading puts values into names and elements, and closes the file at its end",
+          "[files]") {
+    const Folder folder;
+    folder.put("d.txt", "1, \"two\", 3, 4");
+    CHECK(said(folder, R"(#fopen F "d.txt" read #declare A = array[2] {0, 0}
+        #read(F, A[1], B, C) P(A[1]) #debug B P(C) P(defined(F))
+        #read(F, D, E) P(D) P(defined(E)) P(defined(F)) #fclose F)")
+              .printed == "1 two3 1 4 0 0 ");
+    folder.put("e.txt", "1,");
+    CHECK(said(folder, R"(#fopen F "e.txt" read #read(F, B) P(defined(F)) #read(F, C)
+        P(defined(C)) P(defined(F)))")
+              .printed == "1 1 0 ");
+}
+
+TEST_CASE("wrong uses of files say what is wrong", "[files]") {
+    const Folder folder;
+    folder.put("d.txt", "1, 2");
+    struct Case {
+        const char* script;
+        const char* messages;
+    };
+    const Case cases[] = {
+        {"#fopen F \"none.txt\" read", "there is no file `none.txt`\n"},
+        {"#fopen F \"d.txt\" create",
+         "a file is opened for read, write or append, not for `create`\n"},
+        {"#fopen F 3 read", "#fopen takes the name of a file, but this is a number\n"},
+        {"#declare F = 1; #fopen F \"d.txt\" read",
+         "`F` is declared already | #undef it before, or choose another name\n"},
+        {"#fopen F \"../x.txt\" write",
+         "a scene may not write `../x.txt` | `--allow-write ..` allows it\n"},
+        {"#fopen F \"none/x.txt\" write", "the file `none/x.txt` cannot be written\n"},
+        {"#write(F, 1)",
+         "no file is open as `F` | #fopen F \"...\" opens one; at its end it is closed\n"},
+        {"#declare F = 1; #write(F, 1)", "`F` is a number and not an open file\n"},
+        {"#fopen F \"d.txt\" read #write(F, 1)", "`d.txt` is open for reading\n"},
+        {"#fopen F \"o.txt\" write #read(F, A)", "`o.txt` is open for writing\n"},
+        {"#fopen F \"d.txt\" read #read(F, 1)",
+         "#read puts values into names and elements of arrays, and this is neither\n"},
+        {"#fopen F \"o.txt\" write #write(F, sphere { 0, 1 })",
+         "numbers, vectors and strings can be written, but this is an object\n"},
+        {"#fopen F \"o.txt\" write #write(F, uint8 \"a\")",
+         "numbers, vectors and strings can be written, but this is a string where binary numbers "
+         "are written\n"},
+        {"#read()", "#read needs an open file and names to read into\n"},
+        {"#write()", "#write needs an open file and values\n"},
+        {"#write(1, 2)", "the name of an open file is wanted first\n"},
+    };
+    for (const Case& c : cases) {
+        INFO(c.script);
+        CHECK(said(folder, c.script).messages == c.messages);
+    }
+}
+
+TEST_CASE("a scene cannot write without end", "[files]") {
+    const Folder folder;
+    Limits limits;
+    limits.written_bytes = 10'000;
+    const Said result = said(
+        folder, "#fopen F \"o.txt\" write #while (1) #write(F, \"0123456789abcdef\") #end", limits);
+    CHECK(result.messages ==
+          "this scene has written more than 10000 bytes, which is the limit | "
+          "--limit-written raises it\n");
+    CHECK(folder.get("o.txt").size() < 11'000);
+}

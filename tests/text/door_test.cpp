@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/door.h"
+
+#include "support/folder.h"
+
+#include <catch2/catch.hpp>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("a door without folders lets everything be read and nothing be written", "[door]") {
+    const Door door;
+    CHECK(door.may_read("/etc/passwd"));
+    CHECK_FALSE(door.destination("a.txt"));
+}
+
+TEST_CASE("reading takes place below the folders", "[door]") {
+    const Folder folder;
+    folder.put("scene/a.inc", "");
+    folder.put("other/b.inc", "");
+    folder.put("scenery/c.inc", "");
+    fs::create_symlink(folder / "other", folder / "scene/link");
+    fs::create_symlink("a.inc", folder / "scene/inner");
+    const Door door({folder / "scene/"}, {});
+    struct Case {
+        const char* path;
+        bool allowed;
+    };
+    const Case cases[] = {
+        {"scene", true},
+        {"scene/a.inc", true},
+        {"scene/none/x.inc", true},
+        {"scene/./sub/../a.inc", true},
+        {"scene/inner", true},
+        {"scene/../other/b.inc", false},
+        {"other/b.inc", false},
+        {"scenery/c.inc", false},
+        {"scene/link/b.inc", false},
+        {"scene/link/../other/b.inc", false},
+    };
+    for (const Case& c : cases) {
+        INFO(c.path);
+        CHECK(door.may_read(folder / c.path) == c.allowed);
+    }
+    CHECK_FALSE(door.may_read(folder / std::string("scene/a\0.inc", 12)));
+}
+
+TEST_CASE("writing takes place below the writable folders", "[door]") {
+    const Folder folder;
+    folder.put("out/sub/old.txt", "");
+    folder.put("other/b.txt", "");
+    fs::create_symlink(folder / "other", folder / "out/link");
+    fs::create_symlink(folder / "other/b.txt", folder / "out/file");
+    const Door door({folder / "scene"}, {folder / "out", folder / "more"});
+    const std::string out = fs::canonical(folder.path()).string() + "/out/";
+    CHECK(door.destination("a.txt") == out + "a.txt");
+    CHECK(door.destination("sub/a.txt") == out + "sub/a.txt");
+    CHECK(door.destination("sub/../a.txt") == out + "a.txt");
+    CHECK(door.destination(folder / "out/a.txt") == out + "a.txt");
+    CHECK(door.destination(folder / "more/a.txt"));
+    CHECK(door.may_read(folder / "out/a.txt"));
+    for (const std::string& name :
+         {std::string("../a.txt"), folder / "scene/a.txt", std::string("link/b.txt"),
+          std::string("file"), std::string(), std::string("sub/"), std::string("."),
+          std::string(".bashrc"), std::string(".git/config"), std::string("sub/.x"),
+          std::string("a\0b", 3)}) {
+        INFO(name);
+        CHECK_FALSE(door.destination(name));
+    }
+}
+
+TEST_CASE("a hidden folder of the run's own choice can be written", "[door]") {
+    const Folder folder;
+    fs::create_directory(folder / ".cache");
+    CHECK(Door({}, {folder / ".cache"}).destination("a.txt"));
+}
+
+TEST_CASE("the rules name the folder of the picture", "[door]") {
+    CHECK(Door({}, {"out"}).writing_rule().find("`out`") != std::string::npos);
+    CHECK(Door({}, {""}).writing_rule().find("the current directory") != std::string::npos);
+    CHECK(Door::reading_help("/data/a.inc") == "`--allow-read /data` allows it");
+    CHECK(Door::writing_help("a.txt") == "`--allow-write .` allows it");
+}
