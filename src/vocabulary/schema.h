@@ -21,8 +21,9 @@ consteval auto schema(std::string_view name, std::string_view help, F... fields)
 }
 
 /// A value on its way into or out of a field. The number is also how integers and switches travel.
-using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string,
-                                std::vector<Vec3>, std::vector<Face>>;
+using FieldValue =
+    std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string, std::vector<double>,
+                 std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
 
 enum class FieldType {
     number,
@@ -33,7 +34,10 @@ enum class FieldType {
     rgb,
     colour,
     text,
+    numbers,
+    points,
     vectors,
+    balls,
     faces
 };
 
@@ -45,6 +49,11 @@ struct FieldInfo {
     FieldType type;
     Range range;
     bool may_be_left_out;  ///< also true for std::optional members
+    double chosen;         ///< what the word of a choice stands for
+    int entries;           ///< of a counted field with a fixed number of them; otherwise 0
+
+    /// Comes without a word, in its turn.
+    bool unnamed() const { return place == Placement::positional || place == Placement::counted; }
 };
 
 /// One item's vocabulary, without its type. All instances are constants.
@@ -86,8 +95,14 @@ constexpr FieldType type_of(bool colour) {
         return FieldType::colour;
     else if constexpr (std::is_same_v<V, std::string>)
         return FieldType::text;
+    else if constexpr (std::is_same_v<V, std::vector<double>>)
+        return FieldType::numbers;
+    else if constexpr (std::is_same_v<V, std::vector<Vec2>>)
+        return FieldType::points;
     else if constexpr (std::is_same_v<V, std::vector<Vec3>>)
         return FieldType::vectors;
+    else if constexpr (std::is_same_v<V, std::vector<Ball>>)
+        return FieldType::balls;
     else
         return FieldType::faces;
 }
@@ -101,9 +116,10 @@ constexpr FieldInfo describe(const Field<T>& field) {
     return std::visit(
         [&](auto member) {
             using V = ValueOf<decltype(member)>;
-            return FieldInfo{field.name,  field.help,
-                             field.place, type_of<V>(field.colour),
-                             field.range, field.may_be_left_out || is_optional<V>};
+            return FieldInfo{field.name,   field.help,
+                             field.place,  type_of<V>(field.colour),
+                             field.range,  field.may_be_left_out || is_optional<V>,
+                             field.chosen, field.entries};
         },
         field.member);
 }
