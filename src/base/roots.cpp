@@ -134,3 +134,22 @@ Roots sign_changes(std::span<const double> c, const Interval& range) {
     for (std::size_t i = above.size(); i-- > 0;) found.add(1 / above[i]);
     return found;
 }
+
+Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max) {
+    const Roots found = sign_changes(c, range);
+    const bool odd = (at_min < 0) != (at_max < 0);
+    if ((found.size() % 2 == 1) == odd) return found;
+    Roots result;
+    if (odd) {
+        const bool first = std::abs(at_min) < std::abs(at_max);
+        if (first) result.add(range.min);
+        for (const double root : found) result.add(root);
+        if (!first) result.add(range.max);
+        return result;
+    }
+    // One too many lies near an end.
+    const bool first = found[0] - range.min < range.max - found[found.size() - 1];
+    for (std::size_t i = first ? 1 : 0; i + (first ? 0 : 1) < found.size(); ++i)
+        result.add(found[i]);
+    return result;
+}

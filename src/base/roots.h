@@ -42,3 +42,8 @@ inline double polynomial(std::span<const double> c, double x) {
 /// method soon; so the roots of all derivatives are found, from the linear one up (Yuksel,
 /// "High-Performance Polynomial Root Finding for Graphics", 2022).
 Roots sign_changes(std::span<const double> c, const Interval& range);
+
+/// The same in a finite range at whose ends the values are known, or their signs at least. There is
+/// an odd number of roots exactly when these signs differ, so that neighbours in a chain of
+/// polynomials, which share the values at their ends, never lose or repeat a root between them.
+Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max);

@@ -7,11 +7,17 @@
 #include "shape/cone.h"
 #include "shape/cylinder.h"
 #include "shape/disc.h"
+#include "shape/lathe.h"
 #include "shape/mesh.h"
+#include "shape/ovus.h"
 #include "shape/plane.h"
+#include "shape/polygon.h"
 #include "shape/polynomial.h"
+#include "shape/prism.h"
 #include "shape/quadric.h"
+#include "shape/sor.h"
 #include "shape/sphere.h"
+#include "shape/superellipsoid.h"
 #include "shape/torus.h"
 #include "shape/triangle.h"
 #include "vocabulary/kinds.h"
@@ -21,7 +27,8 @@
 /// Shapes as they are written. Those that take much room are shared by their copies.
 using Shape = std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
                            Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>,
-                           Shared<Cubic>, Shared<Quartic>, Shared<Poly>>;
+                           Shared<Cubic>, Shared<Quartic>, Shared<Poly>, Superellipsoid,
+                           Shared<Polygon>, Shared<Prism>, Shared<Lathe>, Shared<Sor>, Ovus>;
 
 /// A kind of shape that is made ready for rays: build() gives what they ask instead of it.
 template <class T>

@@ -143,3 +143,18 @@ TEST_CASE("all roots of the highest degrees are found", "[base]") {
         }
     }
 }
+
+TEST_CASE("known signs at the ends decide whether the number of roots is odd", "[base]") {
+    const std::vector<double> line = {-1, 1};
+    CHECK(sign_changes(line, {0, 1}, -1, 0).size() == 1);
+    CHECK(sign_changes(line, {0, 1}, -1, 0)[0] == 1);
+    CHECK(sign_changes(line, {1, 2}, 0, 1).empty());
+    CHECK(sign_changes(line, {1, 2}, -1e-20, 1).size() == 1);
+    CHECK(sign_changes(line, {1, 2}, -1e-20, 1)[0] == 1);
+    const std::vector<double> hill = {-0.001, 1, -1};  // roots near 0 and 1
+    CHECK(sign_changes(hill, {0, 1}, -1, -1).size() == 2);
+    CHECK(sign_changes(hill, {0, 0.5}, 1, 1).empty());
+    const Roots late = sign_changes(hill, {0, 1}, 1, -1);
+    REQUIRE(late.size() == 3);
+    CHECK(late[2] == 1);
+}

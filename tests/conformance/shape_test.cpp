@@ -26,6 +26,8 @@ template <>
 constexpr bool solid<Triangle> = false;
 template <>
 constexpr bool solid<SmoothTriangle> = false;
+template <>
+constexpr bool solid<Polygon> = false;
 
 template <class T>
 constexpr bool has_inside = true;
@@ -33,6 +35,8 @@ template <>
 constexpr bool has_inside<Triangle> = false;
 template <>
 constexpr bool has_inside<SmoothTriangle> = false;
+template <>
+constexpr bool has_inside<Polygon> = false;
 
 Mesh tetrahedron() {
     Mesh mesh;
@@ -113,6 +117,48 @@ std::vector<Poly> others() {
     std::vector<double> c(factor_count(6), 0);
     c[0] = c[56] = c[77] = 1, c.back() = -1;
     return {{6, c}};
+}
+template <>
+std::vector<Superellipsoid> others() {
+    return {{{0.25, 0.5}}, {{1.5, 0.2}}, {{0.1, 2}}, {{3, 3}}, {{0.5, 3}}};
+}
+template <>
+std::vector<Polygon> others() {
+    return {{{o, x, x + y, y, o}}, {{Vec3(1, 2, 3), Vec3(-1, 0, 5), Vec3(3, 3, 3)}}};
+}
+template <>
+std::vector<Prism> others() {
+    const std::vector<Vec2> ring = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}};
+    const std::vector<Vec2> frame = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
+                                     {1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}};
+    return {{linear_sweep, linear_curve, 0, 1, frame, false},
+            {linear_sweep, cubic_curve, -1, 1e-3, ring, false},
+            {conic_sweep, cubic_curve, 1, 3, ring, false},
+            {conic_sweep, linear_curve, 0, 2, frame, false},
+            {linear_sweep, quadratic_curve, 5, 3, {ring.begin(), ring.begin() + 6}, false},
+            {linear_sweep,
+             bezier_curve,
+             0,
+             1,
+             {{1, 0}, {1, 1}, {-1, 1}, {-1, 0}, {-1, 0}, {-1, -1}, {1, -1}, {1, 0}},
+             false}};
+}
+template <>
+std::vector<Lathe> others() {
+    return {{linear_curve, {{0, 0}, {1, 1}, {0, 2}}},
+            {linear_curve, {{0, 0}, {1, 0}, {1, 1}, {0.5, 1}, {0.5, 0.2}, {0, 0.2}}},
+            {linear_curve, {{1, 0}, {2, 1}, {3, 0}, {1, 0}}},
+            {cubic_curve, {{-1, -1}, {0, 0}, {1, 1}, {0.3, 2}, {0, 3}, {-1, 4}}},
+            {bezier_curve, {{0, 0}, {2, 0.5}, {0.5, 1}, {0, 2}}}};
+}
+template <>
+std::vector<Sor> others() {
+    return {{{{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}}, false},
+            {{{0, 0}, {0, 0.1}, {3, 4}, {0.01, 20}, {1, 30}}, false}};
+}
+template <>
+std::vector<Ovus> others() {
+    return {{1, 0.7}, {1, 1}, {1, 1.9}, {1, 3}, {1e3, 1}};
 }
 template <>
 std::vector<Mesh> others() {
@@ -208,8 +254,10 @@ TEMPLATE_LIST_TEST_CASE("every shape says what is wrong with it, also through Sh
     for (std::size_t i = 0; i < info.fields.size(); ++i) {
         if (info.fields[i].type == FieldType::number) info.set(&zero, i, 0.0);
         if (info.fields[i].type == FieldType::vector3) info.set(&zero, i, Vec3(0));
-        in_range = in_range &&
-                   (info.fields[i].type != FieldType::number || info.fields[i].range.contains(0));
+        if (info.fields[i].type == FieldType::vector2) info.set(&zero, i, Vec2(0));
+        const bool ranged =
+            info.fields[i].type == FieldType::number || info.fields[i].type == FieldType::vector2;
+        in_range = in_range && (!ranged || info.fields[i].range.contains(0));
     }
     const std::string said = problem(Shape(TestType(zero)));
     INFO(info.name << ": " << said);
