@@ -140,6 +140,15 @@ inline void crossings(const BuiltShape& shape, const Ray& ray, Crossings& found)
 inline bool inside(const BuiltShape& shape, const Vec3& point) {
     return visit_shape([&](const auto& s) { return inside(s, point); }, shape);
 }
+/// A box outside of which no point is inside; for half spaces it is infinite in some directions.
+/// This is the answer for shapes that have none of their own.
+template <ShapeKind T>
+Box inside_bounds(const T& shape) {
+    return bounds(shape);
+}
+inline Box inside_bounds(const BuiltShape& shape) {
+    return visit_shape([](const auto& s) { return inside_bounds(s); }, shape);
+}
 /// What is wrong with the shape, as a sentence; empty when nothing is, and only then may it be
 /// asked for more.
 inline std::string problem(const Shape& shape) {
