@@ -24,10 +24,9 @@ void ItemReader::rebind(const ItemInfo& info, void* item) {
     assert(info.fields.size() <= 64 && !waiting());
     info_ = &info;
     item_ = item;
-    next_ = positional_ = 0;
+    positional_ = info.positional;
+    next_ = 0;
     given_ = 0;
-    while (positional_ < static_cast<int>(info.fields.size()) && info.fields[positional_].unnamed())
-        ++positional_;
     entries_left_ = -1;
     centre_.reset();
 }
@@ -58,8 +57,11 @@ int ItemReader::find(std::string_view word) const {
 }
 
 int ItemReader::find(NameId word) const {
-    if (word == no_name || positional_ == static_cast<int>(info_->fields.size())) return -1;
-    return find(block_.spelling(word));
+    if (word == no_name) return -1;
+    if (!block_.binder.evaluator.names().reserved(word)) return find(block_.spelling(word));
+    for (std::size_t i = positional_; i < info_->fields.size(); ++i)
+        if (info_->fields[i].word == word) return static_cast<int>(i);
+    return -1;
 }
 
 bool ItemReader::take(const Element& element) {

@@ -4,7 +4,9 @@
 // reader.
 #pragma once
 
+#include "evaluate/constants.h"
 #include "evaluate/evaluator.h"
+#include "evaluate/memo.h"
 #include "evaluate/texture_store.h"
 #include "scene/scene.h"
 
@@ -21,7 +23,14 @@ struct Binder {
     Handle<Texture> default_texture = make_handle<Texture>();
     Camera default_camera = {};
     TextureStore textures = {};
-    std::set<std::string, std::less<>> warned =
-        {};           ///< words that have no effect, and have been told of
+    Constants constants = {};
+    Memo<Transform> moves = {};      ///< each by itself
+    Memo<Transform> movements = {};  ///< with those before it
+    Memo<Texture> looks = {};
+    Memo<Texture> moved_looks = {};
+    Memo<Interior> interiors = {};
+    Memo<Texture, Object> objects = {};  ///< the base is the default texture
+    /// Words that have no effect, and have been told of.
+    std::set<std::string, std::less<>> warned = {};
     int nesting = 0;  ///< objects around the one that is read
 };

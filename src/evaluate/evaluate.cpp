@@ -27,30 +27,28 @@ public:
 
     Value value(std::span<const Element> elements) {
         const Element& first = elements.front();
-        const std::string_view word = spelling(first);
-        if (word == "texture") return textures(elements);
+        if (first.word == "texture"_word) return textures(elements);
         if (elements.size() > 1) {
             binder_.evaluator.report(error(Fault::wrong_count, elements[1].span,
                                            "one value is wanted here, and this is a second"));
             return Absence::broken;
         }
-        return one(first, word);
+        return one(first);
     }
 
     void set_default(const Element& element) {
-        const std::string_view word =
-            element.kind == Element::Kind::block ? spelling(element) : std::string_view();
-        if (word == "camera") {
+        const NameId word = element.kind == Element::Kind::block ? element.word : no_name;
+        if (word == "camera"_word) {
             read_camera(binder_, element, binder_.default_camera);
             return;
         }
         TextureDraft draft(binder_.default_texture);
         bool good = true;
-        if (word == "texture")
+        if (word == "texture"_word)
             good = read_texture(binder_, element, draft);
-        else if (word == "pigment")
+        else if (word == "pigment"_word)
             good = read_pigment(binder_, element, draft.edit().pigment);
-        else if (word == "finish")
+        else if (word == "finish"_word)
             good = read_finish(binder_, element, draft.edit().finish);
         else
             return stray_default(element);
@@ -65,23 +63,18 @@ public:
     }
 
 private:
-    std::string_view spelling(const Element& element) const {
-        return binder_.evaluator.spelling(element.word);
-    }
-
     void take_block(const Element& element) {
-        const std::string_view word = spelling(element);
         top_.resume();
-        if (word == "light_source") {
+        if (element.word == "light_source"_word) {
             if (auto light = read_light(binder_, element))
                 scene_.lights.push_back(std::move(*light));
-        } else if (makes_object(word)) {
-            if (auto object = read_object(binder_, element)) add(std::move(*object));
-        } else if (word == "camera") {
+        } else if (makes_object(element.word)) {
+            if (ObjectHandle object = read_object(binder_, element)) add(std::move(object));
+        } else if (element.word == "camera"_word) {
             take_camera(element);
-        } else if (word == "background") {
+        } else if (element.word == "background"_word) {
             read_background(binder_, element, scene_.background);
-        } else if (word == "global_settings") {
+        } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, gamma_given_);
         } else {
             stray(element);
@@ -89,12 +82,12 @@ private:
     }
 
     /// The default texture is the one in force at the end of the object's statement.
-    void add(Object object) {
-        append_lights(object, scene_.lights);
-        const auto* together = std::get_if<Union>(&object.form);
+    void add(ObjectHandle object) {
+        append_lights(*object, scene_.lights);
+        const auto* together = std::get_if<Union>(&object->form);
         if (together && together->children.empty()) return;
-        if (!object.texture) object.texture = binder_.default_texture;
-        scene_.objects.push_back(make_handle<Object>(std::move(object)));
+        if (!object->texture) object.edit().texture = binder_.default_texture;
+        scene_.objects.push_back(std::move(object));
     }
 
     void take_camera(const Element& element) {
@@ -123,18 +116,22 @@ private:
         return result.shared(binder_.textures);
     }
 
-    Value one(const Element& element, std::string_view word) {
-        if (word == "light_source") return handle(read_light(binder_, element));
-        if (makes_object(word)) return handle(read_object(binder_, element));
-        if (word == "transform") return handle(read_transform(binder_, element));
-        if (word == "pigment")
+    Value one(const Element& element) {
+        const NameId word = element.word;
+        if (word == "light_source"_word) return handle(read_light(binder_, element));
+        if (makes_object(word)) {
+            ObjectHandle object = read_object(binder_, element);
+            return object ? Value(std::move(object)) : Value(Absence::broken);
+        }
+        if (word == "transform"_word) return handle(read_transform(binder_, element));
+        if (word == "pigment"_word)
             return read_part(element, binder_.default_texture->pigment, read_pigment);
-        if (word == "finish")
+        if (word == "finish"_word)
             return read_part(element, binder_.default_texture->finish, read_finish);
-        if (word == "interior") return read_part(element, Interior{}, read_interior);
-        if (word == "color_map" || word == "colour_map")
+        if (word == "interior"_word) return read_part(element, Interior{}, read_interior);
+        if (word == "color_map"_word || word == "colour_map"_word)
             return read_part(element, ColourMap{}, read_colour_map);
-        if (word == "camera") {
+        if (word == "camera"_word) {
             DeclaredCamera declared{binder_.default_camera};
             return read_camera(binder_, element, declared.camera) ? handle(std::optional(declared))
                                                                   : Value(Absence::broken);

@@ -131,6 +131,7 @@ Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
     element.kind = Element::Kind::block;
     element.word = block.word;
     element.body = {&tree, block.body};
+    element.origin = {&tree, id};
     element.span = tree.span(id);
     const auto length = static_cast<std::uint32_t>(names.spelling(block.word).size());
     element.word_span = {tree.source, element.span.first, element.span.first + length};

@@ -38,6 +38,7 @@ struct Element {
     NameId word = no_name;
     Value value = Absence::nothing;
     Body body;
+    Body origin;  ///< the node that the element comes from; none: it was made of several
     std::span<const double> list;  ///< valid while the element is taken
     Span span;                     ///< of the whole element
     Span word_span;                ///< of the word of a block; otherwise the same as span

@@ -9,14 +9,26 @@ void ObjectDraft::take(const Object& from) {
     declared_switches = switches;
     if (from.texture) texture.replace(from.texture);
     textured = from.texture != nullptr;
-    object.interior = from.interior;
+    made.edit().interior = from.interior;
     has_form = true;
 }
 
-void ObjectDraft::move(const Transform& transform) {
-    movement = movement.then(transform);
-    moved = modified = true;
-    if (textured) texture.move(transform);
+void ObjectDraft::move(const Movement& next) {
+    const auto then = [&] {
+        return make_handle<Transform>(movement ? movement->then(next.transform) : next.transform);
+    };
+    if (!movement && next.kept)
+        movement = next.kept;
+    else if (next.constant && constant_movement)
+        movement = binder.movements.made(next.constant, movement, then);
+    else
+        movement = then();
+    constant_movement = constant_movement && next.constant;
+    modified = true;
+    if (!textured || !texture.movable()) return;
+    texture.replace(binder.moved_looks.made(next.constant, texture.handle(), [&] {
+        return make_handle<Texture>(transformed(texture.now(), next.transform));
+    }));
 }
 
 void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
@@ -26,46 +38,46 @@ void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
         lights.push_back(object.transform ? ::moved(light, *object.transform) : light);
 }
 
-Object ObjectDraft::finished(TextureStore& textures, Span span) {
+ObjectHandle ObjectDraft::finished(Span span) {
     if (declared && only_moved() && std::holds_alternative<Union>(declared->form)) {
-        Object whole = another(declared);
-        whole.span = span;
-        if (moved) whole.transform = make_handle<Transform>(movement);
+        ObjectHandle whole = another(declared);
+        whole.edit().span = span;
+        whole.edit().transform = movement;
         return whole;
     }
-    Object result = std::move(object);
-    result.span = span;
+    Object& object = made.edit();
+    object.span = span;
     if (declared) {
-        result.form = declared->form;
-        result.transform = declared->transform;
+        object.form = declared->form;
+        object.transform = declared->transform;
     }
-    if (moved)
-        result.transform =
-            make_handle<Transform>(result.transform ? result.transform->then(movement) : movement);
-    if (textured) result.texture = texture.shared(textures);
-    result.no_shadow = switches.no_shadow;
-    result.no_image = switches.no_image;
-    result.no_reflection = switches.no_reflection;
-    result.hollow = switches.hollow;
-    result.inverse = switches.inverse;
-    result.double_illuminate = switches.double_illuminate;
-    return result;
+    if (movement)
+        object.transform = object.transform
+                               ? make_handle<Transform>(object.transform->then(*movement))
+                               : std::move(movement);
+    if (textured) object.texture = texture.shared(binder.textures);
+    object.no_shadow = switches.no_shadow;
+    object.no_image = switches.no_image;
+    object.no_reflection = switches.no_reflection;
+    object.hollow = switches.hollow;
+    object.inverse = switches.inverse;
+    object.double_illuminate = switches.double_illuminate;
+    return std::move(made);
 }
 
-Object another(const ObjectHandle& declared) {
-    if (!std::holds_alternative<Union>(declared->form)) return *declared;
-    Object whole;
-    Union together;
+ObjectHandle another(const ObjectHandle& declared) {
+    if (!std::holds_alternative<Union>(declared->form)) return declared;
+    ObjectHandle whole = make_handle<Object>();
+    Union& together = whole.edit().form.emplace<Union>();
     append_lights(*declared, together.lights);
     together.children.push_back(declared);
-    whole.form = std::move(together);
-    whole.span = declared->span;
+    whole.edit().span = declared->span;
     return whole;
 }
 
-Object as_object(PlacedLight light) {
-    Object object;
-    object.span = light.span;
-    object.form = Union{{}, {std::move(light)}};
-    return object;
+ObjectHandle as_object(PlacedLight light) {
+    ObjectHandle whole = make_handle<Object>();
+    whole.edit().span = light.span;
+    whole.edit().form.emplace<Union>().lights.push_back(std::move(light));
+    return whole;
 }

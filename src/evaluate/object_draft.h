@@ -5,6 +5,7 @@
 #pragma once
 
 #include "evaluate/textures.h"
+#include "evaluate/transforms.h"
 
 /// What can be switched on an object.
 struct Switches {
@@ -33,28 +34,30 @@ consteval auto Switches::vocabulary() {
 
 /// What an object is made of and how it looks, while its block is read.
 struct ObjectDraft {
-    explicit ObjectDraft(Binder& binder) : texture(binder.default_texture) {}
+    explicit ObjectDraft(Binder& binder) : binder(binder), texture(binder.default_texture) {}
 
-    Object object;  ///< its form; the rest is put in by finished()
-    ObjectHandle
-        declared;  ///< what a declared name stands for; its form is not copied before it has to be
+    Binder& binder;
+    ObjectHandle made = make_handle<Object>();  ///< its form; the rest is put in by finished()
+    /// What a declared name stands for; its form is not copied before it has to be.
+    ObjectHandle declared;
     Switches switches;
     Switches declared_switches;
     TextureDraft texture;
-    bool textured = false;    ///< there is a texture that is the object's own
-    bool retextured = false;  ///< and this block has given or changed it
-    bool furnished = false;   ///< this block has given or changed the interior
-    Transform movement;       ///< since the form came
-    bool moved = false;
+    bool textured = false;          ///< there is a texture that is the object's own
+    bool retextured = false;        ///< and this block has given or changed it
+    bool furnished = false;         ///< this block has given or changed the interior
+    Handle<Transform> movement;     ///< since the form came; null: none
+    bool constant_movement = true;  ///< the text says the same each time
     bool has_form = false;
     bool modified = false;
 
-    /// The form has come: a copy of an object, or an object that is nobody else's.
+    /// The form has come, but for itself: what else there is of the object.
     void take(const Object&);
     /// What comes before is moved, what comes after is not.
-    void move(const Transform&);
-    /// The object as it is now. The draft is used up.
-    Object finished(TextureStore&, Span);
+    void move(const Movement&);
+    /// The object as it is now; nobody else has it, unless it is the same as a declared one. The
+    /// draft is used up.
+    ObjectHandle finished(Span);
 
 private:
     /// Only moved: so a union need not be copied, and a million of them cost little.
@@ -65,7 +68,7 @@ private:
 void append_lights(const Object&, std::vector<PlacedLight>&);
 
 /// A declared object as an object of its own, which shares what the declared one holds.
-Object another(const ObjectHandle&);
+ObjectHandle another(const ObjectHandle&);
 
 /// A light source as an object.
-Object as_object(PlacedLight);
+ObjectHandle as_object(PlacedLight);

@@ -22,15 +22,18 @@ public:
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block) return false;
-        const std::string_view word = block_.spelling(element.word);
         bool good = true;
-        if (word == "pigment")
-            good = read_pigment(block_.binder, element, own().edit().pigment);
-        else if (word == "finish")
-            good = read_finish(block_.binder, element, own().edit().finish);
-        else if (word == "texture")
+        if (element.word == "pigment"_word)
+            good = change(element, [&](TextureDraft& draft) {
+                return read_pigment(block_.binder, element, draft.edit().pigment);
+            });
+        else if (element.word == "finish"_word)
+            good = change(element, [&](TextureDraft& draft) {
+                return read_finish(block_.binder, element, draft.edit().finish);
+            });
+        else if (element.word == "texture"_word)
             good = take_texture(element);
-        else if (word == "interior")
+        else if (element.word == "interior"_word)
             good = take_interior(element);
         else
             return false;
@@ -49,22 +52,46 @@ private:
         return draft_.texture;
     }
 
+    /// The object's texture after read(TextureDraft&), which says whether all was well.
+    template <class Read>
+    bool change(const Element& element, Read read) {
+        const auto constant = block_.binder.constants.number(element);
+        if (!constant) return read(own());
+        const Handle<Texture> changed = made_of(constant, own().handle(), read);
+        if (changed) draft_.texture.replace(changed);
+        return changed != nullptr;
+    }
+
+    template <class Read>
+    Handle<Texture> made_of(std::optional<std::uint64_t> element, Handle<Texture> base, Read read) {
+        return block_.binder.looks.made(element, base, [&]() -> Handle<Texture> {
+            TextureDraft draft(base);
+            return read(draft) ? draft.shared(block_.binder.textures) : nullptr;
+        });
+    }
+
     bool take_texture(const Element& element) {
-        TextureDraft made(block_.binder.default_texture);
-        if (!read_texture(block_.binder, element, made)) return false;
-        Handle<Texture> texture = made.shared(block_.binder.textures);
+        const Handle<Texture> texture =
+            made_of(block_.binder.constants.number(element), block_.binder.default_texture,
+                    [&](TextureDraft& made) { return read_texture(block_.binder, element, made); });
+        if (!texture) return false;
         if (draft_.textured && !cover(block_, element.word_span, draft_.texture, texture))
             return false;
-        own().replace(std::move(texture));
+        own().replace(texture);
         return true;
     }
 
     bool take_interior(const Element& element) {
-        Interior interior = draft_.object.interior ? *draft_.object.interior : Interior{};
+        Handle<Interior>& interior = draft_.made.edit().interior;
         draft_.furnished = true;
-        if (!read_interior(block_.binder, element, interior)) return false;
-        draft_.object.interior = make_handle<Interior>(interior);
-        return true;
+        const Handle<Interior> changed = block_.binder.interiors.made(
+            block_.binder.constants.number(element), interior, [&]() -> Handle<Interior> {
+                Interior made = interior ? *interior : Interior{};
+                return read_interior(block_.binder, element, made) ? make_handle<Interior>(made)
+                                                                   : nullptr;
+            });
+        if (changed) interior = changed;
+        return changed != nullptr;
     }
 
     OpenBlock& block_;
@@ -85,13 +112,16 @@ public:
     bool take(const Element& element) {
         if (element.kind == Element::Kind::value) return take_declared(element);
         if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
-        if (!makes_object(block_.spelling(element.word))) return false;
-        std::optional<Object> made = read_object(block_.binder, element);
+        if (!makes_object(element.word)) return false;
+        Binder& binder = block_.binder;
+        ObjectHandle made =
+            binder.objects.made(binder.constants.number(element), binder.default_texture,
+                                [&] { return read_object(binder, element); });
         if (!made) {
             block_.broken = true;
             draft_.has_form = true;
         } else if (welcome(element.span)) {
-            add(std::move(*made));
+            add(std::move(made));
         }
         return true;
     }
@@ -117,9 +147,7 @@ private:
         if (!object) {
             add(as_object({light->light, element.span}));
         } else if (kind_ == Kind::together) {
-            auto& together = std::get<Union>(draft_.object.form);
-            append_lights(*object, together.lights);
-            together.children.push_back(object);
+            add(object);
         } else {
             draft_.declared = object;
             draft_.take(*object);
@@ -127,16 +155,15 @@ private:
         return true;
     }
 
-    /// The object is new and nobody else's.
-    void add(Object made) {
+    void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
-            auto& together = std::get<Union>(draft_.object.form);
-            append_lights(made, together.lights);
-            together.children.push_back(make_handle<Object>(std::move(made)));
+            auto& together = std::get<Union>(draft_.made.edit().form);
+            append_lights(*made, together.lights);
+            together.children.push_back(std::move(made));
             return;
         }
-        draft_.take(made);
-        draft_.object = std::move(made);
+        draft_.made = std::move(made);
+        draft_.take(*draft_.made);
     }
 
     /// Whether an object may stand here; reports when not.
@@ -173,21 +200,20 @@ public:
         block_.effectless = effectless_words;
     }
 
-    std::optional<Object> read() {
-        const std::size_t kind = Kinds<Shape>::find(block_.name);
+    ObjectHandle read() {
+        const std::size_t kind = Kinds<Shape>::find(element_.word);
         if (kind != Kinds<Shape>::count)
             read_shape(kind);
         else
-            read_content(block_.name == "union" ? ContentReader::Kind::together
-                                                : ContentReader::Kind::object);
-        if (block_.broken) return std::nullopt;
-        return draft_.finished(block_.binder.textures, element_.span);
+            read_content(element_.word == "union"_word ? ContentReader::Kind::together
+                                                       : ContentReader::Kind::object);
+        return block_.broken ? nullptr : draft_.finished(element_.span);
     }
 
 private:
     template <class... Fields>
     void read_with(ContentReader& content, Fields&... fields) {
-        const auto apply = [&](const Transform& transform) { draft_.move(transform); };
+        const auto apply = [&](const Movement& movement) { draft_.move(movement); };
         TransformReader moves(block_, apply);
         LookReader look(block_, draft_);
         ItemReader switches(block_, item_info<Switches>(), &draft_.switches);
@@ -198,14 +224,14 @@ private:
     void read_shape(std::size_t kind) {
         const ItemInfo& info = *Kinds<Shape>::infos[kind];
         block_.item = &info;
-        Shape shape = Kinds<Shape>::make(kind);
-        ItemReader fields(block_, info, Kinds<Shape>::address(shape));
+        Shape& shape = std::get<Shape>(draft_.made.edit().form);
+        ItemReader fields(block_, info, Kinds<Shape>::emplace(shape, kind));
         ContentReader content(block_, draft_, ContentReader::Kind::shape);
         const auto declared = [&] { return draft_.declared != nullptr; };
         ShapeReader reader{fields, declared};
         read_with(content, reader);
         if (block_.broken || draft_.declared) return;
-        place(std::move(shape));
+        check(shape);
     }
 
     /// The fields of a shape, which a declared object stands for as well.
@@ -226,24 +252,21 @@ private:
     void read_content(ContentReader::Kind kind) {
         const bool together = kind == ContentReader::Kind::together;
         block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
-        if (together) draft_.object.form = Union{};
+        if (together) draft_.made.edit().form = Union{};
         ContentReader content(block_, draft_, kind);
         read_with(content);
     }
 
-    void place(Shape shape) {
+    void check(const Shape& shape) {
         const std::string wrong = problem(shape);
-        if (wrong.empty()) {
-            draft_.object.form = std::move(shape);
-            return;
-        }
+        if (wrong.empty()) return;
         const bool triangle = std::holds_alternative<Shared<Triangle>>(shape) ||
                               std::holds_alternative<Shared<SmoothTriangle>>(shape);
         if (triangle) {
             // As in POV-Ray: modellers write such triangles, and they are of no area.
             block_.report(warning(Fault::degenerate, element_.word_span,
                                   message("this ", block_.quoted(), " is left out: ", wrong)));
-            draft_.object.form = Union{};
+            draft_.made.edit().form = Union{};
             return;
         }
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
@@ -256,18 +279,12 @@ private:
 
 }  // namespace
 
-bool makes_object(std::string_view word) {
-    return word == "union" || word == "object" || word == "light_source" ||
-           Kinds<Shape>::find(word) != Kinds<Shape>::count;
-}
-
-std::optional<Object> read_object(Binder& binder, const Element& element) {
-    if (binder.evaluator.spelling(element.word) == "light_source") {
+ObjectHandle read_object(Binder& binder, const Element& element) {
+    if (element.word == "light_source"_word) {
         std::optional<PlacedLight> light = read_light(binder, element);
-        return light ? std::optional(as_object(std::move(*light))) : std::nullopt;
+        return light ? as_object(std::move(*light)) : nullptr;
     }
-    const bool holds_objects =
-        Kinds<Shape>::find(binder.evaluator.spelling(element.word)) == Kinds<Shape>::count;
+    const bool holds_objects = Kinds<Shape>::find(element.word) == Kinds<Shape>::count;
     if (!holds_objects) return ObjectReader(binder, element).read();
     if (binder.nesting >= deepest_nesting) {
         binder.evaluator.report(
@@ -275,10 +292,10 @@ std::optional<Object> read_object(Binder& binder, const Element& element) {
                   message("objects are nested more than ", deepest_nesting, " deep"))
                 .with_help("give the parts to one `union` instead of wrapping each in the next"));
         binder.evaluator.stop();
-        return std::nullopt;
+        return nullptr;
     }
     ++binder.nesting;
-    std::optional<Object> made = ObjectReader(binder, element).read();
+    ObjectHandle made = ObjectReader(binder, element).read();
     --binder.nesting;
     return made;
 }

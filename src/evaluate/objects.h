@@ -6,8 +6,11 @@
 #include "evaluate/bind.h"
 
 /// Whether a block with this word makes an object.
-bool makes_object(std::string_view word);
+inline bool makes_object(NameId word) {
+    return Kinds<Shape>::find(word) != Kinds<Shape>::count || word == "union"_word ||
+           word == "object"_word || word == "light_source"_word;
+}
 
-/// The object of such a block, as a part: without a texture when the text gives none. Nothing after
-/// a report.
-std::optional<Object> read_object(Binder&, const Element& block);
+/// The object of such a block, as a part: without a texture when the text gives none. Null after a
+/// report.
+ObjectHandle read_object(Binder&, const Element& block);

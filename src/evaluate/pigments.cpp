@@ -128,7 +128,7 @@ private:
 
     bool take_word(const Element& element) {
         if (chosen_ && fields_.take(element)) return true;
-        const std::size_t kind = Kinds<Pattern>::find(block_.spelling(element.word));
+        const std::size_t kind = Kinds<Pattern>::find(element.word);
         if (kind == Kinds<Pattern>::count) return false;
         if (already_coloured(element.span)) return true;
         if (!pigment_.pattern || pigment_.pattern->index() != kind) pigment_.map.clear();
@@ -140,8 +140,7 @@ private:
 
     bool take_block(const Element& element) {
         if (chosen_ && fields_.take(element)) return true;
-        const std::string_view word = block_.spelling(element.word);
-        if (word != "color_map" && word != "colour_map") return false;
+        if (element.word != "color_map"_word && element.word != "colour_map"_word) return false;
         ColourMap map;
         if (!read_colour_map(block_.binder, element, map)) {
             block_.broken = true;

@@ -5,14 +5,19 @@
 
 #include "scene/scene.h"
 
-#include <memory>
-#include <unordered_map>
+#include <vector>
 
 class TextureStore {
 public:
-    /// A handle to an equal texture. Patterned ones are not compared: they are rarely equal.
-    Handle<Texture> share(Texture);
+    /// A handle to an equal texture, perhaps the same one. Patterned ones are not compared: they
+    /// are rarely equal.
+    Handle<Texture> share(Handle<Texture>);
 
 private:
-    std::unordered_multimap<std::size_t, Handle<Texture>> plain_;
+    Handle<Texture>& slot(const Texture&);
+    void grow();
+
+    std::vector<Handle<Texture>>
+        slots_;  ///< open addressing; a power of two, at most half of them taken
+    std::size_t count_ = 0;
 };

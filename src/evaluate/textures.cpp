@@ -16,10 +16,9 @@ public:
     bool take(const Element& element) {
         if (element.kind == Element::Kind::value) return take_declared(element.value);
         if (element.kind != Element::Kind::block) return false;
-        const std::string_view word = block_.spelling(element.word);
-        if (word == "pigment")
+        if (element.word == "pigment"_word)
             block_.broken |= !read_pigment(block_.binder, element, draft_.edit().pigment);
-        else if (word == "finish")
+        else if (element.word == "finish"_word)
             block_.broken |= !read_finish(block_.binder, element, draft_.edit().finish);
         else
             return false;
@@ -64,7 +63,7 @@ public:
         }
         const bool named =
             (element.kind == Element::Kind::word || element.kind == Element::Kind::block) &&
-            block_.spelling(element.word) == "reflection";
+            element.word == "reflection"_word;
         const bool unknown = element.kind == Element::Kind::word &&
                              !block_.binder.evaluator.names().reserved(element.word);
         if (waiting_ && !unknown) finish();

@@ -10,28 +10,32 @@
 /// A texture that is being written: shared with where it comes from until something changes.
 class TextureDraft {
 public:
-    explicit TextureDraft(Handle<Texture> base) : base_(std::move(base)) {}
+    explicit TextureDraft(Handle<Texture> base) : texture_(std::move(base)) {}
 
-    const Texture& now() const { return edited_ ? *edited_ : *base_; }
+    const Texture& now() const { return *texture_; }
+    const Handle<Texture>& handle() const { return texture_; }
     Texture& edit() {
-        if (!edited_) edited_ = *base_;
-        return *edited_;
+        edited_ = true;
+        return texture_.edit();
     }
     void replace(Handle<Texture> base) {
-        base_ = std::move(base);
-        edited_.reset();
+        texture_ = std::move(base);
+        edited_ = false;
     }
     /// Plain colours look the same wherever they are moved to.
+    bool movable() const { return now().pigment.pattern.has_value(); }
     void move(const Transform& transform) {
-        if (now().pigment.pattern) edit() = transformed(now(), transform);
+        if (movable()) edit() = transformed(now(), transform);
     }
-    Handle<Texture> shared(TextureStore& store) const {
-        return edited_ ? store.share(*edited_) : base_;
+    /// The texture as it is now, equal ones as one.
+    const Handle<Texture>& shared(TextureStore& store) {
+        if (std::exchange(edited_, false)) texture_ = store.share(std::move(texture_));
+        return texture_;
     }
 
 private:
-    Handle<Texture> base_;
-    std::optional<Texture> edited_;
+    Handle<Texture> texture_;
+    bool edited_ = false;
 };
 
 /// All change the last argument to what the block makes of it. False: the block was wrong, and has

@@ -13,8 +13,7 @@ public:
     explicit InverseReader(OpenBlock& block) : block_(block) {}
 
     bool take(const Element& element) {
-        if (element.kind != Element::Kind::word || block_.spelling(element.word) != "inverse")
-            return false;
+        if (element.kind != Element::Kind::word || element.word != "inverse"_word) return false;
         inverse = true;
         return true;
     }
@@ -35,7 +34,7 @@ public:
     bool take(const Element& element) {
         if (element.kind != Element::Kind::value) return false;
         const Handle<Transform> declared = element.value.handle<Transform>();
-        if (declared) apply_(*declared);
+        if (declared) apply_({*declared});
         return declared != nullptr;
     }
 
@@ -59,22 +58,20 @@ void TransformReader::add_words(WordList& words) const {
 bool TransformReader::take(const Element& element) {
     if (awaited_ != Awaited::nothing && take_awaited(element)) return true;
     if (moves_.take(element)) {
-        if (moves_.stored() >= 0) apply_move();
+        if (moves_.stored() >= 0) apply_move(element);
         return true;
     }
     if (element.kind == Element::Kind::word) {
-        const std::string_view word = block_.spelling(element.word);
-        if (word != "matrix" && word != "transform") return false;
-        awaited_ = word == "matrix" ? Awaited::matrix : Awaited::transform;
+        if (element.word != "matrix"_word && element.word != "transform"_word) return false;
+        awaited_ = element.word == "matrix"_word ? Awaited::matrix : Awaited::transform;
         word_span_ = element.span;
         count_ = 0;
         return true;
     }
-    if (element.kind != Element::Kind::block || block_.spelling(element.word) != "transform")
-        return false;
+    if (element.kind != Element::Kind::block || element.word != "transform"_word) return false;
     const std::optional<Transform> inner = read_transform(block_.binder, element);
     if (inner)
-        apply_(*inner);
+        apply_({*inner});
     else
         block_.broken = true;
     return true;
@@ -93,7 +90,7 @@ bool TransformReader::take_awaited(const Element& element) {
             give_up();
         } else if (const Handle<Transform> declared = element.value.handle<Transform>()) {
             awaited_ = Awaited::nothing;
-            apply_(*declared);
+            apply_({*declared});
         } else {
             awaited_ = Awaited::nothing;
             block_.report(
@@ -161,20 +158,26 @@ void TransformReader::apply_matrix(Span span) {
                     "its first three rows are where the axes go: they must not lie in one plane"));
         return;
     }
-    apply_(Transform(map));
+    apply_({Transform(map)});
 }
 
-void TransformReader::apply_move() {
-    switch (moves_.stored()) {
-        case 0:
-            apply_(Transform::translation(moved_.translate));
-            return;
-        case 1:
-            apply_(Transform::rotation(moved_.rotate));
-            return;
-        default:
-            break;
-    }
+void TransformReader::apply_move(const Element& value) {
+    const Vec3& factors = moved_.scale;
+    const bool flat = factors.x == 0 || factors.y == 0 || factors.z == 0;
+    std::optional<std::uint64_t> constant;
+    if (!flat) constant = block_.binder.constants.number(value);
+    if (!constant) return apply_({move()});
+    // The same value may follow another word the next time, after an #if.
+    constant = *constant << 2 | static_cast<unsigned>(moves_.stored());
+    const Handle<Transform> known =
+        block_.binder.moves.made(constant, nullptr, [&] { return make_handle<Transform>(move()); });
+    apply_({*known, known, constant});
+}
+
+/// The movement that the last word and value say.
+Transform TransformReader::move() {
+    if (moves_.stored() == 0) return Transform::translation(moved_.translate);
+    if (moves_.stored() == 1) return Transform::rotation(moved_.rotate);
     Vec3 factors = moved_.scale;
     for (int axis = 0; axis < 3; ++axis)
         if (factors[axis] == 0) factors[axis] = 1;
@@ -182,7 +185,7 @@ void TransformReader::apply_move() {
         block_.report(warning(
             Fault::degenerate, block_.span,
             message("`scale` of ", block_.quoted(), " is 0 along an axis, which is taken as 1")));
-    apply_(Transform::scaling(factors));
+    return Transform::scaling(factors);
 }
 
 std::optional<Transform> read_transform(Binder& binder, const Element& element) {

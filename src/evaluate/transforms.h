@@ -25,9 +25,19 @@ consteval auto Moves::vocabulary() {
         F{"scale", &Moves::scale, item, "stretches along the axes; 0 counts as 1"});
 }
 
+/// One movement, complete.
+struct Movement {
+    const Transform& transform;
+    Handle<Transform> kept = {};                 ///< the same, when it is known from before
+    std::optional<std::uint64_t> constant = {};  ///< its number among the constant movements
+
+    operator const Transform&() const { return transform; }
+};
+
 class TransformReader {
 public:
-    using Apply = FunctionRef<void(const Transform&)>;
+    /// Takes a Movement, or the Transform that it is.
+    using Apply = FunctionRef<void(const Movement&)>;
 
     /// What `apply` refers to outlives the reader.
     TransformReader(OpenBlock&, Apply);
@@ -47,7 +57,8 @@ private:
 
     bool take_awaited(const Element&);
     void apply_matrix(Span);
-    void apply_move();
+    void apply_move(const Element& value);
+    Transform move();
     void give_up();
 
     OpenBlock& block_;
@@ -56,7 +67,7 @@ private:
     ItemReader moves_;
     Awaited awaited_ = Awaited::nothing;
     Span word_span_;
-    std::array<double, 12> matrix_{};
+    std::array<double, 12> matrix_;
     std::size_t count_ = 0;  ///< of the numbers of the matrix that have come
 };
 

@@ -6,11 +6,12 @@
 
 namespace {
 
-Element value_element(Value value, Span span) {
+Element value_element(Value value, const Tree& tree, NodeId id) {
     Element element;
     element.kind = Element::Kind::value;
     element.value = std::move(value);
-    element.span = element.word_span = span;
+    element.origin = {&tree, id};
+    element.span = element.word_span = tree.span(id);
     return element;
 }
 
@@ -69,14 +70,14 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, Take take) {
         case kind<node::Call>: {
             const auto& call = *std::get_if<node::Call>(&content);
             if (!names.reserved(call.name)) return call_macro(tree, call, id, take);
-            take(value_element(evaluate(tree, id), tree.span(id)));
+            take(value_element(evaluate(tree, id), tree, id));
             return Flow::end;
         }
         case kind<node::Vector>:
             return take_vector(tree, id, take);
         default:
             if (is_directive(tree, id)) return directive(tree, id, take);
-            take(value_element(evaluate(tree, id), tree.span(id)));
+            take(value_element(evaluate(tree, id), tree, id));
             return Flow::end;
     }
 }
@@ -85,10 +86,10 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, Take take) {
 Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, Take take) {
     std::vector<double> numbers;
     if (!components(tree, tree.get<node::Vector>(id).components, numbers)) {
-        take(value_element(Absence::broken, tree.span(id)));
+        take(value_element(Absence::broken, tree, id));
         return stopped_ ? Flow::stopped : Flow::end;
     }
-    Element element = value_element(Absence::nothing, tree.span(id));
+    Element element = value_element(Absence::nothing, tree, id);
     if (numbers.size() > 5) {
         element.kind = Element::Kind::list;
         element.list = numbers;
@@ -100,9 +101,8 @@ Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, Take take) {
 }
 
 NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, Take take) {
-    Span span = tree.span(id);
     NodeId next = tree[id].next;
-    Element element = value_element(Absence::nothing, span);
+    Element element = value_element(Absence::nothing, tree, id);
     Numbers channels;
     channels.count = 5;
     if (const auto* name = tree.get_if<node::Name>(id)) {
@@ -128,10 +128,10 @@ NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, Take take) {
         if (!colour || !colour->is_colour()) break;
         if (!set_channel(tree, tree.get<node::Channel>(next), *colour))
             element.value = Absence::broken;
-        span = join(span, tree.span(next));
+        element.span = element.word_span = join(element.span, tree.span(next));
         element.word = no_name;
+        element.origin = {};
     }
-    element.span = element.word_span = span;
     take(element);
     return next;
 }

@@ -51,10 +51,25 @@ struct Kinds<std::variant<T...>> {
         return i;
     }
 
+    /// The same for the number of a reserved word.
+    static constexpr std::size_t find(NameId word) {
+        return static_cast<std::size_t>(word) < by_word.size()
+                   ? by_word[static_cast<std::size_t>(word)]
+                   : count;
+    }
+
     /// A fresh alternative with its default values. Precondition: index < count.
     static Variant make(std::size_t index) {
         static constexpr std::array<Variant (*)(), count> makers = {[] { return Variant(T{}); }...};
         return makers[index]();
+    }
+
+    /// Makes the value a fresh alternative; gives it for ItemInfo::set. Precondition: index <
+    /// count.
+    static void* emplace(Variant& value, std::size_t index) {
+        static constexpr std::array<void* (*)(Variant&), count> makers = {
+            [](Variant& v) { return kinds_detail::address(v.template emplace<T>()); }...};
+        return makers[index](value);
     }
 
     /// The active alternative for ItemInfo::set.
@@ -64,6 +79,15 @@ struct Kinds<std::variant<T...>> {
     }
 
 private:
+    static constexpr auto by_word = [] {
+        static_assert(count < 256);
+        std::array<std::uint8_t, reserved_detail::words.size()> result{};
+        result.fill(count);
+        for (std::size_t i = 0; i < count; ++i)
+            if (infos[i]->word != no_name) result[static_cast<std::size_t>(infos[i]->word)] = i;
+        return result;
+    }();
+
     static constexpr bool distinct() {
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = 0; j < i; ++j)

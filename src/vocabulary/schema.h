@@ -4,6 +4,7 @@
 
 #include "base/shared.h"
 #include "vocabulary/field.h"
+#include "vocabulary/reserved.h"
 
 #include <span>
 
@@ -49,6 +50,7 @@ struct FieldInfo {
     FieldType type;
     Range range;
     bool may_be_left_out;  ///< also true for std::optional members
+    NameId word;           ///< no_name: the name is not reserved, and known by its spelling only
     double chosen;         ///< what the word of a choice stands for
     int entries;           ///< of a counted field with a fixed number of them; otherwise 0
 
@@ -66,6 +68,8 @@ struct ItemInfo {
     FieldValue (*get)(const void* item,
                       std::size_t field);  ///< monostate: an optional that is not set
     FieldValue (*default_value)(std::size_t field);
+    NameId word;     ///< of the name, when it is reserved
+    int positional;  ///< how many fields come without a word; they are the first ones
 };
 
 namespace schema_detail {
@@ -116,10 +120,15 @@ constexpr FieldInfo describe(const Field<T>& field) {
     return std::visit(
         [&](auto member) {
             using V = ValueOf<decltype(member)>;
-            return FieldInfo{field.name,   field.help,
-                             field.place,  type_of<V>(field.colour),
-                             field.range,  field.may_be_left_out || is_optional<V>,
-                             field.chosen, field.entries};
+            return FieldInfo{field.name,
+                             field.help,
+                             field.place,
+                             type_of<V>(field.colour),
+                             field.range,
+                             field.may_be_left_out || is_optional<V>,
+                             reserved_word(field.name),
+                             field.chosen,
+                             field.entries};
         },
         field.member);
 }
@@ -184,7 +193,16 @@ struct Access {
         const T fresh{};
         return get(&fresh, field);
     }
-    static constexpr ItemInfo info{typed.name, typed.help, fields, set, get, default_value};
+    static constexpr int positional = [] {
+        int count = 0;
+        while (count < static_cast<int>(fields.size()) &&
+               fields[static_cast<std::size_t>(count)].unnamed())
+            ++count;
+        return count;
+    }();
+    static constexpr ItemInfo info{
+        typed.name, typed.help, fields, set, get, default_value, reserved_word(typed.name),
+        positional};
 };
 
 }  // namespace schema_detail

@@ -38,6 +38,9 @@ struct Word {
 /// unimplemented word is told apart from a misspelt one. Sorted within each class.
 std::span<const Word> reserved_words();
 
+/// How many there are.
+inline constexpr std::size_t reserved_word_count = 498;
+
 /// The number of a spelling in one Names table.
 enum class NameId : std::uint32_t {};
 
@@ -57,9 +60,7 @@ public:
         return entries_[static_cast<std::size_t>(id)].spelling;
     }
     WordClass word_class(NameId id) const;
-    bool reserved(NameId id) const {
-        return static_cast<std::size_t>(id) < reserved_words().size();
-    }
+    bool reserved(NameId id) const { return static_cast<std::size_t>(id) < reserved_word_count; }
     std::size_t size() const { return entries_.size(); }
 
 private:

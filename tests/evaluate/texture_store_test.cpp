@@ -5,17 +5,36 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 TEST_CASE("equal plain textures are one", "[evaluate]") {
     TextureStore store;
     Texture red;
     red.pigment.colour.rgb = Vec3(1, 0, 0);
     Texture dull = red;
     dull.finish.phong = 0.1;
-    const auto first = store.share(red);
-    CHECK(store.share(red) == first);
-    CHECK(store.share(dull) != first);
-    CHECK(store.share(dull) == store.share(dull));
-    CHECK(store.share(Texture{}) != first);
+    const auto share = [&](const Texture& texture) {
+        return store.share(make_handle<Texture>(texture));
+    };
+    const auto first = share(red);
+    CHECK(share(red) == first);
+    CHECK(share(dull) != first);
+    CHECK(share(dull) == share(dull));
+    CHECK(share(Texture{}) != first);
+}
+
+TEST_CASE("many textures keep apart", "[evaluate]") {
+    TextureStore store;
+    std::vector<Handle<Texture>> made;
+    for (int i = 0; i < 1000; ++i) {
+        Texture texture;
+        texture.pigment.colour.rgb = Vec3(i % 10, i / 10 % 10, i / 100);
+        made.push_back(store.share(make_handle<Texture>(texture)));
+    }
+    for (const Handle<Texture>& texture : made) {
+        CHECK(store.share(make_handle<Texture>(*texture)) == texture);
+        CHECK(std::ranges::count(made, texture) == 1);
+    }
 }
 
 TEST_CASE("a loop that writes the same texture each time makes one", "[evaluate]") {
