@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -48,7 +49,8 @@ struct Crossing {
     double t = 0;
     Vec3 normal =
         Vec3(0);  ///< unit, outward (for surfaces without an inside: as defined by the shape)
-    bool entering = true;  ///< the ray goes from outside to inside here
+    bool entering = true;    ///< the ray goes from outside to inside here
+    std::uint32_t part = 0;  ///< which piece of the shape it is: the face of a mesh
 };
 
 /// All crossings of one ray with one shape, in any order. The first few need no memory from the

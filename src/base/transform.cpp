@@ -87,11 +87,18 @@ Transform Transform::rotation(const Vec3& axis, double degrees) {
 }
 
 Box Transform::box(const Box& b) const {
-    if (b.empty() || !finite(b)) return b;
+    if (b.empty()) return b;
+    // An end at infinity stays where the map does not turn its axis away.
+    const auto scaled = [](double end, const Vec3& row) {
+        Vec3 result(0);
+        for (int axis = 0; axis < 3; ++axis)
+            if (row[axis] != 0) result[axis] = end * row[axis];
+        return result;
+    };
     Box result{forward_.translation, forward_.translation};
     for (int axis = 0; axis < 3; ++axis) {
-        const Vec3 from = b.low[axis] * forward_.rows[axis];
-        const Vec3 to = b.high[axis] * forward_.rows[axis];
+        const Vec3 from = scaled(b.low[axis], forward_.rows[axis]);
+        const Vec3 to = scaled(b.high[axis], forward_.rows[axis]);
         result.low += glm::min(from, to);
         result.high += glm::max(from, to);
     }

@@ -53,7 +53,7 @@ public:
     Ray inverse_ray(const Ray& r) const {
         return {backward_.point(r.origin), backward_.direction(r.direction)};
     }
-    /// Smallest box around the image of a box. Unbounded boxes stay unbounded.
+    /// Smallest box around the image of a box, which may be infinite in some directions.
     Box box(const Box& b) const;
 
     Transform inverse() const { return Transform(backward_, forward_); }

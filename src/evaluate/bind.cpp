@@ -27,6 +27,8 @@ void ItemReader::rebind(const ItemInfo& info, void* item) {
     positional_ = info.positional;
     next_ = 0;
     given_ = 0;
+    entries_left_ = -1;
+    centre_.reset();
 }
 
 void ItemReader::alone(std::string_view word, double value) {
@@ -87,6 +89,10 @@ bool ItemReader::take_list(const Element& element) {
     end_switch();
     if (word_ < 0 && next_ >= positional_) return false;
     const int field = word_ >= 0 ? std::exchange(word_, -1) : next_++;
+    if (info_->fields[field].type == FieldType::numbers) {
+        set(field, std::vector<double>(element.list.begin(), element.list.end()), element.span);
+        return true;
+    }
     block_.report(error(Fault::wrong_count, element.span,
                         message(of_block(field), " must be ", kind_name(info_->fields[field].type),
                                 ", but this has ", element.list.size(), " numbers"))
@@ -117,10 +123,85 @@ bool ItemReader::take_value(const Element& element) {
         return true;
     }
     end_switch();
+    if (next_ == positional_ && entry_count_ > 0 && element.value.numbers() && !block_.broken) {
+        block_.report(error(Fault::wrong_count, element.span,
+                            message(block_.quoted(), " has ", entry_count_, " `",
+                                    info_->fields[next_ - 1].name, "`, but here is one more value"))
+                          .with_help(block_.help()));
+        return true;
+    }
     if (next_ >= positional_ || !(may_be_parameter(element.value) || element.value.broken()))
         return false;
-    store(next_++, element);
+    if (info_->fields[next_].place == Placement::counted)
+        take_counted(element);
+    else
+        store(next_++, element);
     return true;
+}
+
+void ItemReader::take_counted(const Element& element) {
+    if (!counting() && info_->fields[next_].entries > 0)
+        begin_entries(info_->fields[next_].entries);
+    if (counting())
+        take_entry(element);
+    else
+        take_count(element);
+    if (counting() && entries_left_ == 0) {
+        entries_left_ = -1;
+        set(next_++, entries_, element.span);
+        entries_ = {};
+    }
+}
+
+void ItemReader::take_count(const Element& element) {
+    const auto count = converted(
+        block_, element, FieldType::integer,
+        {[&] { return message("the count of ", of_block(next_)); }, [&] { return help(next_); }});
+    if (count && std::get<double>(*count) >= 0)
+        return begin_entries(static_cast<int>(std::get<double>(*count)));
+    if (count)
+        block_.report(error(Fault::out_of_range, element.span,
+                            message("the count of ", of_block(next_),
+                                    " must be at least 0, but it is ", std::get<double>(*count)))
+                          .with_help(help(next_)));
+    block_.broken = true;
+}
+
+void ItemReader::begin_entries(int count) {
+    entry_count_ = entries_left_ = count;
+    switch (info_->fields[next_].type) {
+        case FieldType::points:
+            entries_ = std::vector<Vec2>();
+            break;
+        case FieldType::balls:
+            entries_ = std::vector<Ball>();
+            break;
+        default:
+            entries_ = std::vector<Vec3>();
+    }
+}
+
+void ItemReader::take_entry(const Element& element) {
+    const FieldInfo& info = info_->fields[next_];
+    const FieldType type = info.type == FieldType::points ? FieldType::vector2
+                           : centre_                      ? FieldType::number
+                                                          : FieldType::vector3;
+    const auto value = converted(
+        block_, element, type,
+        {[&] { return message("an entry of ", of_block(next_)); }, [&] { return help(next_); }});
+    if (info.type == FieldType::balls && !centre_) {
+        centre_ = value ? std::get<Vec3>(*value) : Vec3(0);
+        return;
+    }
+    --entries_left_;
+    if (!value) return centre_.reset();
+    if (info.type == FieldType::points)
+        std::get<std::vector<Vec2>>(entries_).push_back(std::get<Vec2>(*value));
+    else if (info.type == FieldType::balls)
+        std::get<std::vector<Ball>>(entries_).push_back({*centre_, std::get<double>(*value)});
+    else
+        std::get<std::vector<Vec3>>(entries_).push_back(std::get<Vec3>(*value));
+    centre_.reset();
 }
 
 bool ItemReader::take_word(const Element& element) {
@@ -154,6 +235,10 @@ bool ItemReader::take_block(const Element& element) {
 void ItemReader::begin(int field, Span word) {
     if (word_ >= 0) missing_value();
     word_span_ = word;
+    if (info_->fields[field].place == Placement::choice) {
+        set(field, info_->fields[field].chosen, word);
+        return;
+    }
     if (info_->fields[field].place != Placement::flag) {
         word_ = field;
         return;
@@ -210,6 +295,15 @@ void ItemReader::missing_value() {
 void ItemReader::finish() {
     if (word_ >= 0) missing_value();
     if (block_.broken || !required_missing()) return;
+    if (counting()) {
+        block_.report(
+            error(Fault::wrong_count, block_.span,
+                  message(of_block(next_), " are counted as ", entry_count_, ", but there ",
+                          entry_count_ - entries_left_ == 1 ? "is only " : "are only ",
+                          entry_count_ - entries_left_))
+                .with_help(block_.help()));
+        return;
+    }
     std::string names;
     for (int i = next_; i < positional_ && !info_->fields[i].may_be_left_out; ++i) {
         const bool last = i + 1 == positional_ || info_->fields[i + 1].may_be_left_out;
@@ -239,8 +333,7 @@ std::string ItemReader::of_block(int field) const {
 std::string ItemReader::help(int field) const {
     const FieldInfo& info = info_->fields[field];
     const std::string values = ::values(*info_, static_cast<std::size_t>(field));
-    if (info.place == Placement::positional)
-        return message(block_.help(), "   ", info.name, ": ", values);
+    if (info.unnamed()) return message(block_.help(), "   ", info.name, ": ", values);
     return message(block_.name, " { ... ", info.name, ' ',
                    info.type == FieldType::number || info.type == FieldType::integer ? "n" : "v",
                    " ... }   ", info.name, ": ", values);

@@ -8,6 +8,7 @@
 #include "evaluate/convert.h"
 
 #include <cstdint>
+#include <optional>
 
 class ItemReader {
 public:
@@ -42,6 +43,11 @@ private:
     bool take_word(const Element&);
     bool take_block(const Element&);
     bool take_list(const Element&);
+    void take_counted(const Element&);
+    void take_count(const Element&);
+    void take_entry(const Element&);
+    bool counting() const { return entries_left_ >= 0; }
+    void begin_entries(int count);
     void store(int field, const Element&);
     void set(int field, const FieldValue&, Span);
     void end_switch() { switch_ = -1; }
@@ -66,5 +72,9 @@ private:
     double alone_value_ = 0;
     Span word_span_;
     std::uint64_t given_ = 0;
+    FieldValue entries_;     ///< of the counted field, as far as they have come
+    int entries_left_ = -1;  ///< -1: none are expected now
+    int entry_count_ = 0;
+    std::optional<Vec3> centre_;  ///< of a ball whose radius comes next
     bool repeatable_ = false;
 };

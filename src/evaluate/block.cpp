@@ -81,7 +81,7 @@ std::vector<std::string_view> homes(std::string_view word) {
         for (const ItemInfo* item : group.items) {
             const std::string_view home = group.block.empty() ? item->name : group.block;
             const auto is_word = [&](const FieldInfo& field) {
-                return field.place != Placement::positional && field.name == word;
+                return !field.unnamed() && field.name == word;
             };
             if (std::ranges::any_of(item->fields, is_word)) add(home);
             if (item->name == word) add(group.block);

@@ -23,7 +23,11 @@ std::string_view kind_name(FieldType type) {
             return "a colour";
         case FieldType::text:
             return "a string";
+        case FieldType::numbers:
+            return "a list of numbers in < >";
+        case FieldType::points:
         case FieldType::vectors:
+        case FieldType::balls:
         case FieldType::faces:
             break;
     }
@@ -104,8 +108,12 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
         case FieldType::colour:
             return numbers->is_scalar() ? Colour{Vec3(numbers->at[0])}
                                         : numbers->promoted(5).to_colour();
+        case FieldType::numbers:
+            return std::vector<double>(numbers->at.begin(), numbers->at.begin() + numbers->count);
         case FieldType::text:
+        case FieldType::points:
         case FieldType::vectors:
+        case FieldType::balls:
         case FieldType::faces:
             break;
     }

@@ -44,7 +44,7 @@ struct TriangleEmitter {
 
 /// Any other shape whose area can be sampled, under any affine map.
 struct AreaEmitter {
-    Shape shape;
+    BuiltShape shape;
     Handle<Transform> transform;  ///< null: none
 };
 

@@ -40,9 +40,9 @@ SurfacePoint sample_area(const T&, const Vec2&) {
     return {};
 }
 
-inline double surface_area(const Shape& shape) {
+inline double surface_area(const BuiltShape& shape) {
     return visit_shape([](const auto& s) { return surface_area(s); }, shape);
 }
-inline SurfacePoint sample_area(const Shape& shape, const Vec2& u) {
+inline SurfacePoint sample_area(const BuiltShape& shape, const Vec2& u) {
     return visit_shape([&](const auto& s) { return sample_area(s, u); }, shape);
 }

@@ -28,6 +28,8 @@ consteval auto Disc::vocabulary() {
 Box bounds(const Disc&);
 void crossings(const Disc&, const Ray&, Crossings&);
 bool inside(const Disc&, const Vec3&);
+/// The half space behind it has no end.
+Box inside_bounds(const Disc&);
 /// What is wrong beyond the ranges of single fields (normal without a direction, hole as wide as
 /// the disc), as a sentence; empty when nothing is.
 std::string problem(const Disc&);

@@ -14,7 +14,7 @@ struct Noun {
 };
 constexpr Noun vertex{"vertex", "vertices"}, normal{"normal", "normals"}, triangle{"face", "faces"};
 
-std::string counted(std::size_t n, const Noun& noun) {
+std::string number_of(std::size_t n, const Noun& noun) {
     return (n == 0 ? "no" : std::to_string(n)) + " " + (n == 1 ? noun.one : noun.many);
 }
 
@@ -26,7 +26,7 @@ std::string wrong_index(const std::vector<Face>& list, const std::string& list_n
             if (index < 0 || static_cast<std::size_t>(index) >= count)
                 return "entry " + std::to_string(i) + " of `" + list_name + "` names " + noun.one +
                        " " + std::to_string(index) + ", but there " +
-                       (count == 1 ? "is " : "are ") + counted(count, noun) + ", counted from 0";
+                       (count == 1 ? "is " : "are ") + number_of(count, noun) + ", counted from 0";
     return {};
 }
 
@@ -57,12 +57,12 @@ std::string problem(const Mesh& mesh) {
     if (!wrong.empty()) return wrong;
     if (mesh.normal_faces.empty() && !mesh.normals.empty() &&
         mesh.normals.size() != mesh.vertices.size())
-        return "a `mesh2` with " + counted(mesh.normals.size(), normal) + " for " +
-               counted(mesh.vertices.size(), vertex) + " needs `normal_indices`";
+        return "a `mesh2` with " + number_of(mesh.normals.size(), normal) + " for " +
+               number_of(mesh.vertices.size(), vertex) + " needs `normal_indices`";
     if (mesh.normal_faces.size() > mesh.faces.size())
         return "`normal_indices` has " + std::to_string(mesh.normal_faces.size()) +
                " entries, but there " + (mesh.faces.size() == 1 ? "is only " : "are only ") +
-               counted(mesh.faces.size(), triangle);
+               number_of(mesh.faces.size(), triangle);
     return wrong_index(mesh.normal_faces, "normal_indices", mesh.normals.size(), normal);
 }
 

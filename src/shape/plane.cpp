@@ -17,6 +17,16 @@ bool inside(const Plane& plane, const Vec3& point) {
     return dot(unit(plane.normal), point) <= plane.distance;
 }
 
+Box inside_bounds(const Plane& plane) {
+    Box box = bounds(plane);
+    const Vec3 normal = unit(plane.normal);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (normal[axis] == 1) box.high[axis] = plane.distance;
+        if (normal[axis] == -1) box.low[axis] = -plane.distance;
+    }
+    return box;
+}
+
 std::string problem(const Plane& plane) {
     const double size = length(plane.normal);
     return size > 0 && size < 1e150

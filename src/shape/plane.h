@@ -25,6 +25,8 @@ consteval auto Plane::vocabulary() {
 Box bounds(const Plane&);
 void crossings(const Plane&, const Ray&, Crossings&);
 bool inside(const Plane&, const Vec3&);
+/// Where a half space along an axis ends.
+Box inside_bounds(const Plane&);
 /// What is wrong beyond the ranges of single fields (normal without a direction), as a sentence;
 /// empty when nothing is.
 std::string problem(const Plane&);

@@ -31,8 +31,14 @@ std::string_view name_of(FieldType type) {
             return "colour";
         case FieldType::text:
             return "string";
+        case FieldType::numbers:
+            return "list of numbers";
+        case FieldType::points:
+            return "list of vectors of 2";
         case FieldType::vectors:
             return "list of vectors";
+        case FieldType::balls:
+            return "list of vectors with a number each";
         case FieldType::faces:
             return "list of <index, index, index>";
     }
@@ -49,6 +55,10 @@ std::string_view name_of(Placement place) {
             return "flag";
         case Placement::list:
             return "list";
+        case Placement::counted:
+            return "counted";
+        case Placement::choice:
+            return "choice";
     }
     return {};
 }
@@ -67,9 +77,21 @@ std::string limits(const Range& range) {
 
 /// What the field has when nothing is said; nothing for lists, which are empty then.
 std::string default_text(const ItemInfo& item, std::size_t field) {
-    const FieldType type = item.fields[field].type;
-    if (type == FieldType::vectors || type == FieldType::faces) return {};
-    return written(item.default_value(field), type);
+    const FieldInfo& info = item.fields[field];
+    switch (info.type) {
+        case FieldType::numbers:
+        case FieldType::points:
+        case FieldType::vectors:
+        case FieldType::balls:
+        case FieldType::faces:
+            return {};
+        default:
+            break;
+    }
+    const FieldValue value = item.default_value(field);
+    if (info.place == Placement::choice)
+        return std::get<double>(value) == info.chosen ? "on" : "off";
+    return written(value, info.type);
 }
 
 /// The field as it stands in the text of its item.
@@ -79,9 +101,12 @@ std::string form(const FieldInfo& field) {
         case Placement::positional:
             return name;
         case Placement::flag:
+        case Placement::choice:
             return name;
         case Placement::list:
             return name + " { count, ... }";
+        case Placement::counted:
+            return (field.entries > 0 ? "" : "count, ") + name + ", ...";
         case Placement::item:
             break;
     }
@@ -165,7 +190,7 @@ Json json_field(const ItemInfo& item, std::size_t index) {
                  {"place", name_of(field.place)},
                  {"type", name_of(field.type)},
                  {"default", json_value(item.default_value(index))},
-                 {"optional", field.place != Placement::positional || field.may_be_left_out}};
+                 {"optional", !field.unnamed() || field.may_be_left_out}};
     if (std::isfinite(field.range.low))
         json[field.range.low_excluded ? "above" : "minimum"] = field.range.low;
     if (std::isfinite(field.range.high)) json["maximum"] = field.range.high;
@@ -198,7 +223,7 @@ std::string usage(const ItemInfo& item, std::string_view block) {
     std::string text = block.empty() ? message(item.name, " {") : message(block, " { ", item.name);
     bool first = true;
     for (const FieldInfo& field : item.fields) {
-        const bool positional = field.place == Placement::positional;
+        const bool positional = field.unnamed();
         std::string piece = form(field);
         if (!positional || field.may_be_left_out)
             piece = message(positional && !first ? "[, " : "[", piece, "]");
@@ -211,6 +236,7 @@ std::string usage(const ItemInfo& item, std::string_view block) {
 }
 
 std::string takes(const FieldInfo& field) {
+    if (field.place == Placement::choice) return "on or off";
     return message(name_of(field.type), limits(field.range));
 }
 
@@ -218,7 +244,7 @@ std::string values(const ItemInfo& item, std::size_t field) {
     const FieldInfo& info = item.fields[field];
     const std::string text = takes(info);
     const std::string initial = default_text(item, field);
-    const bool required = info.place == Placement::positional && !info.may_be_left_out;
+    const bool required = info.unnamed() && !info.may_be_left_out;
     return required || initial.empty() ? text : message(text, ", default ", initial);
 }
 

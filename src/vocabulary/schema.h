@@ -22,8 +22,9 @@ consteval auto schema(std::string_view name, std::string_view help, F... fields)
 }
 
 /// A value on its way into or out of a field. The number is also how integers and switches travel.
-using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string,
-                                std::vector<Vec3>, std::vector<Face>>;
+using FieldValue =
+    std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string, std::vector<double>,
+                 std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
 
 enum class FieldType {
     number,
@@ -34,7 +35,10 @@ enum class FieldType {
     rgb,
     colour,
     text,
+    numbers,
+    points,
     vectors,
+    balls,
     faces
 };
 
@@ -47,6 +51,13 @@ struct FieldInfo {
     Range range;
     bool may_be_left_out;  ///< also true for std::optional members
     NameId word;           ///< no_name: the name is not reserved, and known by its spelling only
+    double chosen;         ///< what the word of a choice stands for
+    int entries;           ///< of a counted field with a fixed number of them; otherwise 0
+
+    /// Comes without a word, in its turn.
+    constexpr bool unnamed() const {
+        return place == Placement::positional || place == Placement::counted;
+    }
 };
 
 /// One item's vocabulary, without its type. All instances are constants.
@@ -90,8 +101,14 @@ constexpr FieldType type_of(bool colour) {
         return FieldType::colour;
     else if constexpr (std::is_same_v<V, std::string>)
         return FieldType::text;
+    else if constexpr (std::is_same_v<V, std::vector<double>>)
+        return FieldType::numbers;
+    else if constexpr (std::is_same_v<V, std::vector<Vec2>>)
+        return FieldType::points;
     else if constexpr (std::is_same_v<V, std::vector<Vec3>>)
         return FieldType::vectors;
+    else if constexpr (std::is_same_v<V, std::vector<Ball>>)
+        return FieldType::balls;
     else
         return FieldType::faces;
 }
@@ -111,7 +128,9 @@ constexpr FieldInfo describe(const Field<T>& field) {
                              type_of<V>(field.colour),
                              field.range,
                              field.may_be_left_out || is_optional<V>,
-                             reserved_word(field.name)};
+                             reserved_word(field.name),
+                             field.chosen,
+                             field.entries};
         },
         field.member);
 }
@@ -179,7 +198,7 @@ struct Access {
     static constexpr int positional = [] {
         int count = 0;
         while (count < static_cast<int>(fields.size()) &&
-               fields[static_cast<std::size_t>(count)].place == Placement::positional)
+               fields[static_cast<std::size_t>(count)].unnamed())
             ++count;
         return count;
     }();

@@ -36,16 +36,23 @@ struct Writer {
             text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
         return text + '"';
     }
-    std::string operator()(const std::vector<Vec3>& list) const {
-        std::string text = message("{ ", list.size());
-        for (const Vec3& v : list) text += message(", <", v.x, ", ", v.y, ", ", v.z, ">");
-        return text + " }";
+    std::string operator()(const std::vector<double>& list) const {
+        std::string text = "<";
+        for (const double x : list) text += message(text.size() > 1 ? ", " : "", x);
+        return text + ">";
     }
-    std::string operator()(const std::vector<Face>& list) const {
-        std::string text = message("{ ", list.size());
-        for (const Face& face : list)
-            text += message(", <", face[0], ", ", face[1], ", ", face[2], ">");
-        return text + " }";
+    template <class Entry>
+    std::string operator()(const std::vector<Entry>& list) const {
+        std::string text = message(list.size());
+        for (const Entry& each : list) text += ", " + entry(each);
+        return text;
+    }
+
+    static std::string entry(const Vec2& v) { return message("<", v.x, ", ", v.y, ">"); }
+    static std::string entry(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
+    static std::string entry(const Ball& b) { return message(entry(b.centre), ", ", b.radius); }
+    static std::string entry(const Face& f) {
+        return message("<", f[0], ", ", f[1], ", ", f[2], ">");
     }
 };
 
@@ -56,16 +63,26 @@ std::string written(const FieldValue& value, FieldType type) {
 }
 
 std::string written_fields(const ItemInfo& item, const void* object) {
-    std::string positional, others;
+    std::string choices, positional, others;
     for (std::size_t i = 0; i < item.fields.size(); ++i) {
         const FieldInfo& field = item.fields[i];
-        const std::string value = written(item.get(object, i), field.type);
-        if (field.place == Placement::positional) {
+        const bool flag = field.place == Placement::flag;
+        std::string value = written(item.get(object, i), field.type);
+        if (field.unnamed()) {
+            if (field.entries > 0) value.erase(0, value.find(' ') + 1);
             positional += message(positional.empty() ? "" : ", ", value);
         } else if (!value.empty() && value != written(item.default_value(i), field.type)) {
-            others += message(others.empty() ? "" : " ", field.name);
-            if (field.place != Placement::flag || value != "on") others += " " + value;
+            std::string& text = field.place == Placement::choice ? choices : others;
+            if (field.place == Placement::choice && value != message(field.chosen)) continue;
+            text += message(text.empty() ? "" : " ", field.name);
+            if (field.place == Placement::list)
+                text += " { " + value + " }";
+            else if (field.place == Placement::item || (flag && value != "on"))
+                text += " " + value;
         }
     }
-    return message(positional, positional.empty() || others.empty() ? "" : " ", others);
+    std::string all;
+    for (const std::string& part : {choices, positional, others})
+        all += message(all.empty() || part.empty() ? "" : " ", part);
+    return all;
 }

@@ -102,7 +102,7 @@ private:
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
             const double scale = here.transform ? here.transform->uniform_scale() : 1;
-            if (scale == 0) return add_shape(shape, here.transform, material, span);
+            if (scale == 0) return add_shape(*sphere, here.transform, material, span);
             const Vec3 centre =
                 here.transform ? here.transform->point(sphere->centre) : sphere->centre;
             add_sphere({centre, sphere->radius * scale}, material, span);
@@ -120,7 +120,7 @@ private:
             add_mesh(**mesh, here.transform.get(),
                      static_cast<std::uint32_t>(world_.materials.size() - 1), span);
         } else {
-            add_shape(shape, here.transform, material, span);
+            add_shape(built(shape), here.transform, material, span);
         }
     }
 
@@ -158,8 +158,8 @@ private:
         world_.normals.push_back({unit(n.normal1), unit(n.normal2), unit(n.normal3)});
     }
 
-    void add_shape(const Shape& shape, const Handle<Transform>& transform, std::uint32_t material,
-                   Span span) {
+    void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
+                   std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
         if (finite(bounds(shape))) {
             note_luminaire(Unplaced::shape, index, material, span);

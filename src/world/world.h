@@ -42,7 +42,7 @@ struct CornerNormals {
 
 /// A primitive of any other shape, under any affine map.
 struct PlacedShape {
-    Shape shape;
+    BuiltShape shape;
     Handle<Transform> transform;  ///< null: none
 };
 

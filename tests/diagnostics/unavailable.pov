@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words of POV-Ray that this version has not
 #version 3.7;
-torus { 2, 0.5 pigment { rgb 1 } }
+rainbow { angle 42 }
 sphere { 0, 1 pigment { bozo turbulence 0.5 color_map { [0 rgb 1] [1 rgb 0] } } }
 sphere { 0, 1 normal { bumps 0.5 } }
 light_source { 0, 1 spotlight point_at z radius 10 falloff 20 }

@@ -29,7 +29,7 @@ TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
         {"sphere { 0, 1 { } }",
          "error misplaced: braces without a word before them have no place in `sphere`"},
         {"finish", "error misplaced: `finish` has no place in a scene"},
-        {"torus { 1, 2 }", "error not-implemented: `torus` is not available in this version"},
+        {"rainbow { 1, 2 }", "error not-implemented: `rainbow` is not available in this version"},
         {"sphere { 0, 1 pigment { bozo turbulence 1 octaves 3 } }",
          "error not-implemented: `bozo` is not available in this version"},
         {"light_source { 0, 1 spotlight point_at x radius 3 falloff 4 }",

@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi;
 
 struct Lamp {
     std::string name;
-    Shape shape;
+    BuiltShape shape;
     bool solid;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
-const std::vector<std::pair<Shape, double>> areas = {
+const std::vector<std::pair<BuiltShape, double>> areas = {
     {Sphere{x, 2}, 16 * pi},
     {Cuboid{Vec3(1, 2, 3), Vec3(0, 0, 0)}, 22},
     {Cuboid{Vec3(0), Vec3(2, 3, 0)}, 12},
@@ -32,7 +32,7 @@ const std::vector<std::pair<Shape, double>> areas = {
 
 /// Number of a region for a point, and the share of the area that each region has.
 struct Regions {
-    Shape shape;
+    BuiltShape shape;
     std::vector<double> shares;
     std::function<std::size_t(const Vec3&)> number;
 };
@@ -103,8 +103,8 @@ TEST_CASE("areas are exact", "[shape]") {
         INFO(shape.index());
         CHECK(surface_area(shape) == Approx(expected).epsilon(1e-14));
     }
-    CHECK(surface_area(Shape(Plane{})) == 0);
-    CHECK(surface_area(Shape(Shared<Mesh>())) == 0);
+    CHECK(surface_area(BuiltShape(Plane{})) == 0);
+    CHECK(surface_area(BuiltShape(Shared<Mesh>())) == 0);
 }
 
 TEST_CASE("sampled points are on the surface, with its normal", "[shape]") {

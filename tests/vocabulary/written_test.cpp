@@ -23,9 +23,11 @@ TEST_CASE("values are written as a scene would give them") {
         {Colour{Vec3(1, 0, 0)}, FieldType::colour, "rgb <1, 0, 0>"},
         {Colour{Vec3(1, 0, 0), 0.5, 0.25}, FieldType::colour, "rgbft <1, 0, 0, 0.5, 0.25>"},
         {std::string("a \"b\" \\c"), FieldType::text, "\"a \\\"b\\\" \\\\c\""},
-        {std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3)}, FieldType::vectors,
-         "{ 2, <0, 0, 0>, <1, 2, 3> }"},
-        {std::vector<Face>{{0, 1, 2}}, FieldType::faces, "{ 1, <0, 1, 2> }"},
+        {std::vector<Vec3>{Vec3(0), Vec3(1, 2, 3)}, FieldType::vectors, "2, <0, 0, 0>, <1, 2, 3>"},
+        {std::vector<Vec2>{Vec2(0), Vec2(1, 2)}, FieldType::points, "2, <0, 0>, <1, 2>"},
+        {std::vector<Ball>{{Vec3(1), 2}}, FieldType::balls, "1, <1, 1, 1>, 2"},
+        {std::vector<double>{1, 2.5, 3}, FieldType::numbers, "<1, 2.5, 3>"},
+        {std::vector<Face>{{0, 1, 2}}, FieldType::faces, "1, <0, 1, 2>"},
     };
     for (const Case& each : cases) CHECK(written(each.value, each.type) == each.expected);
 }

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/roots.h"
+
+namespace {
+
+using Coefficients = std::array<double, greatest_degree + 1>;
+
+struct ValueAndSlope {
+    double value, slope;
+};
+
+ValueAndSlope evaluate(std::span<const double> c, double x) {
+    double value = c.back(), slope = 0;
+    for (std::size_t i = c.size() - 1; i-- > 0;) {
+        slope = slope * x + value;
+        value = value * x + c[i];
+    }
+    return {value, slope};
+}
+
+/// The root between two places at which the polynomial has different signs.
+double root_between(std::span<const double> c, double low, double high, bool negative_at_low) {
+    double x = 0.5 * (low + high);
+    for (int step = 0; step < 200; ++step) {
+        const auto [value, slope] = evaluate(c, x);
+        ((value < 0) == negative_at_low ? low : high) = x;
+        double next = x - value / slope;
+        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        const double moved = std::abs(next - x);
+        x = next;
+        if (moved <= 0x1p-52 * std::abs(x) || !(low < x && x < high)) break;
+    }
+    return x;
+}
+
+/// Of c[0] + c[1] x + c[2] x^2, without loss of digits where its roots are far from each other.
+Roots of_quadratic(double c0, double c1, double c2, const Interval& range) {
+    Roots found;
+    const auto take = [&](double root) {
+        if (range.contains(root)) found.add(root);
+    };
+    if (c2 == 0) {
+        if (c1 != 0) take(-c0 / c1);
+        return found;
+    }
+    const double half = -0.5 * c1, discriminant = half * half - c2 * c0;
+    if (!(discriminant > 0)) return found;
+    const double q = half + std::copysign(std::sqrt(discriminant), half);
+    const double first = q / c2, second = q == 0 ? 0 : c0 / q;
+    take(std::fmin(first, second));
+    take(std::fmax(first, second));
+    return found;
+}
+
+/// The k-th derivative over k!, so that the numbers stay small.
+std::span<double> derivative(std::span<const double> c, std::size_t k, Coefficients& space) {
+    const std::size_t count = c.size() - k;
+    for (std::size_t i = 0; i < count; ++i) space[i] = c[i + k];
+    // The binomial coefficients (i + k over k), one from the other.
+    double binomial = 1;
+    for (std::size_t i = 1; i < count; ++i) {
+        binomial *= static_cast<double>(i + k) / static_cast<double>(i);
+        space[i] *= binomial;
+    }
+    return {space.data(), count};
+}
+
+/// Whether the polynomial is below 0; where its value is not above its rounding error, what it was
+/// before. So it does not seem to cross zero where it only touches it.
+bool negative_at(std::span<const double> c, double x, bool before) {
+    double value = 0, greatest = 0;
+    for (std::size_t i = c.size(); i-- > 0;) {
+        value = value * x + c[i];
+        greatest = greatest * std::abs(x) + std::abs(c[i]);
+    }
+    return std::abs(value) <= 0x1p-51 * greatest ? before : value < 0;
+}
+
+/// The roots in a finite range, from those of the derivative.
+Roots between(std::span<const double> c, const Roots& turns, const Interval& range) {
+    Roots found;
+    double low = range.min;
+    bool negative = polynomial(c, low) < 0;
+    for (std::size_t i = 0; i <= turns.size(); ++i) {
+        const bool last = i == turns.size();
+        const double high = last ? range.max : turns[i];
+        const bool there = last ? polynomial(c, high) < 0 : negative_at(c, high, negative);
+        if (negative != there) found.add(root_between(c, low, high, negative));
+        low = high;
+        negative = there;
+    }
+    return found;
+}
+
+Roots in_finite_range(std::span<const double> c, const Interval& range) {
+    if (!(range.min < range.max)) return {};
+    Coefficients space;
+    const std::size_t degree = c.size() - 1;
+    const auto quadratic = derivative(c, degree - 2, space);
+    Roots found = of_quadratic(quadratic[0], quadratic[1], quadratic[2], range);
+    for (std::size_t k = degree - 2; k-- > 0;)
+        found = between(derivative(c, k, space), found, range);
+    return found;
+}
+
+/// Where infinite ranges are divided; roots at round numbers shall not lie on the border.
+constexpr double border = 1.0371;
+
+/// Beyond the border the polynomial in 1 / x has its roots in a finite range; on the other side it
+/// is mirrored first.
+Roots beyond_border(std::span<const double> c, const Interval& range, bool mirrored) {
+    if (!(range.min < range.max)) return {};
+    Coefficients reversed;
+    std::reverse_copy(c.begin(), c.end(), reversed.begin());
+    if (mirrored)
+        for (std::size_t i = 1; i < c.size(); i += 2) reversed[c.size() - 1 - i] *= -1;
+    return sign_changes({reversed.data(), c.size()}, {1 / range.max, 1 / range.min});
+}
+
+}  // namespace
+
+Roots sign_changes(std::span<const double> c, const Interval& range) {
+    while (!c.empty() && c.back() == 0) c = c.first(c.size() - 1);
+    if (c.size() < 2) return {};
+    if (c.size() < 4) return of_quadratic(c[0], c[1], c.size() == 3 ? c[2] : 0, range);
+    if (std::isfinite(range.min) && std::isfinite(range.max)) return in_finite_range(c, range);
+
+    Roots found;
+    const Roots below = beyond_border(c, {std::fmax(border, -range.max), -range.min}, true);
+    for (const double root : below) found.add(-1 / root);
+    const Interval middle{std::fmax(-border, range.min), std::fmin(border, range.max)};
+    for (const double root : in_finite_range(c, middle)) found.add(root);
+    const Roots above = beyond_border(c, {std::fmax(border, range.min), range.max}, false);
+    for (std::size_t i = above.size(); i-- > 0;) found.add(1 / above[i]);
+    return found;
+}
+
+Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max) {
+    const Roots found = sign_changes(c, range);
+    const bool odd = (at_min < 0) != (at_max < 0);
+    if ((found.size() % 2 == 1) == odd) return found;
+    Roots result;
+    if (odd) {
+        const bool first = std::abs(at_min) < std::abs(at_max);
+        if (first) result.add(range.min);
+        for (const double root : found) result.add(root);
+        if (!first) result.add(range.max);
+        return result;
+    }
+    // One too many lies near an end.
+    const bool first = found[0] - range.min < range.max - found[found.size() - 1];
+    for (std::size_t i = first ? 1 : 0; i + (first ? 0 : 1) < found.size(); ++i)
+        result.add(found[i]);
+    return result;
+}

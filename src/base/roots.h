@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real roots of polynomials: where rays meet curved surfaces. Called by the shapes. A place counts
+// when the polynomial changes its sign there, so that a ray that only touches a surface does not
+// cross it, and crossings of a closed surface come in pairs.
+#pragma once
+
+#include "base/ray.h"
+
+#include <span>
+
+/// The greatest degree that sign_changes() takes.
+inline constexpr std::size_t greatest_degree = 35;
+
+/// Numbers in ascending order.
+class Roots {
+public:
+    /// Where rounding errors make more roots than a polynomial can have, the last are left out.
+    void add(double root) {
+        if (count_ < at_.size()) at_[count_++] = root;
+    }
+    std::size_t size() const { return count_; }
+    bool empty() const { return count_ == 0; }
+    double operator[](std::size_t i) const { return at_[i]; }
+    const double* begin() const { return at_.data(); }
+    const double* end() const { return at_.data() + count_; }
+
+private:
+    std::array<double, greatest_degree> at_;
+    std::size_t count_ = 0;
+};
+
+/// c[0] + c[1] x + ... + c[n] x^n.
+inline double polynomial(std::span<const double> c, double x) {
+    double sum = 0;
+    for (std::size_t i = c.size(); i-- > 0;) sum = sum * x + c[i];
+    return sum;
+}
+
+/// Where the polynomial c changes its sign in the range, whose ends may be infinite. The degree is
+/// at most greatest_degree; leading zeros are allowed. Between two neighbouring roots of its
+/// derivative a polynomial has at most one root, which bisection finds for certain and Newton's
+/// method soon; so the roots of all derivatives are found, from the linear one up (Yuksel,
+/// "High-Performance Polynomial Root Finding for Graphics", 2022).
+Roots sign_changes(std::span<const double> c, const Interval& range);
+
+/// The same in a finite range at whose ends the values are known, or their signs at least. There is
+/// an odd number of roots exactly when these signs differ, so that neighbours in a chain of
+/// polynomials, which share the values at their ends, never lose or repeat a root between them.
+Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max);

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/composite.h"
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Box everywhere() { return {Vec3(-infinity), Vec3(infinity)}; }
+
+/// So many parts are asked one by one; more are found through an index.
+constexpr std::size_t few = 8;
+
+/// Above this number of items a tree is built by several threads.
+constexpr std::size_t many = 20'000;
+
+KdTree index_of(std::span<const Box> boxes) {
+    return build_kdtree(boxes, {}, {}, boxes.size() > many ? 0 : 1);
+}
+
+/// The plane in the space of the whole.
+Plane moved(const Plane& plane, const Transform& transform) {
+    const Vec3 normal = unit(plane.normal), turned = unit(transform.normal(normal));
+    return {turned, dot(turned, transform.point(plane.distance * normal))};
+}
+
+}  // namespace
+
+// ---- building
+
+PartRef CompositeBuilder::add(CompositeLeaf leaf) {
+    const Transform* transform = leaf.transform.get();
+    const Plane* plane = std::get_if<Plane>(&leaf.shape);
+    // A turned plane may be level again, and is then known to end in one direction.
+    if (plane && transform) {
+        leaf.shape = moved(*plane, *transform);
+        leaf.transform = nullptr;
+        transform = nullptr;
+    }
+    const Box box = inside_bounds(leaf.shape);
+    leaf_regions_.push_back({transform ? transform->box(box) : box, leaf.inverse});
+    made_.leaves_.push_back(std::move(leaf));
+    return {static_cast<std::uint32_t>(made_.leaves_.size() - 1), true};
+}
+
+PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
+                              Handle<Composite> limit) {
+    if (parts.size() == 1 && !limit && !parts[0].clips) return parts[0];
+    std::vector<PartRef> flat;
+    Composite::Region region{how == Combination::common ? everywhere() : Box(), false};
+    for (const PartRef& part : parts) {
+        const bool same = !part.leaf && !part.clips && how != Combination::merged &&
+                          made_.nodes_[part.index].how == how &&
+                          made_.nodes_[part.index].limit == Composite::nothing;
+        if (same)
+            flat.insert(flat.end(), parts_[part.index].begin(), parts_[part.index].end());
+        else
+            flat.push_back(part);
+    }
+    // Outside of the box all parts are what they are outside of theirs, or those that decide are.
+    const bool decisive = how != Combination::common;
+    Box joined, shared = everywhere();
+    bool decided = false;
+    for (const PartRef& part : flat) {
+        const Composite::Region r = region_of(part);
+        joined = join(joined, r.box);
+        if (r.outside != decisive) continue;
+        shared = clip(shared, r.box);
+        decided = true;
+    }
+    region = {decided ? shared : joined, decided == decisive};
+    Composite::Node node;
+    node.how = how;
+    if (limit) {
+        node.limit = static_cast<std::uint32_t>(made_.limits_.size());
+        made_.limits_.push_back(std::move(limit));
+        made_.limited_ = true;
+    }
+    made_.nodes_.push_back(std::move(node));
+    parts_.push_back(std::move(flat));
+    node_regions_.push_back(region);
+    return {static_cast<std::uint32_t>(made_.nodes_.size() - 1), false};
+}
+
+Composite::Region CompositeBuilder::region_of(const PartRef& part) const {
+    return part.leaf ? leaf_regions_[part.index] : node_regions_[part.index];
+}
+
+/// Sorts the parts of a node for inside tests.
+void CompositeBuilder::settle(std::uint32_t index) {
+    Composite::Node& node = made_.nodes_[index];
+    const bool decisive = node.how != Combination::common;
+    std::vector<Box> boxes;
+    bool all_finite = true;
+    for (const PartRef& ref : parts_[index]) {
+        const Composite::Part part{ref, region_of(ref)};
+        if (part.region.outside == decisive) {
+            node.always.push_back(part);
+            continue;
+        }
+        node.boxed.push_back(part);
+        boxes.push_back(part.region.box);
+        all_finite = all_finite && (part.region.box.empty() || finite(part.region.box));
+    }
+    if (node.boxed.size() > few && all_finite) node.index = index_of(boxes);
+}
+
+/// Notes where surface can be seen, from the root down.
+void CompositeBuilder::show(const PartRef& part, const Box& within) {
+    if (part.leaf) {
+        const CompositeLeaf& leaf = made_.leaves_[part.index];
+        const Box box = ::bounds(leaf.shape);
+        made_.seen_[part.index] = clip(leaf.transform ? leaf.transform->box(box) : box, within);
+        return;
+    }
+    Composite::Node& node = made_.nodes_[part.index];
+    settle(part.index);
+    Box inner = within;
+    if (node.how == Combination::common)
+        for (const Composite::Part& each : node.always) inner = clip(inner, each.region.box);
+    if (node.limit != Composite::nothing) inner = clip(inner, made_.limits_[node.limit]->bounds());
+    for (const PartRef& child : parts_[part.index]) {
+        (child.leaf ? made_.parents_[child.index] : made_.nodes_[child.index].parent) = part.index;
+        if (!child.clips)
+            show(child, inner);
+        else if (!child.leaf)
+            settle_all(child.index);
+    }
+}
+
+void CompositeBuilder::settle_all(std::uint32_t index) {
+    settle(index);
+    for (const PartRef& child : parts_[index])
+        if (!child.leaf) settle_all(child.index);
+}
+
+Composite CompositeBuilder::finish(PartRef root) {
+    made_.parents_.assign(made_.leaves_.size(), Composite::nothing);
+    made_.seen_.assign(made_.leaves_.size(), Box());
+    made_.root_ = root;
+    show(root, everywhere());
+    std::vector<Box> boxes = made_.seen_;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].empty()) continue;
+        made_.bounds_ = join(made_.bounds_, boxes[i]);
+        if (boxes.size() > few && finite(boxes[i])) continue;
+        made_.apart_.push_back(i);
+        boxes[i] = Box();
+    }
+    if (boxes.size() > few) made_.tree_ = index_of(boxes);
+    return std::move(made_);
+}
+
+// ---- inside tests
+
+bool Composite::inside_part(const Part& part, const Vec3& point) const {
+    if (!contains(part.region.box, point)) return part.region.outside;
+    if (!part.ref.leaf) return inside_node(nodes_[part.ref.index], point, nullptr);
+    const CompositeLeaf& leaf = leaves_[part.ref.index];
+    return ::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point) : point) !=
+           leaf.inverse;
+}
+
+bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* aside) const {
+    const bool decisive = node.how != Combination::common;
+    const auto decides = [&](const Part& part) {
+        const bool left_aside =
+            aside && part.ref.leaf == aside->leaf && part.ref.index == aside->index;
+        return !left_aside && inside_part(part, point) == decisive;
+    };
+    for (const Part& part : node.always)
+        if (decides(part)) return decisive;
+    if (node.index.nodes().empty()) {
+        for (const Part& part : node.boxed)
+            if (contains(part.region.box, point) && decides(part)) return decisive;
+        return !decisive;
+    }
+    // A ray without length visits the cell around its origin.
+    const bool found = node.index.traverse(
+        Ray{point, Vec3(1)}, {0, 0}, [&](std::span<const std::uint32_t> items, Interval&) {
+            return std::ranges::any_of(items, [&](std::uint32_t i) {
+                return contains(node.boxed[i].region.box, point) && decides(node.boxed[i]);
+            });
+        });
+    return found ? decisive : !decisive;
+}
+
+bool Composite::inside(const Vec3& point) const {
+    if (!root_.leaf) return inside_node(nodes_[root_.index], point, nullptr);
+    const CompositeLeaf& leaf = leaves_[root_.index];
+    return ::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point) : point) !=
+           leaf.inverse;
+}
+
+bool Composite::seen_at(std::uint32_t leaf, const Vec3& point) const {
+    PartRef part{leaf, true};
+    for (std::uint32_t i = parents_[leaf]; i != nothing; i = nodes_[i].parent) {
+        const Node& node = nodes_[i];
+        const bool seen = node.how == Combination::common   ? inside_node(node, point, &part)
+                          : node.how == Combination::merged ? !inside_node(node, point, &part)
+                                                            : true;
+        if (!seen) return false;
+        part = {i, false};
+    }
+    return true;
+}
+
+// ---- rays
+
+bool Composite::meets(const Ray& ray) const {
+    return inside(ray.origin) ||
+           first(ray, Interval{}, [](std::uint32_t) { return true; }).has_value();
+}
+
+bool Composite::within_limits(std::uint32_t leaf, const Ray& ray) const {
+    for (std::uint32_t i = parents_[leaf]; i != nothing; i = nodes_[i].parent)
+        if (nodes_[i].limit != nothing && !limits_[nodes_[i].limit]->meets(ray)) return false;
+    return true;
+}
+
+template <class Take>
+void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
+                          Take take) const {
+    if (limited_ && !within_limits(index, ray)) return;
+    const CompositeLeaf& leaf = leaves_[index];
+    const Transform* transform = leaf.transform.get();
+    Crossings found;
+    ::crossings(leaf.shape, transform ? transform->inverse_ray(ray) : ray, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Crossing& c = found[i];
+        if (!range.contains(c.t) || !seen_at(index, ray.at(c.t))) continue;
+        const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;
+        take(Meeting{c.t, leaf.inverse ? -normal : normal, index, c.part});
+    }
+}
+
+std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interval& range,
+                                                   Wanted wanted) const {
+    std::optional<Meeting> nearest;
+    Interval left = range;
+    const auto ask = [&](std::uint32_t leaf) {
+        if (!wanted(leaf)) return;
+        meet_leaf(leaf, ray, left, [&](const Meeting& met) {
+            if (nearest && met.t >= nearest->t) return;
+            nearest = met;
+        });
+        if (nearest) left.max = nearest->t;
+    };
+    for (const std::uint32_t leaf : apart_) ask(leaf);
+    tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
+        for (const std::uint32_t leaf : items) ask(leaf);
+        rest.max = left.max;
+        return false;
+    });
+    return nearest;
+}
+
+void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
+                    std::vector<Meeting>& met) const {
+    std::vector<std::uint32_t> candidates = apart_;
+    tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
+        candidates.insert(candidates.end(), items.begin(), items.end());
+        return false;
+    });
+    std::ranges::sort(candidates);
+    const auto repeated = std::ranges::unique(candidates);
+    candidates.erase(repeated.begin(), repeated.end());
+    for (const std::uint32_t leaf : candidates)
+        if (wanted(leaf))
+            meet_leaf(leaf, ray, range, [&](const Meeting& each) { met.push_back(each); });
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/lathe.h"
+
+namespace {
+
+constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+
+/// A ray of unit length from its point nearest to the axis: there its square distance from the axis
+/// is nearest2 + across2 s^2.
+struct AxisRay {
+    double nearest2, across2;
+    double height, rise;
+
+    AxisRay(const Vec3& origin, const Vec3& direction)
+        : nearest2(origin.x * origin.x + origin.z * origin.z),
+          across2(direction.x * direction.x + direction.z * direction.z),
+          height(origin.y),
+          rise(direction.y) {}
+
+    /// 0 where the point of the curve lies on the ray (times rise^2).
+    double miss(const Vec2& point) const {
+        const double w = point.y - height;
+        return across2 * w * w + rise * rise * (nearest2 - point.x * point.x);
+    }
+};
+
+/// The factors of AxisRay::miss() along a piece.
+std::array<double, 7> miss_along(const AxisRay& ray, const CurvePiece& piece) {
+    std::array<double, 7> result{};
+    result[0] = ray.rise * ray.rise * ray.nearest2;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            const Vec2 &a = piece.factors[i], &b = piece.factors[j];
+            const double wa = i == 0 ? a.y - ray.height : a.y;
+            const double wb = j == 0 ? b.y - ray.height : b.y;
+            result[i + j] += ray.across2 * wa * wb - ray.rise * ray.rise * a.x * b.x;
+        }
+    return result;
+}
+
+/// A meeting of ray and curve: the ray's parameter and the curve's.
+struct Meeting {
+    double s, u;
+};
+
+/// Newton's method for both equations: at the ray's distance from the axis, at its height. Nearly
+/// level rays need it, which meet the curve in two places close together.
+Meeting polished(const AxisRay& ray, const CurvePiece& piece, Meeting m) {
+    for (int step = 0; step < 3; ++step) {
+        const Vec2 p = piece.at(m.u), slope = piece.slope(m.u);
+        const double off = ray.nearest2 + ray.across2 * m.s * m.s - p.x * p.x;
+        const double above = ray.height + ray.rise * m.s - p.y;
+        const double a = 2 * ray.across2 * m.s, b = -2 * p.x * slope.x;
+        const double det = -a * slope.y - b * ray.rise;
+        const Meeting next{m.s - (-off * slope.y - b * above) / det,
+                           m.u - (a * above - ray.rise * off) / det};
+        if (!(std::abs(next.u - m.u) < 1e-2)) return m;
+        m = next;
+    }
+    return m;
+}
+
+/// Rays that rise less than this are met as if they were level, and then corrected.
+constexpr double level = 1e-6;
+
+template <class Take>
+void meet(const AxisRay& ray, const CurvePiece& piece, Take take) {
+    if (std::abs(ray.rise) > level) {
+        const Roots places = sign_changes(miss_along(ray, piece), {0, 1}, ray.miss(piece.start),
+                                          ray.miss(piece.end));
+        for (const double u : places)
+            take(polished(ray, piece, {(piece.at(u).y - ray.height) / ray.rise, u}));
+        return;
+    }
+    const Roots places = sign_changes(piece.combined({0, 1}, -ray.height), {0, 1},
+                                      piece.start.y - ray.height, piece.end.y - ray.height);
+    for (const double u : places) {
+        const double radius = piece.at(u).x, half2 = (radius * radius - ray.nearest2) / ray.across2;
+        if (!(half2 > 0)) continue;
+        for (const double s : {-std::sqrt(half2), std::sqrt(half2)})
+            take(polished(ray, piece, {s, u}));
+    }
+}
+
+Box turned(const Rectangle& r) {
+    const double reach = std::fmax(std::abs(r.low.x), std::abs(r.high.x));
+    return {Vec3(-reach, r.low.y, -reach), Vec3(reach, r.high.y, reach)};
+}
+
+/// Twice the signed area between curve and axis; the pieces' integrals of r dy.
+double area(const CurvePiece& piece) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 1; j < 4; ++j)
+            sum += piece.factors[i].x * piece.factors[j].y * static_cast<double>(j) /
+                   static_cast<double>(i + j);
+    return sum;
+}
+
+}  // namespace
+
+BuiltLathe build(const Lathe& lathe) {
+    BuiltLathe result;
+    double sum = 0;
+    for (const CurvePiece& piece : curve(static_cast<CurveKind>(lathe.spline), lathe.points)) {
+        const Box box = turned(bounds(piece));
+        result.parts.push_back({piece, box});
+        result.bounds = join(result.bounds, box);
+        sum += area(piece);
+    }
+    result.outside_right = sum >= 0;
+    return result;
+}
+
+std::string problem(const Lathe& lathe) {
+    const auto kind = static_cast<CurveKind>(lathe.spline);
+    const std::size_t least = least_points(kind);
+    if (lathe.points.size() < least)
+        return "a `lathe` with this spline needs at least " + std::to_string(least) + " points";
+    if (kind == bezier_curve && lathe.points.size() % 4 != 0)
+        return "a `lathe` with `bezier_spline` needs four points for each piece";
+    const bool in_order = std::all_of(lathe.points.begin(), lathe.points.end(),
+                                      [](const Vec2& p) { return p.x >= 0; });
+    return in_order || kind != linear_curve ? "" : "a `lathe` needs radii that are not below 0";
+}
+
+Box bounds(const BuiltLathe& lathe) { return lathe.bounds; }
+
+void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    const Vec3 d = ray.direction / speed;
+    const double across2 = d.x * d.x + d.z * d.z;
+    const Vec3 centre = lathe.bounds.centre();
+    // From the point nearest to the axis, or to the middle for rays along it.
+    const double start = across2 > 1e-12 ? -(ray.origin.x * d.x + ray.origin.z * d.z) / across2
+                                         : dot(centre - ray.origin, d);
+    const Ray near{ray.origin + start * d, d};
+    const AxisRay seen(near.origin, d);
+    for (const BuiltLathe::Part& part : lathe.parts) {
+        const Vec3 pad(1e-9 * length(part.bounds.size()));
+        const Interval within =
+            clip(near, Box{part.bounds.low - pad, part.bounds.high + pad}, whole_line);
+        if (!(within.min <= within.max)) continue;
+        meet(seen, part.piece, [&](const Meeting& m) {
+            const Vec3 p = near.at(m.s);
+            const Vec2 slope = part.piece.slope(m.u);
+            const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
+            const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);
+            const Vec3 normal = unit(side * (slope.y * out - Vec3(0, slope.x, 0)));
+            if (normal != Vec3(0)) found.add({(start + m.s) / speed, normal, dot(d, normal) < 0});
+        });
+    }
+}
+
+bool inside(const BuiltLathe& lathe, const Vec3& point) {
+    const double radius = std::hypot(point.x, point.z);
+    bool result = false;
+    for (const BuiltLathe::Part& part : lathe.parts) {
+        if (point.y < part.bounds.low.y || point.y > part.bounds.high.y ||
+            radius > part.bounds.high.x)
+            continue;
+        const CurvePiece& piece = part.piece;
+        for (const double u : sign_changes(piece.combined({0, 1}, -point.y), {0, 1},
+                                           piece.start.y - point.y, piece.end.y - point.y))
+            result ^= std::abs(piece.at(u).x) > radius;
+    }
+    return result;
+}

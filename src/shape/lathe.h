@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A curve turned around the y axis. Rays ask the BuiltLathe.
+#pragma once
+
+#include "base/ray.h"
+#include "shape/curve.h"
+#include "vocabulary/schema.h"
+
+/// A curve of points <radius, height>, turned around the y axis. It need not be closed: what lies
+/// on the axis' side of it is inside.
+struct Lathe {
+    int spline = linear_curve;
+    std::vector<Vec2> points;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Lathe::vocabulary() {
+    using F = Field<Lathe>;
+    return schema<Lathe>(
+        "lathe", "A curve turned around the y axis.",
+        F{"points", &Lathe::points, counted, "<radius, y> along the curve"},
+        chooses("linear_spline", &Lathe::spline, linear_curve, "straight between the points"),
+        chooses("quadratic_spline", &Lathe::spline, quadratic_curve,
+                "smooth; the first point only shapes the curve"),
+        chooses("cubic_spline", &Lathe::spline, cubic_curve,
+                "smooth; the first and the last point only shape the curve"),
+        chooses("bezier_spline", &Lathe::spline, bezier_curve,
+                "each four points are a Bezier curve"));
+}
+
+struct BuiltLathe {
+    struct Part {
+        CurvePiece piece;
+        Box bounds;
+    };
+    std::vector<Part> parts;
+    Box bounds;
+    bool outside_right = true;  ///< of the curve's direction, seen with the axis to the left
+};
+
+BuiltLathe build(const Lathe&);
+/// What is wrong beyond the ranges of single fields (too few points), as a sentence; empty when
+/// nothing is.
+std::string problem(const Lathe&);
+
+Box bounds(const BuiltLathe&);
+void crossings(const BuiltLathe&, const Ray&, Crossings&);
+bool inside(const BuiltLathe&, const Vec3&);

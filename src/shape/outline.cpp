@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/outline.h"
+
+namespace {
+
+double length(const Vec2& v) { return std::hypot(v.x, v.y); }
+
+Vec2 right_of(const Vec2& direction) { return {direction.y, -direction.x}; }
+
+}  // namespace
+
+Vec2 Outline::Edge::normal(double u) const {
+    Vec2 slope = piece.slope(u);
+    if (slope == Vec2(0)) slope = piece.end - piece.start;
+    const Vec2 right = ::right_of(slope) / length(slope);
+    return outside_right ? right : -right;
+}
+
+Outline::Outline(const std::vector<std::vector<CurvePiece>>& loops) {
+    for (const auto& loop : loops)
+        for (const CurvePiece& piece : loop) {
+            edges_.push_back({piece, ::bounds(piece)});
+            bounds_ = join(bounds_, edges_.back().bounds);
+            add_strands(static_cast<std::uint32_t>(edges_.size() - 1));
+        }
+    // Curves that do not cross themselves have the outside on one side all the way: it is tested
+    // beside the longest piece of each.
+    auto first = edges_.begin();
+    for (const auto& loop : loops) {
+        const auto last = first + static_cast<std::ptrdiff_t>(loop.size());
+        const auto longest = std::max_element(first, last, [](const Edge& a, const Edge& b) {
+            return length(a.bounds.high - a.bounds.low) < length(b.bounds.high - b.bounds.low);
+        });
+        if (longest == last) continue;
+        const double aside = 1e-6 * length(longest->bounds.high - longest->bounds.low);
+        const bool right_within = contains(longest->piece.at(0.5) + aside * longest->normal(0.5));
+        for (auto edge = first; edge != last; ++edge) edge->outside_right = !right_within;
+        first = last;
+    }
+}
+
+void Outline::add_strands(std::uint32_t edge) {
+    const CurvePiece& piece = edges_[edge].piece;
+    const std::array<double, 3> slope = {piece.factors[1].y, 2 * piece.factors[2].y,
+                                         3 * piece.factors[3].y};
+    double from = 0;
+    Vec2 at = piece.start;
+    const auto add = [&](double to, const Vec2& there) {
+        // Where x turns within a strand, the curve is wider than its ends.
+        const Rectangle& box = edges_[edge].bounds;
+        const bool straight = piece.factors[2] == Vec2(0) && piece.factors[3] == Vec2(0);
+        strands_.push_back({edge,
+                            {from, to},
+                            at.y,
+                            there.y,
+                            straight ? std::fmin(at.x, there.x) : box.low.x,
+                            straight ? std::fmax(at.x, there.x) : box.high.x});
+        from = to;
+        at = there;
+    };
+    for (const double u : sign_changes(slope, {0, 1})) add(u, piece.at(u));
+    add(1, piece.end);
+}
+
+bool Outline::right_of(const Strand& strand, const Vec2& p) const {
+    if (p.x < strand.x_low) return true;
+    if (p.x >= strand.x_high) return false;
+    const CurvePiece& piece = edges_[strand.edge].piece;
+    const auto height = piece.combined({0, 1}, -p.y);
+    const Roots at = sign_changes(height, strand.u, strand.y_first - p.y, strand.y_last - p.y);
+    return !at.empty() && piece.at(at[0]).x > p.x;
+}
+
+bool Outline::contains(const Vec2& p) const {
+    if (!(p.x >= bounds_.low.x && p.x <= bounds_.high.x && p.y >= bounds_.low.y &&
+          p.y <= bounds_.high.y))
+        return false;
+    bool result = false;
+    for (const Strand& strand : strands_)
+        if ((strand.y_first < p.y) != (strand.y_last < p.y)) result ^= right_of(strand, p);
+    return result;
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A flat polygon with holes. It has no inside. Rays ask the BuiltPolygon.
+#pragma once
+
+#include "base/ray.h"
+#include "shape/outline.h"
+#include "vocabulary/schema.h"
+
+/// Loops of corners in one plane: a loop ends where it comes back to its first corner. Points
+/// within an even number of loops are holes.
+struct Polygon {
+    std::vector<Vec3> points;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Polygon::vocabulary() {
+    using F = Field<Polygon>;
+    return schema<Polygon>("polygon", "A flat area between straight edges.",
+                           F{"points", &Polygon::points, counted,
+                             "corners, loop after loop; each loop ends with its first corner"});
+}
+
+struct BuiltPolygon {
+    Vec3 origin = Vec3(0), normal = Vec3(0, 0, 1);
+    Vec3 right = Vec3(1, 0, 0), up = Vec3(0, 1, 0);  ///< axes of the outline's plane
+    Outline outline;
+    Box bounds;
+};
+
+BuiltPolygon build(const Polygon&);
+/// What is wrong beyond the ranges of single fields (too few corners, corners not in one plane), as
+/// a sentence; empty when nothing is.
+std::string problem(const Polygon&);
+
+Box bounds(const BuiltPolygon&);
+void crossings(const BuiltPolygon&, const Ray&, Crossings&);
+bool inside(const BuiltPolygon&, const Vec3&);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/polynomial.h"
+
+#include "base/roots.h"
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A number, as horner() computes with it.
+struct Plain {
+    Vec3 point;
+
+    double start() const { return 0; }
+    void times(double& sum, int axis) const { sum *= point[axis]; }
+    void add(double& sum, double other) const { sum += other; }
+};
+
+/// A number with its derivatives by x, y and z.
+struct WithSlope {
+    struct Sum {
+        double value = 0;
+        Vec3 slope = Vec3(0);
+    };
+    Vec3 point;
+
+    Sum start() const { return {}; }
+    void times(Sum& sum, int axis) const {
+        sum.slope *= point[axis];
+        sum.slope[axis] += sum.value;
+        sum.value *= point[axis];
+    }
+    void add(Sum& sum, const Sum& other) const {
+        sum.value += other.value;
+        sum.slope += other.slope;
+    }
+    void add(Sum& sum, double other) const { sum.value += other; }
+};
+
+/// A polynomial of the ray's parameter.
+struct AlongRay {
+    struct Sum {
+        std::array<double, greatest_degree + 2> at{};
+        std::size_t count = 1;
+    };
+    Ray ray;
+
+    Sum start() const { return {}; }
+    void times(Sum& sum, int axis) const {
+        const double here = ray.origin[axis], step = ray.direction[axis];
+        for (std::size_t i = ++sum.count; i-- > 0;)
+            sum.at[i] = sum.at[i] * here + (i > 0 ? sum.at[i - 1] * step : 0);
+    }
+    void add(Sum& sum, const Sum& other) const {
+        sum.count = std::max(sum.count, other.count);
+        for (std::size_t i = 0; i < other.count; ++i) sum.at[i] += other.at[i];
+    }
+    void add(Sum& sum, double other) const { sum.at[0] += other; }
+};
+
+/// The polynomial by Horner's rule, of x over y over z, in any arithmetic.
+template <class Arithmetic>
+auto horner(const AlgebraicSurface& surface, const Arithmetic& with) {
+    const double* factor = surface.factors.data();
+    auto sum = with.start();
+    for (int x = surface.degree; x >= 0; --x) {
+        auto of_x = with.start();
+        for (int y = surface.degree - x; y >= 0; --y) {
+            auto of_xy = with.start();
+            for (int z = surface.degree - x - y; z >= 0; --z) {
+                if (z < surface.degree - x - y) with.times(of_xy, 2);
+                with.add(of_xy, *factor++);
+            }
+            if (y < surface.degree - x) with.times(of_x, 1);
+            with.add(of_x, of_xy);
+        }
+        if (x < surface.degree) with.times(sum, 0);
+        with.add(sum, of_x);
+    }
+    return sum;
+}
+
+std::string wrong_count(const std::string& name, int degree, const std::vector<double>& factors) {
+    const std::size_t needed = factor_count(degree);
+    if (factors.size() != needed)
+        return "a `" + name + "` needs " + std::to_string(needed) + " factors, and this has " +
+               std::to_string(factors.size());
+    for (std::size_t i = 0; i + 1 < factors.size(); ++i)
+        if (factors[i] != 0) return {};
+    return "a `" + name + "` needs a factor that is not 0 besides the constant";
+}
+
+}  // namespace
+
+AlgebraicSurface build(const Cubic& cubic) { return {3, cubic.factors}; }
+AlgebraicSurface build(const Quartic& quartic) { return {4, quartic.factors}; }
+AlgebraicSurface build(const Poly& poly) { return {poly.degree, poly.factors}; }
+
+std::string problem(const Cubic& cubic) { return wrong_count("cubic", 3, cubic.factors); }
+std::string problem(const Quartic& quartic) { return wrong_count("quartic", 4, quartic.factors); }
+std::string problem(const Poly& poly) { return wrong_count("poly", poly.degree, poly.factors); }
+
+Box bounds(const AlgebraicSurface&) { return {Vec3(-infinity), Vec3(infinity)}; }
+
+void crossings(const AlgebraicSurface& surface, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    // From the point nearest to the origin, where such surfaces are.
+    const Vec3 u = ray.direction / speed;
+    const double start = -dot(ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    const AlongRay::Sum along = horner(surface, AlongRay{near});
+    for (const double s : sign_changes({along.at.data(), along.count}, {-infinity, infinity})) {
+        const Vec3 normal = unit(horner(surface, WithSlope{near.at(s)}).slope);
+        if (normal != Vec3(0)) found.add({(start + s) / speed, normal, dot(u, normal) < 0});
+    }
+}
+
+bool inside(const AlgebraicSurface& surface, const Vec3& point) {
+    return horner(surface, Plain{point}) <= 0;
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces where a polynomial of x, y and z is 0: cubic, quartic, and poly of any degree up to 35.
+// Rays ask the AlgebraicSurface that is built from each of them.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// The points where a polynomial is not above 0. The factors come in this order: powers of x fall
+/// from the degree to 0; for each, powers of y fall from what is left; for each, powers of z. The
+/// constant is last.
+struct AlgebraicSurface {
+    int degree = 0;
+    std::vector<double> factors;  ///< as many as factor_count(degree)
+};
+
+/// How many terms there are of a degree and those below.
+constexpr std::size_t factor_count(int degree) {
+    const auto n = static_cast<std::size_t>(degree);
+    return (n + 1) * (n + 2) * (n + 3) / 6;
+}
+
+/// A surface of degree 3.
+struct Cubic {
+    std::vector<double> factors;
+
+    static consteval auto vocabulary();
+};
+
+/// A surface of degree 4.
+struct Quartic {
+    std::vector<double> factors;
+
+    static consteval auto vocabulary();
+};
+
+/// A surface of any degree.
+struct Poly {
+    int degree = 2;
+    std::vector<double> factors;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Cubic::vocabulary() {
+    using F = Field<Cubic>;
+    return schema<Cubic>("cubic", "The surface of a polynomial of degree 3; inside it is below 0.",
+                         F{"factors", &Cubic::factors, positional,
+                           "<20 factors>, of x^3, x^2 y, x^2 z, x^2, x y^2 ... to the constant"});
+}
+
+consteval auto Quartic::vocabulary() {
+    using F = Field<Quartic>;
+    return schema<Quartic>(
+        "quartic", "The surface of a polynomial of degree 4; inside it is below 0.",
+        F{"factors", &Quartic::factors, positional,
+          "<35 factors>, of x^4, x^3 y, x^3 z, x^3, x^2 y^2 ... to the constant"});
+}
+
+consteval auto Poly::vocabulary() {
+    using F = Field<Poly>;
+    return schema<Poly>("poly", "The surface of a polynomial of any degree; inside it is below 0.",
+                        F{"degree", &Poly::degree, positional, "degree", between(2, 35)},
+                        F{"factors", &Poly::factors, positional,
+                          "<factors>, powers of x falling, then of y, then of z"});
+}
+
+AlgebraicSurface build(const Cubic&);
+AlgebraicSurface build(const Quartic&);
+AlgebraicSurface build(const Poly&);
+/// What is wrong beyond the ranges of single fields (number of factors), as a sentence; empty when
+/// nothing is.
+std::string problem(const Cubic&);
+std::string problem(const Quartic&);
+std::string problem(const Poly&);
+
+/// Infinite: where the surface ends, if it does, is not known.
+Box bounds(const AlgebraicSurface&);
+void crossings(const AlgebraicSurface&, const Ray&, Crossings&);
+bool inside(const AlgebraicSurface&, const Vec3&);

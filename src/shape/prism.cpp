@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/prism.h"
+
+namespace {
+
+Vec2 flat(const Vec3& v) { return {v.x, v.z}; }
+
+/// Whether the point above the place of the xz plane belongs to the section at height y.
+bool in_section(const BuiltPrism& prism, const Vec2& p, double y) {
+    return prism.outline.contains(prism.conic ? p / y : p);
+}
+
+/// Where the ray, seen along y (or from the apex of a cone), crosses the curves: a plane through
+/// the ray is the line of all points q with dot(weights, q) + constant = 0.
+struct Trace {
+    Vec2 weights;
+    double constant;
+};
+
+Trace trace(const BuiltPrism& prism, const Ray& ray) {
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    if (!prism.conic) return {Vec2(-d.z, d.x), d.z * o.x - d.x * o.z};
+    const Vec3 n = cross(o, d);
+    return {Vec2(n.x, n.z), n.y};
+}
+
+bool misses(const Trace& line, const Rectangle& box) {
+    const Vec2 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
+    const Vec2 size = glm::abs(line.weights);
+    const double reach = glm::dot(size, half);
+    return std::abs(glm::dot(line.weights, middle) + line.constant) >
+           reach + 1e-12 * (reach + glm::dot(size, glm::abs(middle)));
+}
+
+/// The ray parameter at which the ray is above the point of the outline.
+double parameter(const BuiltPrism& prism, const Ray& ray, const Vec2& q) {
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    const Vec2 across = flat(d) - (prism.conic ? d.y * q : Vec2(0));
+    const Vec2 to = (prism.conic ? o.y * q : q) - flat(o);
+    return glm::dot(across, to) / glm::dot(across, across);
+}
+
+Vec3 side_normal(const BuiltPrism& prism, const Outline::Edge& edge, double u, double y) {
+    const Vec2 n = edge.normal(u);
+    if (!prism.conic) return {n.x, 0, n.y};
+    const Vec3 up(n.x, -glm::dot(n, edge.piece.at(u)), n.y);
+    return unit(y < 0 ? -up : up);
+}
+
+void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
+    const Trace line = trace(prism, ray);
+    if (line.weights == Vec2(0)) return;
+    for (const Outline::Edge& edge : prism.outline.edges()) {
+        if (misses(line, edge.bounds)) continue;
+        const auto at_point = [&](const Vec2& p) {
+            return glm::dot(line.weights, p) + line.constant;
+        };
+        const Roots places = sign_changes(edge.piece.combined(line.weights, line.constant), {0, 1},
+                                          at_point(edge.piece.start), at_point(edge.piece.end));
+        for (const double u : places) {
+            const double t = parameter(prism, ray, edge.piece.at(u)), y = ray.at(t).y;
+            if (!(y > prism.bottom && y < prism.top)) continue;
+            const Vec3 normal = side_normal(prism, edge, u, y);
+            found.add({t, normal, dot(ray.direction, normal) < 0});
+        }
+    }
+}
+
+void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
+    if (prism.open || ray.direction.y == 0) return;
+    for (const double y : {prism.bottom, prism.top}) {
+        const double t = (y - ray.origin.y) / ray.direction.y;
+        if (!in_section(prism, flat(ray.at(t)), y)) continue;
+        const Vec3 normal(0, y == prism.top ? 1 : -1, 0);
+        found.add({t, normal, dot(ray.direction, normal) < 0});
+    }
+}
+
+}  // namespace
+
+BuiltPrism build(const Prism& prism) {
+    const auto kind = static_cast<CurveKind>(prism.spline);
+    return {Outline(closed_curves(kind, prism.points).loops),
+            std::fmin(prism.height1, prism.height2), std::fmax(prism.height1, prism.height2),
+            prism.sweep == conic_sweep, prism.open};
+}
+
+std::string problem(const Prism& prism) {
+    const auto kind = static_cast<CurveKind>(prism.spline);
+    const std::size_t least = least_points(kind) + (kind == bezier_curve   ? 0
+                                                    : kind == linear_curve ? 1
+                                                                           : 2);
+    if (prism.points.size() < least)
+        return "a `prism` with this spline needs at least " + std::to_string(least) + " points";
+    if (kind == bezier_curve && prism.points.size() % 4 != 0)
+        return "a `prism` with `bezier_spline` needs four points for each piece";
+    if (!closed_curves(kind, prism.points).closed)
+        return "a loop of this `prism` does not come back to its start";
+    return prism.height1 != prism.height2 ? "" : "a `prism` needs two different heights";
+}
+
+Box bounds(const BuiltPrism& prism) {
+    const Rectangle& r = prism.outline.bounds();
+    const Box section{Vec3(r.low.x, 0, r.low.y), Vec3(r.high.x, 0, r.high.y)};
+    Box box;
+    for (const double y : {prism.bottom, prism.top}) {
+        const double scale = prism.conic ? y : 1;
+        const Vec3 a = scale * section.low, b = scale * section.high;
+        box = join(box, {Vec3(0, y, 0) + glm::min(a, b), Vec3(0, y, 0) + glm::max(a, b)});
+    }
+    if (prism.conic && prism.bottom < 0 && prism.top > 0) box = join(box, Vec3(0));
+    return box;
+}
+
+void crossings(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    cross_sides(prism, ray, found);
+    cross_ends(prism, ray, found);
+}
+
+bool inside(const BuiltPrism& prism, const Vec3& point) {
+    return point.y >= prism.bottom && point.y < prism.top &&
+           in_section(prism, flat(point), point.y);
+}

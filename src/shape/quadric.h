@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces of the second degree: ellipsoids, paraboloids, hyperboloids, cones, cylinders, pairs of
+// planes.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// The points with A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0, where
+/// squares = <A, B, C>, products = <D, E, F>, linear = <G, H, I>.
+struct Quadric {
+    Vec3 squares = Vec3(1);
+    Vec3 products = Vec3(0);
+    Vec3 linear = Vec3(0);
+    double constant = -1;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Quadric::vocabulary() {
+    using F = Field<Quadric>;
+    return schema<Quadric>("quadric",
+                           "The surface of a polynomial of degree 2; inside it is below 0.",
+                           F{"squares", &Quadric::squares, positional, "factors of x^2, y^2, z^2"},
+                           F{"products", &Quadric::products, positional, "factors of xy, xz, yz"},
+                           F{"linear", &Quadric::linear, positional, "factors of x, y, z"},
+                           F{"constant", &Quadric::constant, positional, "what is added"});
+}
+
+/// Infinite along the axes in which the solid has no end or none that is known.
+Box bounds(const Quadric&);
+void crossings(const Quadric&, const Ray&, Crossings&);
+bool inside(const Quadric&, const Vec3&);
+/// What is wrong beyond the ranges of single fields (no factor but the constant), as a sentence;
+/// empty when nothing is.
+std::string problem(const Quadric&);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A surface of revolution whose squared radius is a smooth function of the height. Rays ask the
+// BuiltSor.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/schema.h"
+
+/// Radii at heights, turned around the y axis. The first and the last point only shape the curve.
+struct Sor {
+    std::vector<Vec2> points;
+    bool open = false;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto Sor::vocabulary() {
+    using F = Field<Sor>;
+    return schema<Sor>("sor", "A curve turned around the y axis, with one radius at each height.",
+                       F{"points", &Sor::points, counted,
+                         "<radius, y> with rising y; the first and the last only shape the curve"},
+                       F{"open", &Sor::open, flag, "leaves the ends out"});
+}
+
+struct BuiltSor {
+    /// radius^2 = factors[0] + factors[1] h + factors[2] h^2 + factors[3] h^3 at the height h above
+    /// low, up to high.
+    struct Part {
+        double low, high;
+        std::array<double, 4> factors;
+        double low2, high2;  ///< squared radii at both ends
+    };
+    std::vector<Part> parts;
+    Box bounds;
+    bool open = false;
+};
+
+/// The squared radius has the given values at the points; its slope at a point is that which the
+/// line between the neighbours' radii has there.
+BuiltSor build(const Sor&);
+/// What is wrong beyond the ranges of single fields (too few points, heights out of order ...), as
+/// a sentence; empty when nothing is.
+std::string problem(const Sor&);
+
+Box bounds(const BuiltSor&);
+void crossings(const BuiltSor&, const Ray&, Crossings&);
+bool inside(const BuiltSor&, const Vec3&);

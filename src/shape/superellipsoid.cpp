@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/superellipsoid.h"
+
+namespace {
+
+/// (a^p + b^p)^(1/p) for a, b >= 0, also where the powers leave the range of numbers.
+double norm(double a, double b, double p) {
+    const double greater = std::fmax(a, b), less = std::fmin(a, b);
+    if (!(greater > 0)) return 0;
+    return greater * std::pow(1 + std::pow(less / greater, p), 1 / p);
+}
+
+/// The distance function: 0 on the surface, -1 in the middle; it grows in proportion along rays
+/// from there.
+class Depth {
+public:
+    explicit Depth(const Superellipsoid& s) : p_(2 / s.exponents.x), q_(2 / s.exponents.y) {}
+
+    double value(const Vec3& v) const {
+        return norm(norm(std::abs(v.x), std::abs(v.y), p_), std::abs(v.z), q_) - 1;
+    }
+    Vec3 gradient(const Vec3& v) const {
+        const double r = norm(std::abs(v.x), std::abs(v.y), p_), all = norm(r, std::abs(v.z), q_);
+        const auto share = [](double part, double whole, double power) {
+            return part == 0 ? 0.0 : std::copysign(std::pow(std::abs(part) / whole, power), part);
+        };
+        const double round = share(r, all, q_ - 1);
+        return {round * share(v.x, r, p_ - 1), round * share(v.y, r, p_ - 1),
+                share(v.z, all, q_ - 1)};
+    }
+    /// Then it is a norm, and convex along every line.
+    bool convex() const { return p_ >= 1 && q_ >= 1; }
+
+private:
+    double p_, q_;
+};
+
+/// The depth along a ray.
+struct Profile {
+    const Depth& depth;
+    const Ray& ray;
+
+    double value(double t) const { return depth.value(ray.at(t)); }
+    double slope(double t) const { return dot(depth.gradient(ray.at(t)), ray.direction); }
+
+    /// The root between two places with values of different signs.
+    double root(double low, double high, bool negative_at_low) const {
+        double t = 0.5 * (low + high);
+        for (int step = 0; step < 100; ++step) {
+            const double here = value(t);
+            ((here < 0) == negative_at_low ? low : high) = t;
+            double next = t - here / slope(t);
+            if (!(next > low && next < high)) next = 0.5 * (low + high);
+            const double moved = std::abs(next - t);
+            t = next;
+            if (moved <= 1e-15 * (std::abs(low) + std::abs(high)) || !(low < t && t < high)) break;
+        }
+        return t;
+    }
+};
+
+/// Some place where a convex profile is below 0. The tangents at two places bound it from below,
+/// and where they meet is the next place to look at. NaN when there is none.
+double place_below(const Profile& profile, const Interval& range) {
+    double low = range.min, high = range.max;
+    double at_low = profile.value(low), at_high = profile.value(high);
+    double falls = profile.slope(low), rises = profile.slope(high);
+    for (int step = 0; step < 60 && falls < 0 && rises > 0; ++step) {
+        double t = (at_low - at_high + rises * high - falls * low) / (rises - falls);
+        if (!(at_low + falls * (t - low) < 0)) break;
+        if (!(t > low && t < high)) t = 0.5 * (low + high);
+        const double here = profile.value(t), slope = profile.slope(t);
+        if (here < 0) return t;
+        if (slope < 0)
+            low = t, at_low = here, falls = slope;
+        else
+            high = t, at_high = here, rises = slope;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Roots within a part of one octant, where the distances from all three planes change steadily:
+/// their least and greatest values bound the depth.
+template <class Take>
+void bisect(const Profile& profile, const Interval& part, int level, Take take) {
+    const Vec3 a = glm::abs(profile.ray.at(part.min)), b = glm::abs(profile.ray.at(part.max));
+    if (profile.depth.value(glm::min(a, b)) > 0 || profile.depth.value(glm::max(a, b)) < 0) return;
+    const bool inside_first = profile.value(part.min) < 0;
+    const bool differ = inside_first != (profile.value(part.max) < 0);
+    if (differ && level >= 4) return take(profile.root(part.min, part.max, inside_first));
+    if (level >= 12) return;
+    const double middle = 0.5 * (part.min + part.max);
+    bisect(profile, {part.min, middle}, level + 1, take);
+    bisect(profile, {middle, part.max}, level + 1, take);
+}
+
+/// The range, divided where the ray passes the planes between the octants.
+std::vector<double> octants(const Ray& ray, const Interval& range) {
+    std::vector<double> ends = {range.min, range.max};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double t = -ray.origin[axis] / ray.direction[axis];
+        if (range.contains(t)) ends.push_back(t);
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+}
+
+}  // namespace
+
+Box bounds(const Superellipsoid&) { return {Vec3(-1), Vec3(1)}; }
+
+void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    // A little larger than the solid, so that the ends of the range are outside.
+    const Interval range =
+        clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-std::numeric_limits<double>::infinity()});
+    if (!(range.min < range.max)) return;
+    const Depth depth(s);
+    // From the middle of the range, where a far origin costs no digits.
+    const double start = 0.5 * (range.min + range.max), half = 0.5 * (range.max - range.min);
+    const Ray near{ray.at(start), ray.direction};
+    const Profile profile{depth, near};
+    const auto take = [&](double t) {
+        const Vec3 normal = unit(depth.gradient(near.at(t)));
+        if (normal != Vec3(0) && std::isfinite(normal.x + normal.y + normal.z))
+            found.add({start + t, normal, dot(ray.direction, normal) < 0});
+    };
+    if (depth.convex()) {
+        const double within = place_below(profile, {-half, half});
+        if (std::isnan(within)) return;
+        take(profile.root(-half, within, false));
+        take(profile.root(within, half, true));
+        return;
+    }
+    const std::vector<double> ends = octants(near, {-half, half});
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        bisect(profile, {ends[i], ends[i + 1]}, 0, take);
+}
+
+bool inside(const Superellipsoid& s, const Vec3& point) { return Depth(s).value(point) <= 0; }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/torus.h"
+
+#include "base/roots.h"
+
+namespace {
+
+double from_axis(const Vec3& p) { return std::hypot(p.x, p.z); }
+
+/// Outward unit normal. Of a torus that passes through itself, the inner sheet is the one whose
+/// tube lies on the other side of the axis.
+Vec3 normal_at(const Torus& torus, const Vec3& p) {
+    const double ring = from_axis(p);
+    const double minor2 = torus.minor * torus.minor;
+    const double outer = (ring - torus.major) * (ring - torus.major) + p.y * p.y - minor2;
+    const double inner = (ring + torus.major) * (ring + torus.major) + p.y * p.y - minor2;
+    const double to_tube = std::abs(inner) < std::abs(outer) ? -torus.major : torus.major;
+    const double scale = ring > 0 ? 1 - to_tube / ring : 1;
+    return unit(Vec3(p.x * scale, p.y, p.z * scale));
+}
+
+}  // namespace
+
+Box bounds(const Torus& torus) {
+    const Vec3 reach(torus.major + torus.minor, torus.minor, torus.major + torus.minor);
+    return {-reach, reach};
+}
+
+void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    // From the point nearest to the centre the quartic has no cubic term, and far origins cost no
+    // digits.
+    const Vec3 u = ray.direction / speed;
+    double start = -dot(ray.origin, u);
+    Vec3 near = ray.origin + start * u;
+    const double rest = dot(near, u);
+    near -= rest * u;
+    start -= rest;
+    const double reach = torus.major + torus.minor, near2 = dot(near, near);
+    if (!(near2 < reach * reach)) return;
+    const double half = std::sqrt(reach * reach - near2) * (1 + 1e-9);
+
+    const double R = torus.major, ring = from_axis(near);
+    const double k = near2 + (R - torus.minor) * (R + torus.minor);
+    const std::array<double, 5> quartic = {(k - 2 * R * ring) * (k + 2 * R * ring),
+                                           -8 * R * R * (near.x * u.x + near.z * u.z),
+                                           2 * k - 4 * R * R * (u.x * u.x + u.z * u.z), 0, 1};
+    for (const double s : sign_changes(quartic, {-half, half})) {
+        const Vec3 normal = normal_at(torus, near + s * u);
+        found.add({(start + s) / speed, normal, dot(u, normal) < 0});
+    }
+}
+
+bool inside(const Torus& torus, const Vec3& point) {
+    const double off = from_axis(point) - torus.major;
+    return off * off + point.y * point.y <= torus.minor * torus.minor;
+}

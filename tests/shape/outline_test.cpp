@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/outline.h"
+
+#include "support/draw.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+Outline outline(CurveKind kind, const std::vector<Vec2>& points) {
+    return Outline(closed_curves(kind, points).loops);
+}
+
+/// A circle of two conics would not be one; four cubic Bezier curves nearly are.
+Outline circle() {
+    const double k = 0.5522847498;
+    return outline(bezier_curve, {{1, 0},
+                                  {1, k},
+                                  {k, 1},
+                                  {0, 1},
+                                  {0, 1},
+                                  {-k, 1},
+                                  {-1, k},
+                                  {-1, 0},
+                                  {-1, 0},
+                                  {-1, -k},
+                                  {-k, -1},
+                                  {0, -1},
+                                  {0, -1},
+                                  {k, -1},
+                                  {1, -k},
+                                  {1, 0}});
+}
+
+}  // namespace
+
+TEST_CASE("points are within an odd number of loops", "[shape]") {
+    const Outline frame =
+        outline(linear_curve,
+                {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}});
+    Draw draw(1);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 p(draw.between(-1, 5), draw.between(-1, 5));
+        const double off = std::fmax(std::abs(p.x - 2), std::abs(p.y - 2));
+        CHECK(frame.contains(p) == (off > 1 && off < 2));
+    }
+    // Heights of corners are no exception.
+    for (const double y : {0.5, 1.0, 3.0}) {
+        CHECK(frame.contains({0.5, y}));
+        CHECK_FALSE(frame.contains({-0.5, y}));
+        CHECK_FALSE(frame.contains({4.5, y}));
+    }
+}
+
+TEST_CASE("curved outlines contain what is within them", "[shape]") {
+    const Outline round = circle();
+    Draw draw(2);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 p(draw.between(-1.2, 1.2), draw.between(-1.2, 1.2));
+        if (std::abs(std::hypot(p.x, p.y) - 1) < 1e-3) continue;
+        CHECK(round.contains(p) == (std::hypot(p.x, p.y) < 1));
+    }
+    for (const double x : {-0.99, 0.0, 0.99}) CHECK(round.contains({x, 0}));
+    CHECK(round.bounds().low == Vec2(-1));
+    CHECK(round.bounds().high == Vec2(1));
+}
+
+TEST_CASE("normals of edges point to the outside, in holes as well, for loops of any sense",
+          "[shape]") {
+    for (const Outline& area :
+         {circle(), outline(linear_curve, {{0, 0}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}),
+          outline(linear_curve,
+                  {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}}),
+          outline(
+              linear_curve,
+              {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}})})
+        for (const Outline::Edge& edge : area.edges())
+            for (const double u : {0.1, 0.5, 0.8}) {
+                const Vec2 p = edge.piece.at(u), n = edge.normal(u);
+                CHECK(std::abs(std::hypot(n.x, n.y) - 1) < 1e-14);
+                CHECK(std::abs(glm::dot(n, edge.piece.slope(u))) < 1e-13);
+                CHECK(area.contains(p - 1e-3 * n));
+                CHECK_FALSE(area.contains(p + 1e-3 * n));
+            }
+}
+
+TEST_CASE("an outline without curves contains nothing", "[shape]") {
+    CHECK_FALSE(Outline().contains({0, 0}));
+}

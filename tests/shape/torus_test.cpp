@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/torus.h"
+
+#include "support/draw.h"
+#include "support/hits.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+}  // namespace
+
+TEST_CASE("rays cross a torus where they should", "[shape]") {
+    const Torus torus{2, 0.5};
+    CHECK(answers(torus, {{-5.0 * x, x},
+                          {{2.5, -x, true}, {3.5, x, false}, {6.5, -x, true}, {7.5, x, false}}}));
+    CHECK(answers(torus, {{Vec3(2, 5, 0), -y}, {{4.5, y, true}, {5.5, -y, false}}}));
+    CHECK(answers(torus, {{5.0 * y, -y}, {}}));
+    CHECK(answers(torus, {{Vec3(-5, 0.5001, 0), x}, {}}));
+    // Along the hole's rim and over the ring it only touches.
+    CHECK(answers(torus, {{Vec3(-5, 0.5, 0), x}, {}}));
+    CHECK(bounds(torus).high == Vec3(2.5, 0.5, 2.5));
+    CHECK(bounds(torus).low == Vec3(-2.5, -0.5, -2.5));
+}
+
+TEST_CASE("hits of thin tori far away lie on them", "[shape]") {
+    Draw draw(3);
+    for (const double minor : {1e-3, 0.1, 0.9}) {
+        const Torus torus{1, minor};
+        for (int i = 0; i < 200; ++i) {
+            const double turn = draw.between(0, 6.28);
+            const Vec3 target(std::cos(turn), draw.between(-0.5, 0.5) * minor, std::sin(turn));
+            const Vec3 origin = target + 1e3 * draw.direction();
+            const auto found = hits(torus, {origin, target - origin});
+            REQUIRE(found.size() >= 2);
+            for (const Crossing& c : found) {
+                const Vec3 p = origin + c.t * (target - origin);
+                const double distance = std::hypot(std::hypot(p.x, p.z) - 1, p.y) - minor;
+                CHECK(std::abs(distance) < 1e-11);
+            }
+        }
+    }
+}
+
+TEST_CASE("a torus wider than its ring is met inside as well", "[shape]") {
+    const Torus spindle{0.5, 1};
+    CHECK(inside(spindle, o));
+    CHECK(inside(spindle, Vec3(1.4, 0, 0)));
+    const auto found = hits(spindle, {Vec3(0, 5, 0.01), -y});
+    REQUIRE(found.size() == 4);
+    CHECK(length(found[0].normal - Vec3(0, 0.8717, -0.49)) < 1e-4);
+    CHECK(found[0].t == Approx(5 - 0.87172));
+    CHECK(found[1].t == Approx(5 - 0.86017));
+    CHECK(length(found[1].normal - unit(Vec3(0, 0.86017, 0.51))) < 1e-4);
+    CHECK(hits(spindle, {-5.0 * x, x}).front().t == Approx(3.5));
+}
+
+TEST_CASE("the inside of a torus is its tube", "[shape]") {
+    const Torus torus{2, 0.5};
+    CHECK(inside(torus, Vec3(2, 0.4, 0)));
+    CHECK(inside(torus, Vec3(0, 0, -1.6)));
+    CHECK_FALSE(inside(torus, o));
+    CHECK_FALSE(inside(torus, Vec3(2, 0.6, 0)));
+}
