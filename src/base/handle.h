@@ -30,7 +30,24 @@ struct Holder : Header {
     T value;
 };
 
+// What follows takes the place of a shared value, or null where nothing else is said.
+
+inline const Header* header(const void* content) { return static_cast<const Header*>(content) - 1; }
+inline void hold(const void* content) {
+    if (content) header(content)->holders.fetch_add(1, std::memory_order_relaxed);
+}
+inline void let_go(const void* content) {
+    if (content && header(content)->holders.fetch_sub(1, std::memory_order_acq_rel) == 1)
+        header(content)->destroy(header(content));
+}
+/// Not null.
+inline bool alone(const void* content) {
+    return header(content)->holders.load(std::memory_order_acquire) == 1;
+}
+
 }  // namespace handle_detail
+
+class AnyHandle;
 
 template <class T>
 class Handle {
@@ -39,18 +56,13 @@ public:
 
     Handle() = default;
     Handle(std::nullptr_t) {}
-    Handle(const Handle& other) : content_(other.content_) {
-        if (content_) header()->holders.fetch_add(1, std::memory_order_relaxed);
-    }
+    Handle(const Handle& other) : content_(other.content_) { handle_detail::hold(content_); }
     Handle(Handle&& other) noexcept : content_(std::exchange(other.content_, nullptr)) {}
     Handle& operator=(Handle other) noexcept {
         std::swap(content_, other.content_);
         return *this;
     }
-    ~Handle() {
-        if (content_ && header()->holders.fetch_sub(1, std::memory_order_acq_rel) == 1)
-            header()->destroy(header());
-    }
+    ~Handle() { handle_detail::let_go(content_); }
 
     const T* get() const { return content_; }
     const T& operator*() const { return *content_; }
@@ -60,7 +72,7 @@ public:
     friend bool operator==(const Handle&, const Handle&) = default;
 
     /// Whether nobody else holds the value. Precondition: not null.
-    bool alone() const { return header()->holders.load(std::memory_order_acquire) == 1; }
+    bool alone() const { return handle_detail::alone(content_); }
     /// The value for writing, which no other handle sees. Precondition: not null.
     T& edit() {
         if (!alone()) *this = make(*content_);
@@ -76,9 +88,9 @@ public:
     }
 
 private:
-    const handle_detail::Header* header() const {
-        return reinterpret_cast<const handle_detail::Header*>(content_) - 1;
-    }
+    friend AnyHandle;
+    /// Takes over a share.
+    explicit Handle(T* content) : content_(content) {}
 
     T* content_ = nullptr;
 };
@@ -88,3 +100,37 @@ template <class T, class... Arguments>
 Handle<T> make_handle(Arguments&&... arguments) {
     return Handle<T>::make(std::forward<Arguments>(arguments)...);
 }
+
+/// A handle of which only its user knows the type.
+class AnyHandle {
+public:
+    template <class T>
+    explicit AnyHandle(Handle<T> handle) : content_(std::exchange(handle.content_, nullptr)) {}
+    AnyHandle(const AnyHandle& other) : content_(other.content_) { handle_detail::hold(content_); }
+    AnyHandle(AnyHandle&& other) noexcept : content_(std::exchange(other.content_, nullptr)) {}
+    AnyHandle& operator=(AnyHandle other) noexcept {
+        std::swap(content_, other.content_);
+        return *this;
+    }
+    ~AnyHandle() { handle_detail::let_go(content_); }
+
+    const void* get() const { return content_; }
+    /// Precondition: not null.
+    bool alone() const { return handle_detail::alone(content_); }
+
+    // With the type that it was made of:
+    template <class T>
+    Handle<T> as() const {
+        handle_detail::hold(content_);
+        return Handle<T>(static_cast<T*>(content_));
+    }
+    /// As that of Handle.
+    template <class T>
+    T& edit() {
+        if (!alone()) *this = AnyHandle(make_handle<T>(*static_cast<const T*>(content_)));
+        return *static_cast<T*>(content_);
+    }
+
+private:
+    void* content_ = nullptr;
+};

@@ -8,13 +8,14 @@
 namespace {
 
 std::size_t dimension_at(const ArrayData& array, std::size_t dimension) {
-    return dimension < array.sizes.size() ? static_cast<std::size_t>(array.sizes[dimension]) : 0;
+    return dimension < array.sizes().size() ? static_cast<std::size_t>(array.sizes()[dimension])
+                                            : 0;
 }
 
 }  // namespace
 
 Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId id) {
-    auto result = std::make_shared<ArrayData>();
+    std::vector<int> sizes;
     std::size_t count = 1;
     for (NodeId size = node.sizes; size != no_node; size = tree[size].next) {
         const std::optional<double> number = this->number(tree, size, "the size of an array");
@@ -26,49 +27,46 @@ Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId 
         if (whole * static_cast<double>(count) > static_cast<double>(limits.array_elements))
             return broken(Fault::out_of_range, tree.span(id),
                           message("an array has at most ", limits.array_elements, " elements"));
-        result->sizes.push_back(static_cast<int>(whole));
+        sizes.push_back(static_cast<int>(whole));
         count *= static_cast<std::size_t>(whole);
     }
-    if (result->sizes.size() > 5)
-        return broken(
-            Fault::wrong_count, tree.span(id),
-            message("an array has at most 5 dimensions, but this has ", result->sizes.size()));
-    if (result->sizes.empty()) {
+    if (sizes.size() > 5)
+        return broken(Fault::wrong_count, tree.span(id),
+                      message("an array has at most 5 dimensions, but this has ", sizes.size()));
+    if (sizes.empty()) {
         report(error(Fault::missing, tree.span(id), "an array needs its size")
                    .with_help("array[3], array[2][5]"));
         return Absence::broken;
     }
-    result->elements.assign(count, Absence::uninitialised);
+    Handle<ArrayData> result = make_handle<ArrayData>(std::move(sizes));
     if (node.content != no_node) {
         std::size_t next = 0;
-        if (!fill(*result, 0, next, {&tree, tree.get<node::Braces>(node.content).body},
+        if (!fill(result.edit(), 0, next, {&tree, tree.get<node::Braces>(node.content).body},
                   tree.span(node.content)))
             return Absence::broken;
     }
     return result;
 }
 
+bool Evaluator::State::fill_one(ArrayData& array, std::size_t at, Value value, Span span) {
+    if (value.broken()) return false;
+    if (!array.fits(at, value)) {
+        broken(Fault::wrong_type, span,
+               message("all elements of an array are of one kind: the first is ",
+                       kind_name(array.at(0)), ", and this is ", kind_name(value)));
+        return false;
+    }
+    array.set(at, std::move(value));
+    return true;
+}
+
 /// Fills from `{ ... }`, which holds braces for each element of all dimensions but the last.
 bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t& next, Body body,
                             Span span) {
-    const bool innermost = dimension + 1 == array.sizes.size();
+    const bool innermost = dimension + 1 == array.sizes().size();
     const std::size_t wanted = dimension_at(array, dimension);
     std::size_t count = 0;
     bool good = true;
-    std::vector<Element> blocks;
-    const auto put = [&](Value value, Span place) {
-        if (count++ >= wanted) return;
-        if (value.broken()) good = false;
-        for (const std::size_t before : {std::size_t{0}, next - (next > 0)})
-            if (good && next > 0 && !array.elements[before].absent() &&
-                !array.elements[before].same_kind(value)) {
-                broken(Fault::wrong_type, place,
-                       message("all elements of an array are of one kind: the first is ",
-                               kind_name(array.elements[0]), ", and this is ", kind_name(value)));
-                good = false;
-            }
-        array.elements[next++] = std::move(value);
-    };
     walk(*body.tree, body.first, [&](const Element& element) {
         if (!good) {
             ++count;
@@ -77,13 +75,14 @@ bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t
                    "braces for a dimension that this array does not have");
             good = false;
         } else if (innermost) {
-            put(evaluator.value_of(element), element.span);
+            Value value = evaluator.value_of(element);
+            if (count++ < wanted) good = fill_one(array, next++, std::move(value), element.span);
         } else if (element.kind == Element::Kind::braces) {
             if (count++ < wanted)
                 good = fill(array, dimension + 1, next, element.body, element.span) && good;
         } else {
             broken(Fault::wrong_type, element.span,
-                   message("this array has ", array.sizes.size(),
+                   message("this array has ", array.sizes().size(),
                            " dimensions: its content is braces in braces"));
             good = false;
         }
@@ -96,41 +95,43 @@ bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t
     return good && !stopped_;
 }
 
-std::optional<Indices> Evaluator::State::indices(const Tree& tree, NodeId first) {
-    Indices result;
+bool Evaluator::State::indices(const Tree& tree, NodeId first, Indices& result) {
+    result.tree = &tree;
+    result.first = first;
     for (NodeId id = first; id != no_node; id = tree[id].next) {
         const std::optional<double> value = number(tree, id, "an index");
-        if (!value) return std::nullopt;
+        if (!value) return false;
         if (result.count == result.values.size()) {
             broken(Fault::wrong_count, tree.span(id),
                    message("at most ", result.values.size(), " indices can follow each other"));
-            return std::nullopt;
+            return false;
         }
-        result.places[result.count] = tree.span(id);
         result.values[result.count++] = *value;
     }
-    return result;
+    return true;
 }
 
 std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, const Indices& indices,
                                                    std::size_t& used, Span span) {
     std::size_t result = 0;
-    for (std::size_t dimension = 0; dimension < array.sizes.size(); ++dimension, ++used) {
+    std::size_t dimension = 0;
+    for (const int size : array.sizes()) {
         if (used == indices.count) {
             broken(Fault::wrong_count, span,
-                   message("this array has ", array.sizes.size(), " dimensions, and here are ",
+                   message("this array has ", array.sizes().size(), " dimensions, and here are ",
                            dimension, " indices"));
             return std::nullopt;
         }
-        const double value = indices.values[used];
-        const double whole = std::floor(value + 1e-10);
-        if (!(whole >= 0 && whole < array.sizes[dimension])) {
-            broken(Fault::bad_index, indices.places[used],
-                   message("the index must be from 0 to ", array.sizes[dimension] - 1,
-                           ", but it is ", value));
+        const double whole = indices.values[used] + tolerance;
+        if (!(whole >= 0 && whole < size)) {
+            broken(Fault::bad_index, indices.span(used),
+                   message("the index must be from 0 to ", size - 1, ", but it is ",
+                           indices.values[used]));
             return std::nullopt;
         }
-        result = result * dimension_at(array, dimension) + static_cast<std::size_t>(whole);
+        result = result * static_cast<std::size_t>(size) + static_cast<std::size_t>(whole);
+        ++used;
+        ++dimension;
     }
     return result;
 }
@@ -143,44 +144,30 @@ bool Evaluator::State::check_array(const Value& value, Span span) {
     return false;
 }
 
-const Value* Evaluator::State::element(const Value& array, const Indices& indices, Span span) {
-    const Value* at = &array;
+Value Evaluator::State::element(const Value& array, const Indices& indices, Span span) {
+    Value at = array;
     for (std::size_t used = 0; used < indices.count;) {
-        if (!check_array(*at, span)) return nullptr;
-        const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
-        if (!i) return nullptr;
-        at = &at->array()->elements[*i];
+        if (!check_array(at, span)) return Absence::broken;
+        const std::optional<std::size_t> i = place(*at.array(), indices, used, span);
+        if (!i) return Absence::broken;
+        at = at.array()->at(*i);
     }
     return at;
 }
 
-Value* Evaluator::State::edit_element(Value& array, const Indices& indices, Span span) {
+Evaluator::State::Place Evaluator::State::edit_element(Value& array, const Indices& indices,
+                                                       Span span) {
     Value* at = &array;
-    for (std::size_t used = 0; used < indices.count;) {
-        if (!check_array(*at, span)) return nullptr;
+    for (std::size_t used = 0;;) {
+        if (!check_array(*at, span)) return {};
         const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
-        if (!i) return nullptr;
-        at = &at->edit_array().elements[*i];
+        if (!i) return {};
+        ArrayData& edited = at->edit_array();
+        if (used == indices.count) return {&edited, *i};
+        at = edited.inner(*i);
+        if (!at) {
+            check_array(edited.at(*i), span);
+            return {};
+        }
     }
-    return at;
-}
-
-const Value* Evaluator::State::other_element(const Value& array, const Indices& indices) {
-    // The one behind the whole array's first index is enough to know the kind: elements are set one
-    // after the other.
-    const Value* at = &array;
-    const Value* owner = &array;
-    Span nowhere;
-    for (std::size_t used = 0; used < indices.count && at->array();) {
-        owner = at;
-        const std::optional<std::size_t> i = place(*at->array(), indices, used, nowhere);
-        if (!i) return nullptr;
-        at = &at->array()->elements[*i];
-    }
-    if (!owner->array()) return nullptr;
-    const std::vector<Value>& elements = owner->array()->elements;
-    const auto i = static_cast<std::size_t>(at - elements.data());
-    for (const std::size_t near : {std::size_t{0}, i - (i > 0), i})
-        if (near < elements.size() && !elements[near].absent() && near != i) return &elements[near];
-    return nullptr;
 }

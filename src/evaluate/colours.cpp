@@ -3,24 +3,28 @@
 #include "evaluate/state.h"
 #include "text/message.h"
 
-namespace {
-
-/// Which component a member names, or -1; 5 for the grey value.
 int component_of(std::string_view member) {
     struct Entry {
         std::string_view name;
         int component;
     };
-    constexpr Entry entries[] = {{"x", 0},    {"y", 1},      {"z", 2},        {"t", 3},
-                                 {"u", 0},    {"v", 1},      {"red", 0},      {"green", 1},
-                                 {"blue", 2}, {"filter", 3}, {"transmit", 4}, {"gray", 5},
-                                 {"grey", 5}};
+    constexpr Entry entries[] = {{"x", 0},
+                                 {"y", 1},
+                                 {"z", 2},
+                                 {"t", 3},
+                                 {"u", 0},
+                                 {"v", 1},
+                                 {"red", 0},
+                                 {"green", 1},
+                                 {"blue", 2},
+                                 {"filter", 3},
+                                 {"transmit", 4},
+                                 {"gray", grey_component},
+                                 {"grey", grey_component}};
     for (const Entry& entry : entries)
         if (entry.name == member) return entry.component;
     return -1;
 }
-
-}  // namespace
 
 Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeId id) {
     const Value value = evaluate(tree, node.operand);
@@ -38,7 +42,7 @@ Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeI
                    .with_help("parts are x y z t, u v, red green blue filter transmit, gray"));
         return Absence::broken;
     }
-    if (component == 5)
+    if (component == grey_component)
         return 0.297 * numbers->at[0] + 0.589 * numbers->at[1] + 0.114 * numbers->at[2];
     if (component >= numbers->count)
         return broken(Fault::bad_index, tree.span(id),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// #declare, #local, #undef, #macro.
+// #declare, #local, #undef.
 #include "evaluate/state.h"
 #include "text/message.h"
 
@@ -16,18 +16,74 @@ Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
     return one_value(elements, tree.span(id));
 }
 
+void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& node) {
+    if (node.semicolon) return;
+    const Span end{tree.source, tree[node.value].last, tree[node.value].last};
+    const std::string text = "a `;` is missing after this value";
+    Diagnostic problem =
+        version >= 3.5 ? error(Fault::semicolon, end, text) : warning(Fault::semicolon, end, text);
+    report(problem.with_help("#declare and #local of numbers, vectors and colours end in `;`"));
+}
+
 void Evaluator::State::declare(const Tree& tree, const node::Declare& node, NodeId id) {
+    // Nearly always numbers take the place of numbers.
+    const auto* name = tree.get_if<node::Name>(node.target);
+    Numbers* target = name ? scope.overwritable(name->name, node.local) : nullptr;
+    Numbers computed;
+    if (compute(tree, node.value, target ? *target : computed)) {
+        check_semicolon(tree, node);
+        if (!target) assign(tree, node.target, computed, node.local);
+        return;
+    }
+    if (name && declare_text(tree, node)) return;
     if (tree.get_if<node::Tuple>(node.target)) return declare_tuple(tree, node, id);
-    Value value = evaluate(tree, node.value);
+    Value value = walk_expression(tree, node.value);
     if (stopped_) return;
-    if (value.numbers() && !node.semicolon) {
-        const Span end{tree.source, tree[node.value].last, tree[node.value].last};
-        const std::string text = "a `;` is missing after this value";
-        Diagnostic problem = version >= 3.5 ? error(Fault::semicolon, end, text)
-                                            : warning(Fault::semicolon, end, text);
-        report(problem.with_help("#declare and #local of numbers, vectors and colours end in `;`"));
+    if (const Numbers* numbers = value.numbers()) {
+        check_semicolon(tree, node);
+        // Looked up again: a macro may have changed what the name stands for.
+        target = name ? scope.overwritable(name->name, node.local) : nullptr;
+        if (target) {
+            *target = *numbers;
+            return;
+        }
     }
     assign(tree, node.target, std::move(value), node.local);
+}
+
+bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node) {
+    if (!builds_text(tree, node.value)) return false;
+    const NameId name = tree.get<node::Name>(node.target).name;
+    const auto& call = tree.get<node::Call>(node.value);
+    const auto* first = tree.get_if<node::Name>(call.arguments);
+    // `#declare S = concat(S, ...)` appends. The old text is kept while the rest is built, for that
+    // may change it.
+    const Value* before = scope.find(name);
+    const bool appends =
+        call.name == concat && first && first->name == name && before && before->text();
+    Handle<std::string> old = appends ? before->handle<std::string>() : nullptr;
+    std::string text;
+    const bool good = appends ? append_texts(tree, tree[call.arguments].next, text, concat)
+                              : append_text(tree, node.value, text, call.name);
+    if (!good || stopped_) {
+        if (!stopped_) assign(tree, node.target, Absence::broken, node.local);
+        return true;
+    }
+    Value* const target = scope.overwritable_text(name, node.local);
+    const bool unchanged = appends && target && target->text() == old.get();
+    if (appends && !unchanged) text.insert(0, *old);
+    old = nullptr;
+    std::string* const own = target ? target->own_text() : nullptr;
+    if (unchanged && own) {
+        own->append(text);
+        return true;
+    }
+    if (unchanged) text.insert(0, *target->text());
+    if (own)
+        own->assign(text);
+    else
+        assign(tree, node.target, Value(std::move(text)), node.local);
+    return true;
 }
 
 /// `#declare (a, b) = (1, 2);`, one after the other.
@@ -42,11 +98,11 @@ void Evaluator::State::declare_tuple(const Tree& tree, const node::Declare& node
         broken(Fault::wrong_count, tree.span(id), "there must be as many values as names");
 }
 
-void Evaluator::State::assign(const Tree& tree, NodeId target, Value value, bool local) {
+void Evaluator::State::assign(const Tree& tree, NodeId target, Value&& value, bool local) {
     const Span span = tree.span(target);
     if (const auto* name = tree.get_if<node::Name>(target)) {
         const Value* before = scope.find(name->name);
-        if (before && before->handle<MacroData>()) {
+        if (before && before->macro()) {
             broken(Fault::redefinition, span,
                    message("`", names.spelling(name->name),
                            "` is a macro and cannot become something else"));
@@ -58,28 +114,31 @@ void Evaluator::State::assign(const Tree& tree, NodeId target, Value value, bool
             scope.declare(name->name, std::move(value));
         return;
     }
-    const auto* index = tree.get_if<node::Index>(target);
-    if (!index) {
+    if (const auto* index = tree.get_if<node::Index>(target))
+        assign_element(tree, *index, target, std::move(value));
+    else
         broken(Fault::wrong_type, span, "this cannot be declared");
-        return;
-    }
-    const std::optional<Indices> places = indices(tree, index->indices);
-    if (!places) return;
-    Value* array = scope.edit(index->name);
+}
+
+void Evaluator::State::assign_element(const Tree& tree, const node::Index& index, NodeId target,
+                                      Value&& value) {
+    const Span span = tree.span(target);
+    Indices places;
+    if (!indices(tree, index.indices, places)) return;
+    Value* array = scope.edit(index.name);
     if (!array) {
-        unknown_name(index->name, span);
+        unknown_name(index.name, span);
         return;
     }
-    Value* element = edit_element(*array, *places, span);
-    if (!element) return;
-    if (const Value* other = other_element(*array, *places);
-        other && !value.broken() && !other->same_kind(value)) {
+    const Place place = edit_element(*array, places, span);
+    if (place.array && !value.broken() && !place.array->fits(place.element, value))
         broken(Fault::wrong_type, span,
-               message("all elements of an array are of one kind: others are ", kind_name(*other),
-                       ", and this is ", kind_name(value)));
-        return;
-    }
-    *element = std::move(value);
+               message("all elements of an array are of one kind: others are ",
+                       kind_name(place.array->other(place.element)), ", and this is ",
+                       kind_name(value)));
+    else if (place.array)
+        place.array->set(place.element, std::move(value));
+    scope.edited();
 }
 
 void Evaluator::State::undefine(const Tree& tree, NodeId target) {
@@ -90,31 +149,13 @@ void Evaluator::State::undefine(const Tree& tree, NodeId target) {
         return;
     }
     const auto& index = tree.get<node::Index>(target);
-    const std::optional<Indices> places = indices(tree, index.indices);
-    if (!places) return;
+    Indices places;
+    if (!indices(tree, index.indices, places)) return;
     Value* array = scope.edit(index.name);
     if (!array) {
         unknown_name(index.name, tree.span(target));
-    } else if (Value* element = edit_element(*array, *places, tree.span(target))) {
-        *element = Absence::uninitialised;
+    } else if (const Place place = edit_element(*array, places, tree.span(target)); place.array) {
+        place.array->clear(place.element);
     }
-}
-
-void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, NodeId id) {
-    const auto head = static_cast<std::uint32_t>(names.spelling(node.name).size());
-    const Value* before = scope.find(node.name);
-    if (before && !before->handle<MacroData>()) {
-        broken(Fault::redefinition, tree.span(id),
-               message("`", names.spelling(node.name), "` is declared as ", kind_name(*before),
-                       " and cannot become a macro"));
-        return;
-    }
-    MacroData macro{node.name, {&tree, node.parameters}, {&tree, node.body}, tree.span(id)};
-    // The place of its first line; the whole macro may be long.
-    const std::string_view text = sources.text(tree.source).substr(macro.defined.first);
-    const std::size_t name = text.find(names.spelling(node.name));
-    macro.defined.last =
-        macro.defined.first +
-        static_cast<std::uint32_t>(name == std::string_view::npos ? 0 : name + head);
-    scope.declare(node.name, make_handle<MacroData>(macro));
+    scope.edited();
 }

@@ -6,13 +6,7 @@
 
 #include <cmath>
 
-namespace {
-
-constexpr double tolerance = 1e-10;
-
-}  // namespace
-
-Flow Evaluator::State::directive(const Tree& tree, NodeId id, Take take) {
+Flow Evaluator::State::directive(const Tree& tree, NodeId id, const Sink& take) {
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
         case kind<node::Declare>:
@@ -76,7 +70,7 @@ bool Evaluator::State::condition(const Tree& tree, NodeId id) {
     return value && std::abs(*value) > tolerance;
 }
 
-Flow Evaluator::State::branch(const Tree& tree, const node::If& node, Take take) {
+Flow Evaluator::State::branch(const Tree& tree, const node::If& node, const Sink& take) {
     for (NodeId id = node.branches; id != no_node; id = tree[id].next) {
         const auto& branch = tree.get<node::Branch>(id);
         if (branch.condition == no_node || condition(tree, branch.condition))
@@ -86,10 +80,10 @@ Flow Evaluator::State::branch(const Tree& tree, const node::If& node, Take take)
     return Flow::end;
 }
 
-bool Evaluator::State::too_many_steps(Span span) {
+bool Evaluator::State::too_many_steps(const Tree& tree, NodeId place) {
     if (++steps <= limits.steps) return false;
     if (!stopped_)
-        report(error(Fault::loop_limit, span,
+        report(error(Fault::loop_limit, tree.span(place),
                      message("this scene takes more than ", limits.steps,
                              " passes of loops and calls of macros, which is the limit"))
                    .with_help("something in a loop must make its condition false, or #break; "
@@ -98,9 +92,9 @@ bool Evaluator::State::too_many_steps(Span span) {
     return true;
 }
 
-Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, Take take) {
+Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, const Sink& take) {
     while (condition(tree, node.condition) && !stopped_) {
-        if (too_many_steps(tree.span(node.condition))) return Flow::stopped;
+        if (too_many_steps(tree, node.condition)) return Flow::stopped;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
@@ -108,12 +102,9 @@ Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, Tak
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId id, Take take) {
-    const auto* target = tree.get_if<node::Name>(node.target);
-    if (!target) {
-        broken(Fault::wrong_type, tree.span(node.target), "a #for counts with a plain name");
-        return Flow::end;
-    }
+/// Start, end and step of a loop, or nothing when reported.
+std::optional<std::array<double, 3>> Evaluator::State::for_range(const Tree& tree,
+                                                                 const node::For& node, NodeId id) {
     std::array<double, 3> range = {0, 0, 1};
     std::size_t count = 0;
     for (NodeId value = node.range; value != no_node; value = tree[value].next, ++count) {
@@ -122,47 +113,63 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
                                                    count == 0   ? "the start of a #for"
                                                    : count == 1 ? "the end of a #for"
                                                                 : "the step of a #for");
-        if (!found) return Flow::end;
+        if (!found) return std::nullopt;
         range[count] = *found;
     }
-    const auto [start, end, step] = range;
     if (count < 2) {
         broken(Fault::wrong_count, tree.span(id),
                "a #for needs a name, a start and an end: #for(i, 1, 10)");
-        return Flow::end;
+        return std::nullopt;
     }
-    if (!(std::abs(step) >= tolerance)) {
+    if (!(std::abs(range[2]) >= tolerance)) {
         broken(Fault::out_of_range, tree.span(id),
-               message("the step of this #for is ", step, ", so it would not end"));
+               message("the step of this #for is ", range[2], ", so it would not end"));
+        return std::nullopt;
+    }
+    return range;
+}
+
+/// The counter of a loop after a pass: the body may have changed it.
+std::optional<double> Evaluator::State::counter(NameId name, Span span) {
+    const Value* now = scope.find(name);
+    const Numbers* number = now ? now->numbers() : nullptr;
+    if (number && number->is_scalar()) return number->at[0];
+    broken(Fault::wrong_type, span,
+           message("the counter `", names.spelling(name), "` is no number any more"));
+    return std::nullopt;
+}
+
+Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId id,
+                                const Sink& take) {
+    const auto* target = tree.get_if<node::Name>(node.target);
+    if (!target) {
+        broken(Fault::wrong_type, tree.span(node.target), "a #for counts with a plain name");
         return Flow::end;
     }
+    const auto range = for_range(tree, node, id);
+    if (!range) return Flow::end;
+    const auto [start, end, step] = *range;
     const NameId name = target->name;
-    const auto inside = [&](double i) {
-        return step > 0 ? i <= end + tolerance : i >= end - tolerance;
-    };
     scope.declare_local(name, start);
     if (!(step > 0 ? start < end + tolerance : start > end - tolerance)) return Flow::end;
     double i = start;
-    while (inside(i)) {
-        if (too_many_steps(tree.span(id))) return Flow::stopped;
+    while (step > 0 ? i <= end + tolerance : i >= end - tolerance) {
+        if (too_many_steps(tree, id)) return Flow::stopped;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
-        // The body may have changed the counter.
-        const Value* now = scope.find(name);
-        const Numbers* number = now ? now->numbers() : nullptr;
-        if (!number || !number->is_scalar()) {
-            broken(Fault::wrong_type, tree.span(node.target),
-                   message("the counter `", names.spelling(name), "` is no number any more"));
-            break;
-        }
-        i = number->at[0] + step;
-        scope.declare_local(name, i);
+        const std::optional<double> now = counter(name, tree.span(node.target));
+        if (!now) break;
+        i = *now + step;
+        if (Numbers* number = scope.overwritable(name, true))
+            number->at[0] = i;
+        else
+            scope.declare_local(name, i);
     }
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, Take take) {
+Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, const Sink& take) {
     const std::optional<double> subject = number(tree, node.subject, "what #switch looks at");
     if (!subject) return stopped_ ? Flow::stopped : Flow::end;
     Flow flow = walk(tree, node.opening, take);
@@ -189,7 +196,8 @@ Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, Take t
     return flow == Flow::stopped || stopped_ ? Flow::stopped : Flow::end;
 }
 
-Flow Evaluator::State::include(const Tree& tree, const node::Include& node, NodeId id, Take take) {
+Flow Evaluator::State::include(const Tree& tree, const node::Include& node, NodeId id,
+                               const Sink& take) {
     const Value file = evaluate(tree, node.file);
     const Span span = tree.span(node.file);
     if (!file.text()) {
@@ -209,7 +217,7 @@ Flow Evaluator::State::include(const Tree& tree, const node::Include& node, Node
     if (!included) return stopped_ ? Flow::stopped : Flow::end;
     ++include_depth;
     scope.enter();
-    frames.push({Frame::include, no_name, sources.name(included->source), span});
+    frames.push({Frame::include, no_name, included->source, span});
     const Flow flow = walk(*included, included->first, take);
     frames.pop();
     scope.leave();
@@ -230,10 +238,11 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const Tree*& known = loaded[found->path];
     if (!known) {
         const std::size_t errors = diagnostics.error_count();
-        frames.push({Frame::include, no_name, found->path, span});
-        known = &trees.emplace_back(
-            parse(sources.add(found->path, found->text, span), sources, names, diagnostics));
+        const SourceId source = sources.add(found->path, found->text, span);
+        frames.push({Frame::include, no_name, source, span});
+        known = &trees.emplace_back(parse(source, sources, names, diagnostics));
         frames.pop();
+        codes.add(*known);
         if (diagnostics.error_count() > errors) stopped_ = true;
     }
     return stopped_ ? nullptr : known;

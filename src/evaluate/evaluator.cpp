@@ -44,7 +44,8 @@ std::vector<std::string_view> Evaluator::declared_names() const {
 
 void Evaluator::run(SourceId main) {
     State& state = *state_;
-    state.diagnostics.set_frames([&state] { return state.frames.list(state.names); });
+    state.diagnostics.set_frames(
+        [&state] { return state.frames.list(state.names, state.sources); });
     on_deep_stack(state.limits.stack_bytes, [&](std::size_t bytes) {
         const char here = 0;
         // What runs between two checks, the binder included, fits into the margin.
@@ -93,7 +94,7 @@ void Evaluator::State::run_within_memory(SourceId main) {
     } catch (const std::bad_alloc&) {
         reserve.reset();
         stopped_ = true;
-        const std::vector<Frame> open = frames.list(names);
+        const std::vector<Frame> open = frames.list(names, sources);
         report(error(Fault::io, open.empty() ? Span() : open.front().called_at,
                      "there is not enough memory to evaluate this scene")
                    .with_help("--limit-memory says how much there may be"));
@@ -105,19 +106,18 @@ void Evaluator::State::run(SourceId main) {
     lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;
+    codes.add(tree);
     if (!stopped_)
         walk_whole(tree, tree.first, [&](const Element& element) { meaning.top(element); });
 }
 
-void Evaluator::State::walk_whole(const Tree& tree, NodeId first, Take take) {
+void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& take) {
     if (walk(tree, first, take) == Flow::broken)
         report(error(Fault::misplaced, last_break,
                      "this #break is in no loop, #switch or macro that it could leave"));
 }
 
-bool Evaluator::State::room(const Tree& tree, NodeId node) {
-    const char here = 0;
-    if (!stack_end || &here > stack_end) return true;
+bool Evaluator::State::no_room(const Tree& tree, NodeId node) {
     if (!stopped_)
         report(error(Fault::recursion_limit, tree.span(node), "this is nested too deeply")
                    .with_help("--limit-depth makes room for deeper calls of macros"));
@@ -157,6 +157,16 @@ Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
     const auto length = static_cast<std::uint32_t>(names.spelling(block.word).size());
     element.word_span = {tree.source, element.span.first, element.span.first + length};
     return element;
+}
+
+Value Evaluator::State::one_value(OneValue&& one, Span span) {
+    if (one.broken || stopped_) return Absence::broken;
+    if (one.count == 1 && !one.first) return std::move(one.value);
+    if (one.count > 1)
+        return broken(Fault::wrong_count, span,
+                      message("one value is wanted here, and this gives ", one.count));
+    return one_value(
+        one.first ? std::span<const Element>(&*one.first, 1) : std::span<const Element>(), span);
 }
 
 Value Evaluator::State::one_value(std::span<const Element> elements, Span span) {

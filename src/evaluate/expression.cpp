@@ -12,8 +12,6 @@
 
 namespace {
 
-constexpr double tolerance = 1e-10;
-
 bool is_true(double value) { return std::abs(value) > tolerance; }
 
 double apply(Operator sign, double a, double b) {
@@ -52,6 +50,37 @@ bool is_comparison(Operator sign) { return sign >= Operator::less && sign <= Ope
 }  // namespace
 
 Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
+    Numbers numbers;
+    if (compute(tree, id, numbers)) return numbers;
+    return walk_expression(tree, id);
+}
+
+Value Evaluator::State::name_value(NameId name, Span span) {
+    const Value* found = scope.find(name);
+    if (!found) return unknown_name(name, span);
+    if (found->macro())
+        return broken(
+            Fault::wrong_type, span,
+            message("`", names.spelling(name), "` is a macro: its call needs parentheses"));
+    if (found->is(Absence::uninitialised))
+        return broken(Fault::uninitialised, span,
+                      message("`", names.spelling(name), "` has no value"));
+    return *found;
+}
+
+Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, NodeId id) {
+    Indices places;
+    if (!indices(tree, index.indices, places)) return Absence::broken;
+    const Value* array = scope.find(index.name);
+    if (!array) return unknown_name(index.name, tree.span(id));
+    Value found = element(*array, places, tree.span(id));
+    if (found.is(Absence::uninitialised))
+        return broken(Fault::uninitialised, tree.span(id),
+                      "this element of the array was never set");
+    return found;
+}
+
+Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     if (!room(tree, id)) return Absence::broken;
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
@@ -67,32 +96,10 @@ Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
         }
         case kind<node::Text>:
             return tree.texts[std::get_if<node::Text>(&content)->text];
-        case kind<node::Name>: {
-            const NameId name = std::get_if<node::Name>(&content)->name;
-            const Value* found = scope.find(name);
-            if (!found) return unknown_name(name, tree.span(id));
-            if (found->handle<MacroData>())
-                return broken(
-                    Fault::wrong_type, tree.span(id),
-                    message("`", names.spelling(name), "` is a macro: its call needs parentheses"));
-            if (found->is(Absence::uninitialised))
-                return broken(Fault::uninitialised, tree.span(id),
-                              message("`", names.spelling(name), "` has no value"));
-            return *found;
-        }
-        case kind<node::Index>: {
-            const auto& index = *std::get_if<node::Index>(&content);
-            const std::optional<Indices> places = indices(tree, index.indices);
-            if (!places) return Absence::broken;
-            const Value* array = scope.find(index.name);
-            if (!array) return unknown_name(index.name, tree.span(id));
-            const Value* found = element(*array, *places, tree.span(id));
-            if (!found) return Absence::broken;
-            if (found->is(Absence::uninitialised))
-                return broken(Fault::uninitialised, tree.span(id),
-                              "this element of the array was never set");
-            return *found;
-        }
+        case kind<node::Name>:
+            return name_value(std::get_if<node::Name>(&content)->name, tree.span(id));
+        case kind<node::Index>:
+            return index_value(tree, *std::get_if<node::Index>(&content), id);
         case kind<node::Constant>:
             return constant(std::get_if<node::Constant>(&content)->word);
         case kind<node::Unary>:
@@ -129,7 +136,10 @@ Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
 
 std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
                                                NameId word) {
-    const Value value = evaluate(tree, id);
+    Numbers numbers;
+    const bool computed = compute(tree, id, numbers);
+    if (computed && numbers.is_scalar()) return numbers.at[0];
+    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
     if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
     const std::string named =
         word == no_name ? std::string() : message(" `", names.spelling(word), "`");
@@ -190,10 +200,59 @@ Value Evaluator::State::truth(const Value& left, const Value& right, Operator si
     return Absence::broken;
 }
 
+/// Only one of the branches is evaluated; but in POV-Ray both are, so random streams advance for
+/// both.
 Value Evaluator::State::choice(const Tree& tree, const node::Choice& node) {
     const std::optional<double> condition = number(tree, node.condition, "the condition of `? :`");
     if (!condition) return Absence::broken;
-    return evaluate(tree, is_true(*condition) ? node.yes : node.no);
+    const bool yes = is_true(*condition);
+    if (!yes) draw(tree, node.yes);
+    Value value = evaluate(tree, yes ? node.yes : node.no);
+    if (yes) draw(tree, node.no);
+    return value;
+}
+
+void Evaluator::State::draw(const Tree& tree, NodeId id) {
+    for (const NodeId call : random_calls(tree, id)) evaluate(tree, call);
+}
+
+std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) const {
+    std::vector<NodeId> calls;
+    std::vector<NodeId> work = {id};
+    const auto later = [&](std::initializer_list<NodeId> parts) {
+        for (auto part = std::rbegin(parts); part != std::rend(parts); ++part)
+            if (*part != no_node) work.push_back(*part);
+    };
+    const auto list = [&](NodeId first) {
+        const std::size_t start = work.size();
+        for (NodeId part = first; part != no_node; part = tree[part].next) work.push_back(part);
+        std::reverse(work.begin() + static_cast<std::ptrdiff_t>(start), work.end());
+    };
+    while (!work.empty()) {
+        const NodeId at = work.back();
+        work.pop_back();
+        if (const auto* call = tree.get_if<node::Call>(at)) {
+            const bool random = names.spelling(call->name) == "rand";
+            random ? calls.push_back(at) : list(call->arguments);
+        } else if (const auto* unary = tree.get_if<node::Unary>(at)) {
+            later({unary->operand});
+        } else if (const auto* binary = tree.get_if<node::Binary>(at)) {
+            later({binary->left, binary->right});
+        } else if (const auto* choice = tree.get_if<node::Choice>(at)) {
+            later({choice->condition, choice->yes, choice->no});
+        } else if (const auto* group = tree.get_if<node::Group>(at)) {
+            list(group->content);
+        } else if (const auto* vector = tree.get_if<node::Vector>(at)) {
+            list(vector->components);
+        } else if (const auto* member = tree.get_if<node::Member>(at)) {
+            later({member->operand});
+        } else if (const auto* index = tree.get_if<node::Index>(at)) {
+            list(index->indices);
+        } else if (const auto* prefixed = tree.get_if<node::Prefixed>(at)) {
+            later({prefixed->operand});
+        }
+    }
+    return calls;
 }
 
 Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {

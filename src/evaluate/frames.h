@@ -4,6 +4,7 @@
 #pragma once
 
 #include "text/diagnostic.h"
+#include "text/source.h"
 #include "vocabulary/words.h"
 
 #include <string>
@@ -13,24 +14,24 @@ class Frames {
 public:
     struct Open {
         Frame::Kind kind;
-        NameId macro;      ///< of a macro
-        std::string file;  ///< of an include
+        NameId macro;   ///< of a macro
+        SourceId file;  ///< of an include
         Span called_at;
     };
 
-    void push(Open frame) { open_.push_back(std::move(frame)); }
+    void push(const Open& frame) { open_.push_back(frame); }
     void pop() { open_.pop_back(); }
     std::size_t depth() const { return open_.size(); }
 
     /// The innermost first. Of very many only the ends are told apart by whoever prints them.
-    std::vector<Frame> list(const Names& names) const {
+    std::vector<Frame> list(const Names& names, const SourceStore& sources) const {
         std::vector<Frame> result;
         for (std::size_t i = open_.size(); i-- > 0;) {
             const Open& open = open_[i];
-            result.push_back(
-                {open.kind,
-                 open.kind == Frame::macro ? std::string(names.spelling(open.macro)) : open.file,
-                 open.called_at});
+            result.push_back({open.kind,
+                              open.kind == Frame::macro ? std::string(names.spelling(open.macro))
+                                                        : sources.name(open.file),
+                              open.called_at});
         }
         return result;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/functions.h"
 
+#include "evaluate/array_data.h"
 #include "evaluate/number_functions.h"
 #include "evaluate/string_functions.h"
 #include "text/message.h"
@@ -16,10 +17,8 @@ std::size_t RandomStreams::open(double seed) {
     return states_.size() - 1;
 }
 
-double RandomStreams::next(std::size_t stream) {
-    std::uint32_t& state = states_[stream];
-    state = state * 1812433253u + 12345u;
-    return state / 4294967295.0;
+void RandomStreams::take_back() {
+    for (; !drawn_.empty(); drawn_.pop_back()) states_[drawn_.back().stream] = drawn_.back().before;
 }
 
 Value FunctionCall::fail(Fault fault, std::size_t argument, std::string message) {
@@ -92,13 +91,13 @@ constexpr double degree = std::numbers::pi / 180;
 Value dimension_size(Call call) {
     const ArrayData* array = call.array(0);
     const double i = call.number(1);
-    if (call.failed() || !(i >= 1 && i <= static_cast<double>(array->sizes.size()))) return 0.0;
-    return array->sizes[static_cast<std::size_t>(i) - 1];
+    if (call.failed() || !(i >= 1 && i <= static_cast<double>(array->sizes().size()))) return 0.0;
+    return array->sizes()[static_cast<std::size_t>(i) - 1];
 }
 
 Value dimensions(Call call) {
     const ArrayData* array = call.array(0);
-    return array ? static_cast<double>(array->sizes.size()) : 0.0;
+    return array ? static_cast<double>(array->sizes().size()) : 0.0;
 }
 
 Value file_exists(Call call) { return call.world.file_exists(call.text(0)) ? 1.0 : 0.0; }

@@ -23,10 +23,30 @@ public:
         return stream >= 0 && stream < static_cast<double>(states_.size());
     }
     /// The next number of a known stream, from 0 to 1, both included.
-    double next(std::size_t stream);
+    double next(std::size_t stream) {
+        std::uint32_t& state = states_[stream];
+        state = state * 1812433253u + 12345u;
+        return state / 4294967295.0;
+    }
+
+    // For an attempt that may have to be taken back.
+    void begin_attempt() { drawn_.clear(); }
+    /// next(), within an attempt.
+    double attempt(std::size_t stream) {
+        drawn_.push_back({stream, states_[stream]});
+        return next(stream);
+    }
+    /// All streams are again as they were when the attempt began.
+    void take_back();
 
 private:
+    struct Drawn {
+        std::size_t stream;
+        std::uint32_t before;
+    };
+
     std::vector<std::uint32_t> states_;
+    std::vector<Drawn> drawn_;
 };
 
 /// What functions can see and change beside their arguments.

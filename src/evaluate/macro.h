@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `#macro` declares: where its parameters and its body are in which tree. The trees live as
+// What `#macro` declares: its parameters, and where its body is in which tree. The trees live as
 // long as the evaluation.
 #pragma once
 
 #include "syntax/tree.h"
 
+#include <vector>
+
 struct MacroData {
+    struct Parameter {
+        NameId name;
+        bool optional;
+    };
+
     NameId name;
-    Body parameters;
+    std::vector<Parameter> parameters;
+    std::size_t least = 0;  ///< how many arguments it needs
     Body body;
-    Span defined;
+    Span defined;  ///< from `#macro` to its name
 };

@@ -3,6 +3,7 @@
 
 #include "base/noise.h"
 #include "base/transform.h"
+#include "formula/operation.h"
 #include "text/message.h"
 
 #include <cmath>
@@ -10,12 +11,6 @@
 namespace {
 
 using Call = FunctionCall&;
-
-/// To 32 bits as POV-Ray's machine does it: what does not fit becomes the least integer.
-std::int32_t to_int32(double value) {
-    if (!(value > -2147483649.0 && value < 2147483648.0)) return INT32_MIN;
-    return static_cast<std::int32_t>(value);
-}
 
 Value clamped(Call call, double (*function)(double)) {
     const double x = call.number(0);
@@ -137,7 +132,7 @@ Value least(Call call) {
     return fold(call, [](double a, double b) { return b < a ? b : a; });
 }
 
-Value remainder(Call call) { return std::fmod(call.number(0), call.number(1)); }
+Value remainder(Call call) { return remainder_of(call.number(0), call.number(1)); }
 
 Value new_random(Call call) { return static_cast<double>(call.world.random.open(call.number(0))); }
 

@@ -3,12 +3,15 @@
 // share. Nobody else includes it.
 #pragma once
 
+#include "evaluate/array_data.h"
+#include "evaluate/code.h"
 #include "evaluate/evaluator.h"
 #include "evaluate/files.h"
 #include "evaluate/frames.h"
 #include "evaluate/functions.h"
 #include "evaluate/macro.h"
 #include "evaluate/scope.h"
+#include "evaluate/sink.h"
 
 #include <deque>
 #include <map>
@@ -25,9 +28,21 @@ enum class Flow {
 /// `[i][j]`, computed.
 struct Indices {
     std::array<double, 16> values;
-    std::array<Span, 16> places;
     std::size_t count = 0;
+    const Tree* tree = nullptr;
+    NodeId first = no_node;
+
+    /// The place of one of them.
+    Span span(std::size_t i) const {
+        NodeId id = first;
+        for (; i > 0; --i) id = (*tree)[id].next;
+        return tree->span(id);
+    }
 };
+
+/// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
+int component_of(std::string_view member);
+inline constexpr int grey_component = 5;
 
 struct Evaluator::State {
     State(Evaluator&, SourceStore&, const Loader&, Names&, Diagnostics&, const RunFacts&);
@@ -37,24 +52,47 @@ struct Evaluator::State {
     /// The same, with a message when memory runs out.
     void run_within_memory(SourceId main);
     /// Whether there is stack left to go deeper; reports when not.
-    bool room(const Tree&, NodeId);
+    bool room(const Tree& tree, NodeId id) {
+        const char here = 0;
+        return !stack_end || &here > stack_end || no_room(tree, id);
+    }
+    bool no_room(const Tree&, NodeId);
     void report(Diagnostic diagnostic) { diagnostics.add(std::move(diagnostic)); }
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);
     /// The one value of some elements, for a place where a value is wanted.
     Value one_value(std::span<const Element>, Span);
+    Value one_value(OneValue&&, Span);
     /// A block element as it is handed to the meaning.
     Element block_element(const Tree&, NodeId) const;
 
+    // ---- compute.cpp: the fast way for numbers
+    struct Compiler;  ///< compile.cpp
+    /// The numbers of an expression, when it can be computed without saying anything. False:
+    /// nothing has happened, and walk_expression() must do it.
+    bool compute(const Tree&, NodeId, Numbers&);
+    std::optional<double> compute_scalar(const Tree&, NodeId);
+    Code* compile(const Tree&, NodeId);
+    bool load(Code&) const;
+    bool run(Code&, Numbers& result);
+
     // ---- expression.cpp
     Value evaluate(const Tree&, NodeId);
+    /// The same without an attempt to compute() it.
+    Value walk_expression(const Tree&, NodeId);
+    Value name_value(NameId, Span);
+    Value index_value(const Tree&, const node::Index&, NodeId);
     /// A number, or nothing when that has been reported. `what` and the word begin the message:
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);
     Value binary(const Tree&, const node::Binary&, NodeId);
     Value choice(const Tree&, const node::Choice&);
+    /// Draws the random numbers that an expression would have drawn.
+    void draw(const Tree&, NodeId);
+    /// The calls of rand() in an expression, in their order; those in macros are not seen.
+    std::vector<NodeId> random_calls(const Tree&, NodeId) const;
     Value group(const Tree&, NodeId content, Span);
     Value vector(const Tree&, const node::Vector&, NodeId);
     Value vector_of(const std::vector<double>&, Span);
@@ -69,55 +107,83 @@ struct Evaluator::State {
     // ---- array.cpp
     Value array(const Tree&, const node::Array&, NodeId);
     bool fill(ArrayData&, std::size_t dimension, std::size_t& next, Body, Span);
+    bool fill_one(ArrayData&, std::size_t at, Value value, Span);
     /// Computed before the array is looked up: an index may call a macro that changes the array.
-    std::optional<Indices> indices(const Tree&, NodeId first);
-    /// The element that indices lead to, through arrays of arrays; null when reported.
-    const Value* element(const Value& array, const Indices&, Span);
-    Value* edit_element(Value& array, const Indices&, Span);
+    bool indices(const Tree&, NodeId first, Indices& result);
+    /// The element that indices lead to, through arrays of arrays: uninitialised when it is not
+    /// set, broken when that has been reported.
+    Value element(const Value& array, const Indices&, Span);
+    /// An element for writing.
+    struct Place {
+        ArrayData* array = nullptr;  ///< null when reported
+        std::size_t element = 0;
+    };
+    Place edit_element(Value& array, const Indices&, Span);
     /// The place of an element in its array, or nothing when reported; `used` moves past the
     /// indices that it took.
     std::optional<std::size_t> place(const ArrayData&, const Indices&, std::size_t& used, Span);
     bool check_array(const Value&, Span);
-    /// An initialised element other than the one that the indices lead to, if one is found near it.
-    const Value* other_element(const Value& array, const Indices&);
 
     // ---- call.cpp
     Value call(const Tree&, const node::Call&, NodeId);
     Value call_function(const Tree&, const node::Call&, NodeId);
     bool defined(const Tree&, NodeId target);
     void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
+
+    // ---- texts.cpp
+    /// Whether it is a call that append_text() can build.
+    bool builds_text(const Tree&, NodeId) const;
+    /// The text of an argument of the function is appended; false when reported.
+    bool append_text(const Tree&, NodeId, std::string& text, NameId function);
+    bool append_texts(const Tree&, NodeId first, std::string& text, NameId function);
+    bool append_number(const Tree&, NodeId first, std::string& text);
+    /// One number, an argument of a function.
+    std::optional<double> number_argument(const Tree&, NodeId, NameId function);
+
+    // ---- macro.cpp
+    void define_macro(const Tree&, const node::Macro&, NodeId);
     /// Runs a macro; its elements go to `take`.
-    Flow call_macro(const Tree&, const node::Call&, NodeId, Take take);
+    Flow call_macro(const Tree&, const node::Call&, NodeId, const Sink& take);
+    /// The macro that is called, or null when it has been reported that there is none.
+    const MacroData* called_macro(const Tree&, const node::Call&, NodeId);
     struct Argument {
-        Scope::Reference reference;  ///< cell null: by value
-        Value value = Absence::nothing;
+        Scope::Reference place;
+        bool by_value = false;  ///< the cell is a fresh one
     };
-    std::optional<std::vector<Argument>> arguments(const Tree&, const node::Call&, NodeId,
-                                                   const MacroData&);
+    /// Computes the arguments and puts them at the end of `arguments`; false when reported.
+    bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
+    void report_arguments(const MacroData&, std::size_t count, Span);
     bool argument(const Tree&, NodeId, Argument&);
+    bool argument_element(const Tree&, const node::Index&, NodeId, Argument&);
 
     // ---- walk.cpp, directive.cpp, declare.cpp
-    Flow walk(const Tree&, NodeId first, Take take);
+    Flow walk(const Tree&, NodeId first, const Sink& take);
     /// A list that #break cannot leave: a file, the content of a block.
-    void walk_whole(const Tree&, NodeId first, Take take);
+    void walk_whole(const Tree&, NodeId first, const Sink& take);
     /// One node of a list: gives the next one to go on with.
-    Flow walk_one(const Tree&, NodeId, Take take);
+    Flow walk_one(const Tree&, NodeId, const Sink& take);
     static bool is_directive(const Tree&, NodeId);
-    Flow directive(const Tree&, NodeId, Take take);
+    Flow directive(const Tree&, NodeId, const Sink& take);
     /// Counts one more step; reports when it is one too many.
-    bool too_many_steps(Span);
-    Flow branch(const Tree&, const node::If&, Take take);
-    Flow loop_while(const Tree&, const node::While&, Take take);
-    Flow loop_for(const Tree&, const node::For&, NodeId, Take take);
-    Flow choose(const Tree&, const node::Switch&, Take take);
+    bool too_many_steps(const Tree&, NodeId);
+    std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
+    std::optional<double> counter(NameId, Span);
+    Flow branch(const Tree&, const node::If&, const Sink& take);
+    Flow loop_while(const Tree&, const node::While&, const Sink& take);
+    Flow loop_for(const Tree&, const node::For&, NodeId, const Sink& take);
+    Flow choose(const Tree&, const node::Switch&, const Sink& take);
     bool condition(const Tree&, NodeId);
     void declare(const Tree&, const node::Declare&, NodeId);
     void declare_tuple(const Tree&, const node::Declare&, NodeId);
-    void assign(const Tree&, NodeId target, Value value, bool local);
+    void check_semicolon(const Tree&, const node::Declare&);
+    void assign(const Tree&, NodeId target, Value&& value, bool local);
+    void assign_element(const Tree&, const node::Index&, NodeId target, Value&& value);
+    /// A string built by concat() for a name, in place where that is possible. False: it is
+    /// something else, and nothing has happened.
+    bool declare_text(const Tree&, const node::Declare&);
     Value right_side(const Tree&, NodeId);
     void undefine(const Tree&, NodeId target);
-    void define_macro(const Tree&, const node::Macro&, NodeId);
-    Flow include(const Tree&, const node::Include&, NodeId, Take take);
+    Flow include(const Tree&, const node::Include&, NodeId, const Sink& take);
     const Tree* load(const std::string& name, Span);
     void speak(const Tree&, const node::Message&, NodeId);
     void set_version(const Tree&, const node::Version&, NodeId);
@@ -138,8 +204,8 @@ struct Evaluator::State {
     // ---- walk.cpp
     /// Hands the element of a value node to `take`, with channels that follow it (`Red filter .5`);
     /// gives the next node.
-    NodeId take_value(const Tree&, NodeId, Take take);
-    Flow take_vector(const Tree&, NodeId, Take take);
+    NodeId take_value(const Tree&, NodeId, const Sink& take);
+    Flow take_vector(const Tree&, NodeId, const Sink& take);
 
     Evaluator& evaluator;
     SourceStore& sources;
@@ -153,8 +219,13 @@ struct Evaluator::State {
     Frames frames;
     FunctionWorld world;
     std::vector<const FunctionInfo*> functions;  ///< by reserved word
+    const NameId concat = names.find("concat");
+    const NameId str = names.find("str");
     std::deque<Tree> trees;
     std::map<std::string, const Tree*> loaded;
+    CodeTable codes;
+    std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined
+    std::vector<Argument> arguments;                          ///< of the calls that are being made
     std::size_t include_depth = 0;
     std::uint64_t steps = 0;
     std::uint64_t written_bytes = 0;

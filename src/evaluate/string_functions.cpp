@@ -4,6 +4,7 @@
 #include "text/message.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -13,18 +14,16 @@ namespace {
 
 using Call = FunctionCall&;
 
-/// C's %f, or what POV-Ray makes of its two numbers.
-std::string formatted(double value, double length, double digits) {
-    const auto limited = [](double x) {
-        return static_cast<int>(std::fmax(-1000, std::fmin(1000, std::isnan(x) ? 0 : x)));
-    };
-    const int width = limited(length);
-    const int precision = digits < 0 ? 6 : limited(digits);
-    const char* const format = width < 0 ? "%0*.*f" : "%*.*f";
-    const int size = std::snprintf(nullptr, 0, format, std::abs(width), precision, value);
-    std::string text(static_cast<std::size_t>(size), ' ');
-    std::snprintf(text.data(), text.size() + 1, format, std::abs(width), precision, value);
-    return text;
+/// Whole numbers that a double holds exactly.
+constexpr double most_whole = 9007199254740992.0;
+
+/// Digits of a finite number, rounded to even as C's %f does; gives their end.
+char* write_digits(char* first, char* last, double value, int precision) {
+    if (precision > 0 || std::abs(value) >= most_whole)
+        return std::to_chars(first, last, value, std::chars_format::fixed, precision).ptr;
+    const double whole = std::nearbyint(value);
+    if (whole == 0 && std::signbit(value)) *first++ = '-';
+    return std::to_chars(first, last, static_cast<std::int64_t>(whole)).ptr;
 }
 
 /// The number of a character's bytes that begins so. Strings are UTF-8; a stray byte counts as a
@@ -63,9 +62,35 @@ double character_code(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+void append_formatted(std::string& text, double value, double length, double digits) {
+    constexpr int most = 1000;
+    const auto limited = [](double x) {
+        return static_cast<int>(std::fmax(-most, std::fmin(most, std::isnan(x) ? 0 : x)));
+    };
+    const int width = limited(length);
+    const int precision = digits < 0 ? 6 : limited(digits);
+    std::array<char, most + 400> buffer;  // the greatest number has 309 digits before the point
+    char* const first = buffer.data();
+    char* const last = first + buffer.size();
+    const bool finite = std::isfinite(value);
+    const char* const end = finite ? write_digits(first, last, value, precision)
+                                   : first + std::snprintf(first, buffer.size(), "%f", value);
+    const auto size = static_cast<std::size_t>(end - first);
+    const auto wanted = static_cast<std::size_t>(std::abs(width));
+    const std::size_t missing = wanted > size ? wanted - size : 0;
+    if (width < 0 && finite) {
+        // Zeros go between the sign and the digits.
+        const std::size_t sign = *first == '-' ? 1 : 0;
+        text.append(first, sign).append(missing, '0').append(first + sign, size - sign);
+    } else {
+        text.append(missing, ' ').append(first, size);
+    }
+}
+
 Value number_text(Call call) {
-    const double value = call.number(0);
-    return formatted(value, call.number(1), call.number(2));
+    std::string text;
+    append_formatted(text, call.number(0), call.number(1), call.number(2));
+    return text;
 }
 
 Value vector_text(Call call) {
@@ -74,9 +99,10 @@ Value vector_text(Call call) {
     const std::string_view separator = call.text(2);
     const double length = call.number(3), digits = call.number(4);
     std::string text;
-    for (int i = 0; i < n; ++i)
-        text += std::string(i > 0 ? separator : std::string_view()) +
-                formatted(i < v.count ? v.at[static_cast<std::size_t>(i)] : 0, length, digits);
+    for (int i = 0; i < n; ++i) {
+        if (i > 0) text += separator;
+        append_formatted(text, i < v.count ? v.at[static_cast<std::size_t>(i)] : 0, length, digits);
+    }
     return text;
 }
 

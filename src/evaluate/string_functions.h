@@ -6,6 +6,10 @@
 
 #include "evaluate/functions.h"
 
+/// C's %f: so wide at least, filled with blanks, or with zeros when the width is below 0; so many
+/// digits behind the point, six when that is below 0.
+void append_formatted(std::string& text, double value, double width, double digits);
+
 Value character(FunctionCall&);
 Value character_number(FunctionCall&);
 Value compare(FunctionCall&);

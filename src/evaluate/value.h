@@ -14,14 +14,17 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <type_traits>
 #include <vector>
 
+class ArrayData;
+class Formula;
 struct ColourStop;
 struct DataFile;
 struct DeclaredCamera;
 struct Finish;
 struct Interior;
+struct MacroData;
 struct Object;
 struct Pigment;
 struct PlacedLight;
@@ -56,64 +59,118 @@ enum class Absence : std::uint8_t {
     broken,         ///< has been reported: say no more
 };
 
-class Value;
+/// What values share: its order is that of the names in value.cpp.
+template <class... T>
+struct SharedKinds {
+    static constexpr std::size_t count = sizeof...(T);
 
-/// An array of up to five dimensions, all elements of one kind. Copied when it is written to while
-/// shared.
-struct ArrayData {
-    std::vector<int> sizes;
-    std::vector<Value> elements;  ///< the last index runs fastest
+    template <class Wanted>
+    static consteval std::size_t position() {
+        std::size_t at = 0;
+        static_cast<void>(((std::is_same_v<Wanted, T> ? true : (++at, false)) || ...));
+        return at;
+    }
 };
+using ValueKinds =
+    SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
+                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile>;
 
-struct MacroData;
-
+/// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {
 public:
-    using Content =
-        std::variant<Absence, Numbers, Handle<std::string>, std::shared_ptr<ArrayData>,
-                     Handle<MacroData>, Handle<Object>, Handle<Texture>, Handle<Pigment>,
-                     Handle<Finish>, Handle<Interior>, Handle<Transform>, Handle<DeclaredCamera>,
-                     Handle<PlacedLight>, Handle<std::vector<ColourStop>>, Handle<DataFile>>;
-
-    Value(Absence why) : content_(why) {}
-    Value(double number) : content_(Numbers::scalar(number)) {}
-    Value(const Numbers& numbers) : content_(numbers) {}
-    Value(std::string text) : content_(make_handle<std::string>(std::move(text))) {}
+    Value(Absence why) : kind_(absence_kind), absence_(why) {}
+    Value(double number) : kind_(numbers_kind), numbers_(Numbers::scalar(number)) {}
+    Value(const Numbers& numbers) : kind_(numbers_kind), numbers_(numbers) {}
+    Value(std::string text)
+        : kind_(kind_of<std::string>), shared_(make_handle<std::string>(std::move(text))) {}
     template <class T>
-    Value(Handle<T> handle) : content_(std::move(handle)) {}
-    Value(std::shared_ptr<ArrayData> array) : content_(std::move(array)) {}
+    Value(Handle<T> handle) : kind_(kind_of<T>), shared_(std::move(handle)) {}
+    /// Macros live as long as the evaluation.
+    Value(const MacroData* macro) : kind_(macro_kind), macro_(macro) {}
+
+    Value(const Value& other) : kind_(other.kind_) {
+        if (kind_ >= first_shared)
+            new (&shared_) AnyHandle(other.shared_);
+        else
+            take_plain(other);
+    }
+    Value(Value&& other) noexcept : kind_(other.kind_) {
+        if (kind_ >= first_shared)
+            new (&shared_) AnyHandle(std::move(other.shared_));
+        else
+            take_plain(other);
+    }
+    Value& operator=(const Value& other) {
+        if (this != &other) *this = Value(other);
+        return *this;
+    }
+    Value& operator=(Value&& other) noexcept {
+        if (this == &other) return *this;
+        this->~Value();
+        return *new (this) Value(std::move(other));
+    }
+    ~Value() {
+        if (kind_ >= first_shared) shared_.~AnyHandle();
+    }
 
     explicit operator bool() const = delete;
 
-    const Numbers* numbers() const { return std::get_if<Numbers>(&content_); }
+    const Numbers* numbers() const { return kind_ == numbers_kind ? &numbers_ : nullptr; }
+    Numbers* edit_numbers() { return kind_ == numbers_kind ? &numbers_ : nullptr; }
     /// The string, or null.
-    const std::string* text() const;
-    const ArrayData* array() const;
-    /// The array for writing: no other value sees the change. Precondition: array().
+    const std::string* text() const { return shared<std::string>(); }
+    /// The string for writing, when no other value shares it; otherwise null.
+    std::string* own_text();
+    const ArrayData* array() const { return shared<ArrayData>(); }
+    /// The array for writing: no other value sees the change, so one that is shared is copied
+    /// first. Precondition: array().
     ArrayData& edit_array();
+    const MacroData* macro() const { return kind_ == macro_kind ? macro_ : nullptr; }
+    const Formula* formula() const { return shared<Formula>(); }
     /// The shared part of a scene, or null when the value is something else.
     template <class T>
     Handle<T> handle() const {
-        const auto* found = std::get_if<Handle<T>>(&content_);
-        return found ? *found : Handle<T>();
+        return kind_ == kind_of<T> ? shared_.as<T>() : Handle<T>();
     }
-    bool absent() const { return std::holds_alternative<Absence>(content_); }
+    bool absent() const { return kind_ == absence_kind; }
     /// Has been reported: nobody needs to hear of it again.
     bool broken() const { return is(Absence::broken); }
-    bool is(Absence why) const {
-        const auto* found = std::get_if<Absence>(&content_);
-        return found && *found == why;
-    }
-    template <class F>
-    decltype(auto) visit(F&& function) const {
-        return std::visit(std::forward<F>(function), content_);
-    }
-    Numbers* edit_numbers() { return std::get_if<Numbers>(&content_); }
+    bool is(Absence why) const { return kind_ == absence_kind && absence_ == why; }
     /// Whether both are of the same kind; all numbers are one kind.
-    bool same_kind(const Value& other) const { return content_.index() == other.content_.index(); }
+    bool same_kind(const Value& other) const { return kind_ == other.kind_; }
 
 private:
-    Content content_;
+    static constexpr std::uint8_t absence_kind = 0, numbers_kind = 1, macro_kind = 2,
+                                  first_shared = 3;
+    template <class T>
+    static constexpr std::uint8_t kind_of = [] {
+        constexpr std::size_t position = ValueKinds::position<T>();
+        static_assert(position < ValueKinds::count, "values do not share this type");
+        return static_cast<std::uint8_t>(first_shared + position);
+    }();
+
+    template <class T>
+    const T* shared() const {
+        return kind_ == kind_of<T> ? static_cast<const T*>(shared_.get()) : nullptr;
+    }
+    void take_plain(const Value& other) {
+        if (kind_ == numbers_kind)
+            numbers_ = other.numbers_;
+        else if (kind_ == macro_kind)
+            macro_ = other.macro_;
+        else
+            absence_ = other.absence_;
+    }
+
+    std::uint8_t kind_;
+    union {
+        Absence absence_;
+        Numbers numbers_;
+        const MacroData* macro_;
+        AnyHandle shared_;
+    };
+
+    friend std::string_view kind_name(const Value&);
 };
 static_assert(sizeof(Value) <= 56);
 

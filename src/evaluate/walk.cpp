@@ -4,32 +4,23 @@
 #include "evaluate/state.h"
 #include "text/message.h"
 
-namespace {
-
-Element value_element(Value value, const Tree& tree, NodeId id) {
-    Element element;
-    element.kind = Element::Kind::value;
-    element.value = std::move(value);
-    element.origin = {&tree, id};
-    element.span = element.word_span = tree.span(id);
-    return element;
-}
-
-}  // namespace
-
 bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
     return tree[id].content.index() >= kind<node::Declare>;
 }
 
-Flow Evaluator::State::walk(const Tree& tree, NodeId first, Take take) {
+Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
     for (NodeId id = first; id != no_node;) {
         if (stopped_) return Flow::stopped;
-        const std::size_t kind_here = tree[id].content.index();
-        if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
-            kind_here != kind<node::Channel>) {
+        const Node& node = tree[id];
+        const std::size_t kind_here = node.content.index();
+        if (kind_here == kind<node::Declare>) {
+            declare(tree, *std::get_if<node::Declare>(&node.content), id);
+            id = node.next;
+        } else if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
+                   kind_here != kind<node::Channel>) {
             const Flow flow = walk_one(tree, id, take);
             if (flow != Flow::end) return flow;
-            id = tree[id].next;
+            id = node.next;
         } else {
             id = take_value(tree, id, take);
         }
@@ -37,7 +28,7 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, Take take) {
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, Take take) {
+Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
     const NodeContent& content = tree[id].content;
     const auto body_element = [&](Element::Kind kind, NodeId body) {
         Element element;
@@ -70,26 +61,31 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, Take take) {
         case kind<node::Call>: {
             const auto& call = *std::get_if<node::Call>(&content);
             if (!names.reserved(call.name)) return call_macro(tree, call, id, take);
-            take(value_element(evaluate(tree, id), tree, id));
+            take.value(evaluate(tree, id), tree, id);
             return Flow::end;
         }
         case kind<node::Vector>:
             return take_vector(tree, id, take);
         default:
             if (is_directive(tree, id)) return directive(tree, id, take);
-            take(value_element(evaluate(tree, id), tree, id));
+            take.value(evaluate(tree, id), tree, id);
             return Flow::end;
     }
 }
 
 /// A list in `< >`: with six numbers or more it is no value, but an element of its own kind.
-Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, Take take) {
+Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, const Sink& take) {
+    Numbers computed;
+    if (compute(tree, id, computed)) {
+        take.value(computed, tree, id);
+        return Flow::end;
+    }
     std::vector<double> numbers;
     if (!components(tree, tree.get<node::Vector>(id).components, numbers)) {
-        take(value_element(Absence::broken, tree, id));
+        take.value(Absence::broken, tree, id);
         return stopped_ ? Flow::stopped : Flow::end;
     }
-    Element element = value_element(Absence::nothing, tree, id);
+    Element element = Sink::value_element(Absence::nothing, tree, id);
     if (numbers.size() > 5) {
         element.kind = Element::Kind::list;
         element.list = numbers;
@@ -100,9 +96,15 @@ Flow Evaluator::State::take_vector(const Tree& tree, NodeId id, Take take) {
     return Flow::end;
 }
 
-NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, Take take) {
+NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, const Sink& take) {
     NodeId next = tree[id].next;
-    Element element = value_element(Absence::nothing, tree, id);
+    Numbers computed;
+    if (!tree.get_if<node::Name>(id) && !tree.get_if<node::Channel>(next) &&
+        compute(tree, id, computed)) {
+        take.value(computed, tree, id);
+        return next;
+    }
+    Element element = Sink::value_element(Absence::nothing, tree, id);
     Numbers channels;
     channels.count = 5;
     if (const auto* name = tree.get_if<node::Name>(id)) {

@@ -65,3 +65,23 @@ TEST_CASE("handles to one value are equal, handles to equal values are not", "[b
     CHECK(Handle<int>() == Handle<int>(nullptr));
     CHECK(sizeof(Handle<Unknown>) == sizeof(void*));
 }
+
+TEST_CASE("a handle may forget its type", "[base]") {
+    const Handle<std::string> text = make_handle<std::string>("abc");
+    AnyHandle any(text);
+    CHECK(any.get() == text.get());
+    CHECK_FALSE(any.alone());
+    CHECK(any.as<std::string>() == text);
+    any.edit<std::string>() += "d";
+    CHECK(*text == "abc");
+    CHECK(*any.as<std::string>() == "abcd");
+    CHECK(any.alone());
+    const AnyHandle copy = any;
+    CHECK_FALSE(any.alone());
+    any = AnyHandle(text);
+    CHECK(copy.alone());
+    CHECK_FALSE(text.alone());
+    any = AnyHandle(Handle<std::string>());
+    CHECK(any.get() == nullptr);
+    CHECK(text.alone());
+}

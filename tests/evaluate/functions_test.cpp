@@ -48,3 +48,19 @@ TEST_CASE("the table of functions is in order and complete", "[evaluate]") {
         CHECK_FALSE(function.help.empty());
     }
 }
+
+TEST_CASE("random numbers of an attempt can be taken back", "[evaluate]") {
+    RandomStreams streams;
+    const std::size_t a = streams.open(1), b = streams.open(2);
+    const double first = streams.next(a);
+    streams.begin_attempt();
+    const double second = streams.attempt(a);
+    streams.attempt(b);
+    streams.attempt(a);
+    streams.take_back();
+    CHECK(streams.next(a) == second);
+    CHECK(first != second);
+    RandomStreams fresh;
+    fresh.open(2);
+    CHECK(streams.next(b) == fresh.next(0));
+}

@@ -5,6 +5,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
 TEST_CASE("functions of strings have POV-Ray's values", "[evaluate]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {R"(#debug str(1.5,0,2) #debug str(2,8,1) #debug str(-2,-6,1) #debug str(1/3,0,-1))",
@@ -43,4 +48,27 @@ TEST_CASE("what a function of strings cannot take is reported", "[evaluate]") {
     }));
     INFO(script);
     CHECK(printed(script) == result);
+}
+
+TEST_CASE("numbers are written as C writes them", "[evaluate]") {
+    const auto same = [](double value, int width, int digits) {
+        std::array<char, 1500> expected;
+        std::snprintf(expected.data(), expected.size(), width < 0 ? "%0*.*f" : "%*.*f",
+                      std::abs(width), digits < 0 ? 6 : digits, value);
+        std::string text = "+";
+        append_formatted(text, value, width, digits);
+        CHECK(text == "+" + std::string(expected.data()));
+    };
+    const double edges[] = {0.0,    -0.0,     0.5,       1.5,      2.5,     -0.4,  -0.5,
+                            0.125,  999.9999, 1e15,      9.007e15, 1.23e17, 1e300, -1e300,
+                            1e-300, INFINITY, -INFINITY, 0.1,      2.675,   1e22,  5e-324};
+    for (const double value : edges)
+        for (const int width : {0, 1, 12, -12, -1, 400, -400})
+            for (const int digits : {-1, 0, 1, 2, 3, 17, 400}) same(value, width, digits);
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 20000; ++i) {
+        const double value = std::ldexp(static_cast<double>(random()) - 9.2e18,
+                                        static_cast<int>(random() % 130) - 100);
+        same(value, static_cast<int>(random() % 30) - 15, static_cast<int>(random() % 20));
+    }
 }

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/transform.h"
+#include "evaluate/compiler.h"
+
+#include <algorithm>
+
+Operands Evaluator::State::Compiler::call(const node::Call& node) {
+    if (!state.names.reserved(node.name)) {
+        const Value* found = state.scope.find(node.name);
+        if (!found) return {};
+        if (!found->formula()) return never();  // nearly always a macro
+        return call_formula(node.name, found->handle<Formula>(), node.arguments);
+    }
+    const std::string_view name = state.names.spelling(node.name);
+    if (const auto function = function_number(name)) return of_one(name, *function, node.arguments);
+    if (name == "rand") return random(node.arguments);
+    if (name.starts_with("dimension")) return array_size(name, node.arguments);
+    if (name.starts_with("v") && name != "val" && name != "vstr" && name != "vturbulence")
+        return of_vectors(name, node.arguments);
+    return of_numbers(name, node.arguments);
+}
+
+/// Arguments that each are one number.
+bool Evaluator::State::Compiler::scalars(NodeId first, std::vector<Operand>& result) {
+    for (NodeId id = first; id != no_node; id = tree[id].next) {
+        const Operands operand = compile(id);
+        if (operand.count != 1) return false;
+        result.push_back(operand.at[0]);
+    }
+    return true;
+}
+
+Operands Evaluator::State::Compiler::call_program(Handle<Formula> formula,
+                                                  std::span<const Operand> arguments) {
+    Operands result;
+    result.count = formula->results();
+    const Operand first = builder.call(std::move(formula), arguments);
+    for (std::size_t i = 0; i < result.count; ++i)
+        result.at[i] = ProgramBuilder::following(first, i);
+    for (const Operand argument : arguments) builder.release(argument);
+    return result;
+}
+
+Operands Evaluator::State::Compiler::call_formula(NameId name, Handle<Formula> formula,
+                                                  NodeId arguments) {
+    std::vector<Operand> values;
+    if (!scalars(arguments, values) || values.size() != formula->parameters()) return {};
+    code.callees.push_back({name, formula.get()});
+    return call_program(std::move(formula), values);
+}
+
+Operands Evaluator::State::Compiler::random(NodeId arguments) {
+    std::vector<Operand> stream;
+    if (!scalars(arguments, stream) || stream.size() != 1) return {};
+    code.random = true;
+    const auto next = [&streams = state.world.random](const double* in, double* out) {
+        if (!streams.known(in[0])) return false;
+        out[0] = streams.attempt(static_cast<std::size_t>(in[0]));
+        return true;
+    };
+    return native(1, next, stream);
+}
+
+/// An element of an array of numbers, all with as many components as those that it has now.
+Operands Evaluator::State::Compiler::index(const node::Index& node) {
+    std::vector<Operand> indices;
+    if (!scalars(node.indices, indices)) return {};
+    const Value* found = state.scope.find(node.name);
+    const ArrayData* now = found ? found->array() : nullptr;
+    if (!now || now->most_numbers() == 0 || now->sizes().size() != indices.size()) return {};
+    const int count = now->count(0) > 0 ? now->count(0) : now->most_numbers();
+    const auto element = [&scope = state.scope, name = node.name, rank = indices.size(), count](
+                             const double* in, double* out) {
+        const Value* value = scope.find(name);
+        const ArrayData* array = value ? value->array() : nullptr;
+        if (!array || array->sizes().size() != rank) return false;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < rank; ++i) {
+            const int size = array->sizes()[i];
+            const double whole = in[i] + tolerance;
+            if (!(whole >= 0 && whole < size)) return false;
+            at = at * static_cast<std::size_t>(size) + static_cast<std::size_t>(whole);
+        }
+        if (array->count(at) != count) return false;
+        std::copy_n(array->numbers(at), count, out);
+        return true;
+    };
+    return native(static_cast<std::size_t>(count), element, indices);
+}
+
+Operands Evaluator::State::Compiler::array_size(std::string_view name, NodeId arguments) {
+    const auto* array = tree.get_if<node::Name>(arguments);
+    if (!array) return never();
+    std::vector<Operand> dimension;
+    if (!scalars(tree[arguments].next, dimension)) return {};
+    if (dimension.size() != (name == "dimensions" ? 0 : 1)) return {};
+    const auto size = [&scope = state.scope, array = array->name, all = dimension.empty()](
+                          const double* in, double* out) {
+        const Value* value = scope.find(array);
+        if (!value || !value->array()) return false;
+        const std::vector<int>& sizes = value->array()->sizes();
+        const auto count = static_cast<double>(sizes.size());
+        const bool inside = !all && in[0] >= 1 && in[0] <= count;
+        out[0] = all ? count : inside ? sizes[static_cast<std::size_t>(in[0]) - 1] : 0;
+        return true;
+    };
+    return native(1, size, dimension);
+}
+
+/// What such a function has to say about an argument outside of where it is defined is left to it.
+void Evaluator::State::Compiler::refuse_outside(std::string_view function, Operand x) {
+    const Operand zero = builder.constant(0);
+    if (function == "sqrt") refuse_unless(builder.emit(Operation::greater_equal, x, zero));
+    if (function == "ln" || function == "log")
+        refuse_unless(builder.emit(Operation::greater, x, zero));
+    if (function == "asin" || function == "acos") {
+        refuse_unless(builder.emit(Operation::less_equal, x, builder.constant(1)));
+        refuse_unless(builder.emit(Operation::greater_equal, x, builder.constant(-1)));
+    }
+}
+
+Operands Evaluator::State::Compiler::of_one(std::string_view name, std::uint16_t function,
+                                            NodeId arguments) {
+    std::vector<Operand> values;
+    if (!scalars(arguments, values) || values.size() != 1) return {};
+    refuse_outside(name, values[0]);
+    const Operand result = builder.apply(function, values[0]);
+    builder.release(values[0]);
+    return Operands::one(result);
+}
+
+ProgramBuilder::Operand Evaluator::State::Compiler::fold(Operation operation,
+                                                         std::span<const Operand> values) {
+    Operand result = values[0];
+    for (const Operand value : values.subspan(1)) {
+        const Operand next = builder.emit(operation, result, value);
+        builder.release(result);
+        builder.release(value);
+        result = next;
+    }
+    return result;
+}
+
+ProgramBuilder::Operand Evaluator::State::Compiler::select(std::span<const Operand> values) {
+    const Operand result = builder.variable();
+    std::vector<std::size_t> to_end;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        const Operation test = i == 1 ? Operation::less : Operation::equal;
+        const Operand here = builder.emit(test, values[0], builder.constant(0));
+        const std::size_t other = builder.jump_unless(here);
+        builder.release(here);
+        builder.assign(result, values[i]);
+        to_end.push_back(builder.jump());
+        builder.land(other);
+    }
+    builder.assign(result, values.back());
+    for (const std::size_t jump : to_end) builder.land(jump);
+    for (const Operand value : values) builder.release(value);
+    return result;
+}
+
+Operands Evaluator::State::Compiler::of_numbers(std::string_view name, NodeId arguments) {
+    struct OfTwo {
+        std::string_view name;
+        Operation operation;
+    };
+    constexpr auto of_two =
+        std::array{OfTwo{"atan2", Operation::arc_tangent}, OfTwo{"div", Operation::whole_quotient},
+                   OfTwo{"mod", Operation::remainder}, OfTwo{"pow", Operation::power}};
+    const bool extreme = name == "min" || name == "max";
+    const auto* two = std::find_if(of_two.begin(), of_two.end(),
+                                   [&](const OfTwo& entry) { return entry.name == name; });
+    if (!extreme && name != "select" && two == of_two.end()) return never();
+    std::vector<Operand> values;
+    if (!scalars(arguments, values)) return {};
+    if (extreme && !values.empty())
+        return Operands::one(fold(name == "min" ? Operation::least : Operation::greatest, values));
+    if (name == "select" && (values.size() == 3 || values.size() == 4))
+        return Operands::one(select(values));
+    if (two == of_two.end() || values.size() != 2) return {};
+    // atan2(0, 0) and pow(0, 0) are errors.
+    if (name == "atan2") refuse_unless(builder.emit(Operation::true_either, values[0], values[1]));
+    if (name == "pow") refuse_unless(builder.emit(Operation::either, values[0], values[1]));
+    return Operands::one(fold(two->operation, values));
+}
+
+ProgramBuilder::Operand Evaluator::State::Compiler::dot(const Operands& a, const Operands& b) {
+    std::array<Operand, 3> products;
+    for (std::size_t i = 0; i < products.size(); ++i)
+        products[i] = builder.emit(Operation::multiply, a.at[i], b.at[i]);
+    return fold(Operation::add, products);
+}
+
+Operands Evaluator::State::Compiler::of_two_vectors(std::string_view name, const Operands& a,
+                                                    const Operands& b) {
+    if (name == "vdot") return Operands::one(dot(a, b));
+    Operands result;
+    if (name == "vcross") {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+            const std::array products = {builder.emit(Operation::multiply, a.at[i], b.at[j]),
+                                         builder.emit(Operation::multiply, b.at[i], a.at[j])};
+            result.at[result.count++] = fold(Operation::subtract, products);
+        }
+        return result;
+    }
+    const auto rotate = [](const double* in, double* out) {
+        const Vec3 turned =
+            Transform::rotation(Vec3(in[3], in[4], in[5])).direction(Vec3(in[0], in[1], in[2]));
+        for (int i = 0; i < 3; ++i) out[i] = turned[i];
+        return true;
+    };
+    const std::array arguments = {a.at[0], a.at[1], a.at[2], b.at[0], b.at[1], b.at[2]};
+    return native(3, rotate, arguments);
+}
+
+Operands Evaluator::State::Compiler::of_vectors(std::string_view name, NodeId arguments) {
+    std::vector<Operands> given, values;
+    for (NodeId id = arguments; id != no_node; id = tree[id].next) {
+        given.push_back(compile(id));
+        if (given.back().count == 0 || given.back().count > 3) return {};
+        values.push_back(promoted(given.back(), 3));
+    }
+    const bool of_two = name == "vdot" || name == "vcross" || name == "vrotate";
+    if (!of_two && name != "vlength" && name != "vnormalize") return never();
+    if (values.size() != (of_two ? 2 : 1)) return {};
+    Operands result;
+    if (of_two) {
+        result = of_two_vectors(name, values[0], values[1]);
+    } else {
+        const Operand squared = dot(values[0], values[0]);
+        const Operand length = builder.apply(*function_number("sqrt"), squared);
+        builder.release(squared);
+        // The zero vector has no direction, which is said.
+        if (name == "vnormalize")
+            while (result.count < 3) {
+                result.at[result.count] = builder.divide_unless(values[0].at[result.count], length);
+                ++result.count;
+            }
+        if (name == "vnormalize")
+            builder.release(length);
+        else
+            result = Operands::one(length);
+    }
+    for (const Operands& operands : given) release(operands);
+    return result;
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/macro.h"
+
+#include "evaluate/state.h"
+#include "text/message.h"
+
+void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, NodeId id) {
+    const Value* before = scope.find(node.name);
+    if (before && !before->macro()) {
+        broken(Fault::redefinition, tree.span(id),
+               message("`", names.spelling(node.name), "` is declared as ", kind_name(*before),
+                       " and cannot become a macro"));
+        return;
+    }
+    const auto [found, fresh] = macros.try_emplace({tree.source, id});
+    MacroData& macro = found->second;
+    if (fresh) {
+        macro.name = node.name;
+        macro.body = {&tree, node.body};
+        for (NodeId parameter = node.parameters; parameter != no_node;
+             parameter = tree[parameter].next) {
+            const auto& info = tree.get<node::Parameter>(parameter);
+            macro.parameters.push_back({info.name, info.optional});
+            if (!info.optional) macro.least = macro.parameters.size();
+        }
+        // The place of its first line; the whole macro may be long.
+        macro.defined = tree.span(id);
+        const std::string_view name = names.spelling(node.name);
+        const std::size_t at = sources.text(tree.source).substr(macro.defined.first).find(name);
+        macro.defined.last =
+            macro.defined.first +
+            static_cast<std::uint32_t>(at == std::string_view::npos ? 0 : at + name.size());
+    }
+    scope.declare(node.name, &macro);
+}
+
+bool Evaluator::State::argument_element(const Tree& tree, const node::Index& index, NodeId id,
+                                        Argument& result) {
+    Indices places;
+    if (!indices(tree, index.indices, places)) return false;
+    const Value* array = scope.find(index.name);
+    if (array) {
+        std::size_t used = 0;
+        if (!check_array(*array, tree.span(id))) return false;
+        const std::optional<std::size_t> i = place(*array->array(), places, used, tree.span(id));
+        if (!i) return false;
+        const Scope::Reference base = scope.reference(index.name);
+        if (used == places.count && base.element < 0 && array->array()->has(*i)) {
+            result.place = {base.cell, static_cast<std::int64_t>(*i)};
+            return true;
+        }
+    }
+    result.by_value = true;
+    Value value = index_value(tree, index, id);
+    result.place.cell = scope.fresh_cell();
+    *result.place.cell = std::move(value);
+    return !result.place.cell->broken();
+}
+
+/// A lone name or element is passed by reference, anything else by value.
+bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
+    if (const auto* name = tree.get_if<node::Name>(id)) {
+        const Value* found = scope.find(name->name);
+        if (found && !found->absent() && !found->macro()) {
+            result.place = scope.reference(name->name);
+            return true;
+        }
+    } else if (const auto* index = tree.get_if<node::Index>(id)) {
+        return argument_element(tree, *index, id, result);
+    }
+    result.by_value = true;
+    Numbers numbers;
+    if (compute(tree, id, numbers)) {
+        result.place.cell = scope.fresh_cell();
+        *result.place.cell = numbers;
+        return true;
+    }
+    Value value = walk_expression(tree, id);
+    result.place.cell = scope.fresh_cell();
+    *result.place.cell = std::move(value);
+    return !result.place.cell->broken();
+}
+
+void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, Span span) {
+    const std::size_t least = macro.least, most = macro.parameters.size();
+    std::string list;
+    for (const MacroData::Parameter& parameter : macro.parameters)
+        list += message(list.empty() ? "" : ", ", parameter.optional ? "optional " : "",
+                        names.spelling(parameter.name));
+    report(error(Fault::wrong_count, span,
+                 message("macro `", names.spelling(macro.name), "` takes ",
+                         least == most ? message(most) : message(least, " to ", most),
+                         most == 1 ? " argument" : " arguments", ", but here ",
+                         count == 1 ? "is " : "are ", count))
+               .pointing(macro.defined,
+                         message("defined as ", names.spelling(macro.name), "(", list, ")")));
+    if (diagnostics.full()) stopped_ = true;
+}
+
+bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, NodeId id,
+                                      const MacroData& macro) {
+    const std::size_t base = arguments.size();
+    bool good = true;
+    for (NodeId at = node.arguments; at != no_node && !stopped_; at = tree[at].next) {
+        Argument one;
+        good = argument(tree, at, one) && good;
+        arguments.push_back(one);
+    }
+    const std::size_t count = arguments.size() - base;
+    if (good && !stopped_ && (count < macro.least || count > macro.parameters.size())) {
+        report_arguments(macro, count, tree.span(id));
+        good = false;
+    }
+    if (good && !stopped_) return true;
+    for (; arguments.size() > base; arguments.pop_back())
+        if (arguments.back().by_value && arguments.back().place.cell)
+            scope.give_back(arguments.back().place.cell);
+    return false;
+}
+
+const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Call& node,
+                                                NodeId id) {
+    const Value* found = scope.find(node.name);
+    if (!found) {
+        const auto length = static_cast<std::uint32_t>(names.spelling(node.name).size());
+        unknown_name(node.name, {tree.source, tree[id].first, tree[id].first + length});
+        return nullptr;
+    }
+    if (!found->macro() && !found->broken())
+        broken(Fault::wrong_type, tree.span(id),
+               message("`", names.spelling(node.name), "` is ", kind_name(*found),
+                       " and cannot be called"));
+    return found->macro();
+}
+
+Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, NodeId id,
+                                  const Sink& take) {
+    if (!room(tree, id)) return Flow::stopped;
+    const MacroData* macro = called_macro(tree, node, id);
+    if (macro && too_many_steps(tree, id)) return Flow::stopped;
+    if (macro && frames.depth() >= limits.call_depth) {
+        if (!stopped_)
+            report(error(Fault::recursion_limit, tree.span(id),
+                         message("macros call each other ", limits.call_depth,
+                                 " deep, which is the limit"))
+                       .with_help("a recursion needs an #if that ends it; --limit-depth raises the "
+                                  "limit"));
+        stopped_ = true;
+        return Flow::stopped;
+    }
+    const std::size_t base = arguments.size();
+    if (!macro || !pass_arguments(tree, node, id, *macro)) {
+        take.value(Absence::broken, tree, id);
+        return stopped_ ? Flow::stopped : Flow::end;
+    }
+    scope.enter();
+    for (std::size_t i = base; i < arguments.size(); ++i) {
+        const Argument& argument = arguments[i];
+        const NameId name = macro->parameters[i - base].name;
+        if (argument.by_value)
+            scope.bind_parameter(name, argument.place.cell);
+        else
+            scope.alias(name, argument.place);
+    }
+    arguments.resize(base);
+    frames.push({Frame::macro, macro->name, no_source, tree.span(id)});
+    const Flow flow = walk(*macro->body.tree, macro->body.first, take);
+    frames.pop();
+    scope.leave();
+    return flow == Flow::stopped ? Flow::stopped
+                                 : Flow::end;  // a #break outside loops ends the macro
+}

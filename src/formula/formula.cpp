@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formula/formula.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+bool run_with(const Program& program, const double* arguments, double* results, double* registers) {
+    std::copy_n(arguments, program.inputs, registers);
+    program.prepare(registers);
+    if (!execute(program, registers)) return false;
+    for (std::size_t i = 0; i < program.results; ++i) results[i] = registers[program.result[i]];
+    return true;
+}
+
+bool run_program(const void* code, const double* arguments, double* results) {
+    const Program& program = *static_cast<const Program*>(code);
+    constexpr std::size_t usual = 64;
+    if (program.registers > usual) {
+        std::vector<double> registers(program.registers);
+        return run_with(program, arguments, results, registers.data());
+    }
+    std::array<double, usual> registers;
+    return run_with(program, arguments, results, registers.data());
+}
+
+}  // namespace
+
+Formula::Formula(Program program)
+    : parameters_(program.inputs), results_(program.results), run_(run_program) {
+    for (const auto& called : program.calls) depth_ = std::max(depth_, called->depth() + 1);
+    code_ = std::make_shared<const Program>(std::move(program));
+}
+
+double Formula::value(std::span<const double> arguments) const {
+    std::array<double, Program::most_results> results;
+    return run(arguments.data(), results.data()) ? results[0]
+                                                 : std::numeric_limits<double>::quiet_NaN();
+}

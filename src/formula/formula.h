@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A function of numbers: what `function { ... }` stands for. Its body is a program, or code of C++
+// for what the language cannot write (a spline, a transformation, an internal function). Pure but
+// for code that says otherwise, and then safe to call from many threads.
+#pragma once
+
+#include "formula/program.h"
+
+#include <memory>
+#include <span>
+#include <utility>
+
+class Formula {
+public:
+    /// Formulas that call formulas, at most so deep: each level takes room on the stack.
+    static constexpr int most_depth = 100;
+
+    explicit Formula(Program program);
+    /// Code of C++: bool(const double* arguments, double* results). The results may lie where the
+    /// arguments do. It gives false when there is no answer; the program that called then gives up.
+    template <class Code>
+    Formula(std::size_t parameters, std::size_t results, Code code)
+        : parameters_(parameters),
+          results_(results),
+          code_(std::make_shared<const Code>(std::move(code))),
+          run_([](const void* code, const double* arguments, double* results) -> bool {
+              return (*static_cast<const Code*>(code))(arguments, results);
+          }) {}
+
+    std::size_t parameters() const { return parameters_; }
+    /// 1 to 5.
+    std::size_t results() const { return results_; }
+    /// How many calls of formulas can be inside each other in it, itself included.
+    int depth() const { return depth_; }
+
+    bool run(const double* arguments, double* results) const {
+        return run_(code_.get(), arguments, results);
+    }
+
+    /// The first result; not a number when there is none. Precondition: enough arguments.
+    double value(std::span<const double> arguments) const;
+
+private:
+    std::size_t parameters_;
+    std::size_t results_;
+    int depth_ = 1;
+    std::shared_ptr<const void> code_;  ///< a Program, or what a constructor was given
+    bool (*run_)(const void* code, const double* arguments, double* results);
+};

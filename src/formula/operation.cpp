@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formula/operation.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+struct Named {
+    std::string_view name;
+    double (*code)(double);
+};
+
+constexpr double degree = std::numbers::pi / 180;
+
+constexpr auto functions = std::array{
+    Named{"abs", [](double x) { return std::abs(x); }},
+    Named{"acos", [](double x) { return std::acos(x); }},
+    Named{"acosh", [](double x) { return std::acosh(x); }},
+    Named{"asin", [](double x) { return std::asin(x); }},
+    Named{"asinh", [](double x) { return std::asinh(x); }},
+    Named{"atan", [](double x) { return std::atan(x); }},
+    Named{"atanh", [](double x) { return std::atanh(x); }},
+    Named{"ceil", [](double x) { return std::ceil(x); }},
+    Named{"cos", [](double x) { return std::cos(x); }},
+    Named{"cosh", [](double x) { return std::cosh(x); }},
+    Named{"degrees", [](double x) { return x / degree; }},
+    Named{"exp", [](double x) { return std::exp(x); }},
+    Named{"floor", [](double x) { return std::floor(x); }},
+    Named{"int", [](double x) { return static_cast<double>(to_int32(x)); }},
+    Named{"ln", [](double x) { return std::log(x); }},
+    Named{"log", [](double x) { return std::log10(x); }},
+    Named{"radians", [](double x) { return x * degree; }},
+    Named{"sin", [](double x) { return std::sin(x); }},
+    Named{"sinh", [](double x) { return std::sinh(x); }},
+    Named{"sqrt", [](double x) { return std::sqrt(x); }},
+    Named{"tan", [](double x) { return std::tan(x); }},
+    Named{"tanh", [](double x) { return std::tanh(x); }},
+};
+
+}  // namespace
+
+std::optional<std::uint16_t> function_number(std::string_view name) {
+    for (std::size_t i = 0; i < functions.size(); ++i)
+        if (functions[i].name == name) return static_cast<std::uint16_t>(i);
+    return std::nullopt;
+}
+
+double apply_function(std::uint16_t number, double x) { return functions[number].code(x); }
+
+std::int32_t to_int32(double value) {
+    if (!(value > -2147483649.0 && value < 2147483648.0)) return INT32_MIN;
+    return static_cast<std::int32_t>(value);
+}
+
+double remainder_of(double a, double b) {
+    constexpr double most = 4503599627370496.0;  // 2^52: products of what follows are exact
+    if (!(std::abs(a) < most && std::abs(b) < most)) return std::fmod(a, b);
+    const auto whole_a = static_cast<std::int64_t>(a);
+    const auto whole_b = static_cast<std::int64_t>(b);
+    if (static_cast<double>(whole_a) != a || static_cast<double>(whole_b) != b || b == 0)
+        return std::fmod(a, b);
+    const double size = std::abs(a), step = std::abs(b);
+    // The rounded quotient of whole numbers may be the next whole number, but not more.
+    double rest = size - static_cast<double>(static_cast<std::int64_t>(size / step)) * step;
+    if (rest < 0) rest += step;
+    return std::copysign(rest, a);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calls in programs give what a walk gives: each is evaluated three times in a loop, and once
+// alone.
+#include "evaluate/compiler.h"
+
+#include "evaluate/said.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("calls are compiled as they are walked", "[evaluate]") {
+    const auto expression = GENERATE(
+        as<std::string>(), "abs(b)", "acos(b)", "acosh(a)", "asin(b)", "asinh(b)", "atan(b)",
+        "atanh(b)", "ceil(b)", "cos(b)", "cosh(b)", "degrees(b)", "exp(b)", "floor(b)",
+        "int(b * 10)", "ln(a)", "log(a)", "radians(b)", "sin(b)", "sinh(b)", "sqrt(a)", "tan(b)",
+        "tanh(b)", "atan2(a, b)", "atan2(0, b)", "div(a * 10, 3)", "div(a, 0)", "mod(a * 10, 3)",
+        "mod(b, 0.2)", "mod(-a, 2)", "pow(a, b)", "pow(b, 2)", "pow(0, a)", "min(a)", "min(a, b)",
+        "max(a, b, 5)", "min(3, b, a, -7)", "select(b, 1, 2)", "select(a, 1, 2)", "select(0, 1, 2)",
+        "select(b, 1, 2, 3)", "select(a, 1, 2, 3)", "select(a - 2, 1, 2, 3)", "vdot(p, w)",
+        "vdot(a, w)", "vdot(<1, 2>, w)", "vcross(p, w)", "vlength(p)", "vlength(a)",
+        "vnormalize(p)", "vnormalize(p * a)", "vrotate(p, w * 50)", "vaxis_rotate(p, w, 30)",
+        "dimension_size(A, a)", "dimension_size(A, 9)", "dimensions(A)", "A[0] + A[1][0]",
+        "A[b + 1][0.5 * a]", "sin(a > 1)", "bitwise_and(6, a)", "strlen(\"abc\") + a",
+        "val(\"2\") * a");
+    INFO(expression);
+    const std::string setting =
+        "#declare a = 2; #declare b = -0.75; #declare p = <1, -2, 3>; #declare w = <0.5, 4, -1>; "
+        "#declare A = array[3][2] {{4, 5}, {6, 7}, {8, 9}}; ";
+    const std::string shown = "#debug vstr(5, r, \",\", 0, 17) #debug \"\\n\" ";
+    const Said walked = said(setting + "#declare r = " + expression + "; " + shown);
+    const Said run =
+        said(setting + "#for (i, 1, 3) #declare r = " + expression + "; #end " + shown);
+    CHECK(walked.messages == run.messages);
+    CHECK(walked.printed == run.printed);
+    CHECK(walked.printed.ends_with("\n"));
+}
+
+TEST_CASE("a random number is drawn once for each call", "[evaluate]") {
+    CHECK(printed("#declare R = seed(0); #for (i, 1, 3) #declare p = <rand(R), rand(R), rand(R)>; "
+                  "#end V(3, p)") == "<0.4337,0.0385,0.3087>");
+}
