@@ -2,6 +2,7 @@
 #include "evaluate/bind.h"
 
 #include "evaluate/lists.h"
+#include "evaluate/parts.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
@@ -47,12 +48,13 @@ bool ItemReader::required_missing() const {
 
 void ItemReader::add_words(WordList& words) const {
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        words.push_back(info_->fields[i].name);
+        if (info_->fields[i].place != Placement::following) words.push_back(info_->fields[i].name);
 }
 
 int ItemReader::find(std::string_view word) const {
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        if (info_->fields[i].name == word) return static_cast<int>(i);
+        if (info_->fields[i].name == word && info_->fields[i].place != Placement::following)
+            return static_cast<int>(i);
     return -1;
 }
 
@@ -60,8 +62,14 @@ int ItemReader::find(NameId word) const {
     if (word == no_name) return -1;
     if (!block_.binder.evaluator.names().reserved(word)) return find(block_.spelling(word));
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        if (info_->fields[i].word == word) return static_cast<int>(i);
+        if (info_->fields[i].word == word && info_->fields[i].place != Placement::following)
+            return static_cast<int>(i);
     return -1;
+}
+
+bool ItemReader::follows(int field) const {
+    return field < static_cast<int>(info_->fields.size()) &&
+           info_->fields[field].place == Placement::following;
 }
 
 bool ItemReader::take(const Element& element) {
@@ -105,7 +113,9 @@ bool ItemReader::take_value(const Element& element) {
     const bool scalar = element.value.numbers() && element.value.numbers()->is_scalar();
     if (word_ >= 0 && word_ == alone_ && !scalar && !element.value.broken()) missing_value();
     if (word_ >= 0) {
-        store(std::exchange(word_, -1), element);
+        const int field = std::exchange(word_, -1);
+        store(field, element);
+        if (follows(field + 1)) word_ = field + 1;
         return true;
     }
     // A name that the scene has declared, and that is a word here: the word is meant, because no
@@ -225,6 +235,10 @@ bool ItemReader::take_block(const Element& element) {
     end_switch();
     if (word_ >= 0) missing_value();
     const int field = find(element.word);
+    if (field >= 0 && info_->fields[field].place == Placement::parts) {
+        read_part(block_, info_->fields[field], item_, element);
+        return true;
+    }
     if (field < 0 || info_->fields[field].place != Placement::list) return false;
     word_span_ = element.word_span;
     read_list(field, element);

@@ -39,6 +39,7 @@ public:
 
 private:
     bool required_missing() const;
+    bool follows(int field) const;
     bool take_value(const Element&);
     bool take_word(const Element&);
     bool take_block(const Element&);

@@ -127,6 +127,7 @@ struct Evaluator::State {
     // ---- call.cpp
     Value call(const Tree&, const node::Call&, NodeId);
     Value call_function(const Tree&, const node::Call&, NodeId);
+    void receive(const Tree&, NodeId first, int count, const Value&);
     bool defined(const Tree&, NodeId target);
     void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
 
