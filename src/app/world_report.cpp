@@ -27,7 +27,7 @@ std::string luminaire_text(const World& world) {
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
     return message(world.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
-                   " triangles, ", counts[2], " others), greatest radiance ", greatest);
+                   " triangles, ", counts[2] + counts[3], " others), greatest radiance ", greatest);
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ std::string report(const World& world) {
     const Projection& camera = world.camera;
     return message(
         "objects: ", world.objects, "\n", "primitives: ", world.spheres.size(), " spheres, ",
-        world.triangles.size(), " triangles, ", world.shapes.size(), " other shapes; ",
+        world.triangles.size(), " triangles, ", world.shapes.size(), " other shapes, ",
+        world.composites.size(), " composites; ",
         world.unbounded.size(), " unbounded\n", "materials: ", world.materials.size(), "\n",
         "luminaires: ", luminaire_text(world), "\n", "light sampler: ", sampler_text(world), "\n",
         "light sources: ", world.lights.size(), "\n", "kd-tree: ", tree.nodes, " nodes, ",

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 
 #include <cmath>
@@ -14,6 +15,7 @@
 
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
+using Vec4 = glm::dvec4;
 using glm::cross;
 using glm::dot;
 

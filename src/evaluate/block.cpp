@@ -18,6 +18,11 @@ struct Structure {
 };
 constexpr auto structure = std::array{
     Structure{"union", ""},
+    Structure{"intersection", ""},
+    Structure{"difference", ""},
+    Structure{"merge", ""},
+    Structure{"clipped_by", "object"},
+    Structure{"bounded_by", "object"},
     Structure{"object", ""},
     Structure{"camera", ""},
     Structure{"background", ""},

@@ -33,6 +33,8 @@ public:
     std::string_view effectless = {};  ///< words of POV-Ray that may stand here and change nothing
     bool broken = false;  ///< something has been reported: do not speak of what follows from it
     int taken = 0;        ///< elements that readers took
+    /// Textures of the parts of a shape; null where parts have none.
+    std::vector<Handle<Texture>>* part_textures = nullptr;
 
     template <class... Readers>
     void read(Body, Readers&...);

@@ -90,7 +90,21 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
     Value result = unary ? Value((*unary)(call.number(0)))
                          : (*std::get_if<FunctionInfo::General>(&function->code))(call);
     if (call.failed()) return Absence::broken;
+    if (call.given()) receive(tree, node.arguments, count, *call.given());
     return result;
+}
+
+/// Stores a function's second result in the variable that its last argument is.
+void Evaluator::State::receive(const Tree& tree, NodeId first, int count, const Value& value) {
+    NodeId last = first;
+    while (tree[last].next != no_node) last = tree[last].next;
+    if (static_cast<int>(list_length(tree, first)) == count &&
+        (tree.get_if<node::Name>(last) || tree.get_if<node::Index>(last))) {
+        assign(tree, last, value, false);
+        return;
+    }
+    report(error(Fault::wrong_type, tree.span(last), "here must be the name of a declared vector")
+               .with_help("trace(object, from, direction, Normal) stores the normal in `Normal`"));
 }
 
 /// Arguments of a function: values, and directives between them.

@@ -18,6 +18,8 @@ std::string_view kind_name(FieldType type) {
             return "a vector of 2";
         case FieldType::vector3:
             return "a vector";
+        case FieldType::vector4:
+            return "a vector of 4";
         case FieldType::rgb:
         case FieldType::colour:
             return "a colour";
@@ -30,6 +32,8 @@ std::string_view kind_name(FieldType type) {
         case FieldType::balls:
         case FieldType::faces:
             break;
+        case FieldType::parts:
+            return "a block";
     }
     return "a list in braces";
 }
@@ -103,6 +107,11 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
                 return wrong(numbers->is_colour() ? Fault::wrong_type : Fault::wrong_count,
                              kind_name(element.value));
             return numbers->promoted(3).vec3();
+        case FieldType::vector4: {
+            if (numbers->count > 4) return wrong(Fault::wrong_type, kind_name(element.value));
+            const Numbers four = numbers->promoted(4);
+            return Vec4(four.at[0], four.at[1], four.at[2], four.at[3]);
+        }
         case FieldType::rgb:
             return numbers->promoted(3).vec3();
         case FieldType::colour:
@@ -115,6 +124,7 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
         case FieldType::vectors:
         case FieldType::balls:
         case FieldType::faces:
+        case FieldType::parts:
             break;
     }
     return wrong(Fault::wrong_type, kind_name(element.value));

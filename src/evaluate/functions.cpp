@@ -2,6 +2,7 @@
 #include "evaluate/functions.h"
 
 #include "evaluate/number_functions.h"
+#include "evaluate/object_functions.h"
 #include "evaluate/string_functions.h"
 #include "text/message.h"
 
@@ -73,6 +74,12 @@ std::string_view FunctionCall::text(std::size_t i) {
     if (const std::string* found = arguments_[i].text()) return *found;
     wrong_kind(i, "a string");
     return {};
+}
+
+ObjectHandle FunctionCall::object(std::size_t i) {
+    ObjectHandle found = arguments_[i].handle<Object>();
+    if (!found) wrong_kind(i, "a declared object");
+    return found;
 }
 
 const ArrayData* FunctionCall::array(std::size_t i) {
@@ -153,16 +160,17 @@ constexpr auto table = std::array{
     FunctionInfo{"file_exists", 1, 1, "name", "whether the file can be read", General(file_exists)},
     FunctionInfo{"floor", 1, 1, "x", "the next whole number, downwards",
                  Unary([](double x) { return std::floor(x); })},
-    FunctionInfo{"inside", 2, 2, "object, point", "whether the point is inside", General(not_yet)},
+    FunctionInfo{"inside", 2, 2, "object, point", "whether the point is inside",
+                 General(inside_object)},
     FunctionInfo{"int", 1, 1, "x", "x without its fraction", Unary(to_integer)},
     FunctionInfo{"ln", 1, 1, "x", "natural logarithm", General(natural_logarithm)},
     FunctionInfo{"log", 1, 1, "x", "logarithm to base 10", General(decimal_logarithm)},
     FunctionInfo{"max", 1, FunctionInfo::any, "a, ...", "the greatest", General(greatest)},
     FunctionInfo{"max_extent", 1, 1, "object", "upper corner of the bounding box",
-                 General(not_yet)},
+                 General(upper_extent)},
     FunctionInfo{"min", 1, FunctionInfo::any, "a, ...", "the least", General(least)},
     FunctionInfo{"min_extent", 1, 1, "object", "lower corner of the bounding box",
-                 General(not_yet)},
+                 General(lower_extent)},
     FunctionInfo{"mod", 2, 2, "a, b", "remainder of a / b, with the sign of a", General(remainder)},
     FunctionInfo{"pow", 2, 2, "base, exponent", "base to the power of the exponent",
                  General(power)},
@@ -192,7 +200,7 @@ constexpr auto table = std::array{
     FunctionInfo{"tanh", 1, 1, "x", "hyperbolic tangent",
                  Unary([](double x) { return std::tanh(x); })},
     FunctionInfo{"trace", 3, 4, "object, from, direction[, normal]", "first hit of a ray",
-                 General(not_yet)},
+                 General(first_hit)},
     FunctionInfo{"val", 1, 1, "text", "the number that the text begins with", General(number_in)},
     FunctionInfo{"vaxis_rotate", 3, 3, "v, axis, degrees", "v turned about an axis",
                  General(rotated_about)},

@@ -5,10 +5,12 @@
 
 #include "base/function_ref.h"
 #include "evaluate/value.h"
+#include "solid/solid.h"
 #include "text/diagnostic.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -34,6 +36,7 @@ struct FunctionWorld {
     RandomStreams random;
     std::function<bool(std::string_view)> file_exists;
     std::function<void(Diagnostic)> report;
+    Solids solids;
 };
 
 /// A call with its arguments computed. The accessors report an argument of the wrong kind once; the
@@ -52,6 +55,11 @@ public:
     const Numbers& numbers(std::size_t i);
     std::string_view text(std::size_t i);
     const ArrayData* array(std::size_t i);
+    /// Null after a report.
+    ObjectHandle object(std::size_t i);
+    /// A second result, for the variable that the last argument names.
+    void give(Value value) { given_ = std::move(value); }
+    const std::optional<Value>& given() const { return given_; }
 
     Value fail(Fault, std::size_t argument, std::string message);
     void warn(Fault, std::size_t argument, std::string message);
@@ -66,6 +74,7 @@ private:
     std::span<const Value> arguments_;
     std::span<const Span> places_;
     Span span_;
+    std::optional<Value> given_;
     bool failed_ = false;
 };
 

@@ -3,6 +3,24 @@
 
 #include "evaluate/lights.h"
 
+namespace {
+
+/// The object under one more map.
+ObjectHandle with(ObjectHandle object, const Transform& transform) {
+    if (!object->confines) {
+        Handle<Transform>& own = object.edit().transform;
+        own = make_handle<Transform>(own ? own->then(transform) : transform);
+        return object;
+    }
+    // Its confines move with it.
+    ObjectHandle whole = make_handle<Object>();
+    whole.edit().form.emplace<Union>().children.push_back(std::move(object));
+    whole.edit().transform = make_handle<Transform>(transform);
+    return whole;
+}
+
+}  // namespace
+
 void ObjectDraft::take(const Object& from) {
     switches = {from.no_shadow, from.no_image, from.no_reflection,
                 from.hollow,    from.inverse,  from.double_illuminate};
@@ -10,6 +28,8 @@ void ObjectDraft::take(const Object& from) {
     if (from.texture) texture.replace(from.texture);
     textured = from.texture != nullptr;
     made.edit().interior = from.interior;
+    if (from.confines) confines = *from.confines;
+    if (from.part_textures) part_textures = from.part_textures->list;
     has_form = true;
 }
 
@@ -25,6 +45,11 @@ void ObjectDraft::move(const Movement& next) {
         movement = then();
     constant_movement = constant_movement && next.constant;
     modified = true;
+    for (auto* objects : {&confines.clips, &confines.bounds})
+        for (ObjectHandle& each : *objects) each = with(each, next.transform);
+    for (Handle<Texture>& each : part_textures)
+        if (TextureDraft(each).movable())
+            each = make_handle<Texture>(transformed(*each, next.transform));
     if (!textured || !texture.movable()) return;
     texture.replace(binder.moved_looks.made(next.constant, texture.handle(), [&] {
         return make_handle<Texture>(transformed(texture.now(), next.transform));
@@ -55,6 +80,10 @@ ObjectHandle ObjectDraft::finished(Span span) {
         object.transform = object.transform
                                ? make_handle<Transform>(object.transform->then(*movement))
                                : std::move(movement);
+    if (!confines.clips.empty() || !confines.bounds.empty())
+        object.confines = make_handle<Confines>(std::move(confines));
+    if (!part_textures.empty())
+        object.part_textures = make_handle<PartTextures>(std::move(part_textures));
     if (textured) object.texture = texture.shared(binder.textures);
     object.no_shadow = switches.no_shadow;
     object.no_image = switches.no_image;

@@ -43,9 +43,12 @@ struct ObjectDraft {
     Switches switches;
     Switches declared_switches;
     TextureDraft texture;
-    bool textured = false;          ///< there is a texture that is the object's own
-    bool retextured = false;        ///< and this block has given or changed it
-    bool furnished = false;         ///< this block has given or changed the interior
+    bool textured = false;    ///< there is a texture that is the object's own
+    bool retextured = false;  ///< and this block has given or changed it
+    bool furnished = false;   ///< this block has given or changed the interior
+    Confines confines;        ///< where they are now
+    bool confined = false;    ///< this block has given some
+    std::vector<Handle<Texture>> part_textures;
     Handle<Transform> movement;     ///< since the form came; null: none
     bool constant_movement = true;  ///< the text says the same each time
     bool has_form = false;
@@ -61,7 +64,9 @@ struct ObjectDraft {
 
 private:
     /// Only moved: so a union need not be copied, and a million of them cost little.
-    bool only_moved() const { return !retextured && !furnished && switches == declared_switches; }
+    bool only_moved() const {
+        return !retextured && !furnished && !confined && switches == declared_switches;
+    }
 };
 
 /// All lights inside, in the space around the object.

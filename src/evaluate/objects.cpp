@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/objects.h"
 
+#include "evaluate/confines.h"
 #include "evaluate/lights.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/transforms.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr int deepest_nesting = 4000;
 
 constexpr std::string_view effectless_words =
-    "sturm hierarchy bounded_by photons radiosity no_radiosity split_union dtag color colour";
+    "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
 
 /// texture, pigment, finish and interior of an object.
 class LookReader : public SimpleReader {
@@ -135,7 +136,8 @@ public:
     void add_words(WordList& words) const {
         if (kind_ == Kind::shape) return;
         for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
-        words.insert(words.end(), {"union", "object", "light_source"});
+        words.insert(words.end(),
+                     {"union", "intersection", "difference", "merge", "object", "light_source"});
     }
 
 private:
@@ -171,7 +173,8 @@ private:
         if (block_.broken) return kind_ == Kind::together || !draft_.has_form;
         std::string why;
         if (kind_ == Kind::together && draft_.modified)
-            why = "the objects of a `union` come before what changes the whole";
+            why =
+                message("the objects of ", block_.quoted(), " come before what changes the whole");
         else if (kind_ == Kind::object && draft_.has_form)
             why = "`object` holds one object, and this is a second";
         else if (kind_ == Kind::object && draft_.modified)
@@ -198,6 +201,7 @@ public:
           block_(binder, binder.evaluator.spelling(element.word), element.word_span),
           draft_(binder) {
         block_.effectless = effectless_words;
+        block_.part_textures = &draft_.part_textures;
     }
 
     ObjectHandle read() {
@@ -205,8 +209,8 @@ public:
         if (kind != Kinds<Shape>::count)
             read_shape(kind);
         else
-            read_content(element_.word == "union"_word ? ContentReader::Kind::together
-                                                       : ContentReader::Kind::object);
+            read_content(combines_objects(element_.word) ? ContentReader::Kind::together
+                                                         : ContentReader::Kind::object);
         return block_.broken ? nullptr : draft_.finished(element_.span);
     }
 
@@ -216,9 +220,10 @@ private:
         const auto apply = [&](const Movement& movement) { draft_.move(movement); };
         TransformReader moves(block_, apply);
         LookReader look(block_, draft_);
+        ConfineReader confines(block_, draft_);
         ItemReader switches(block_, item_info<Switches>(), &draft_.switches);
         switches.repeatable();
-        block_.read(element_.body, fields..., content, look, moves, switches);
+        block_.read(element_.body, fields..., content, look, confines, moves, switches);
     }
 
     void read_shape(std::size_t kind) {
@@ -252,9 +257,16 @@ private:
     void read_content(ContentReader::Kind kind) {
         const bool together = kind == ContentReader::Kind::together;
         block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
-        if (together) draft_.made.edit().form = Union{};
+        if (together) draft_.made.edit().form = Union{{}, {}, csg()};
         ContentReader content(block_, draft_, kind);
         read_with(content);
+    }
+
+    Csg csg() const {
+        return element_.word == "intersection"_word ? Csg::intersection
+               : element_.word == "difference"_word ? Csg::difference
+               : element_.word == "merge"_word      ? Csg::merge
+                                                    : Csg::together;
     }
 
     void check(const Shape& shape) {

@@ -5,9 +5,15 @@
 
 #include "evaluate/bind.h"
 
+/// Whether a block with this word makes one object of several.
+inline bool combines_objects(NameId word) {
+    return word == "union"_word || word == "intersection"_word || word == "difference"_word ||
+           word == "merge"_word;
+}
+
 /// Whether a block with this word makes an object.
 inline bool makes_object(NameId word) {
-    return Kinds<Shape>::find(word) != Kinds<Shape>::count || word == "union"_word ||
+    return Kinds<Shape>::find(word) != Kinds<Shape>::count || combines_objects(word) ||
            word == "object"_word || word == "light_source"_word;
 }
 

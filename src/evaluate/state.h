@@ -84,6 +84,7 @@ struct Evaluator::State {
     // ---- call.cpp
     Value call(const Tree&, const node::Call&, NodeId);
     Value call_function(const Tree&, const node::Call&, NodeId);
+    void receive(const Tree&, NodeId first, int count, const Value&);
     bool defined(const Tree&, NodeId target);
     void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
     /// Runs a macro; its elements go to `take`.

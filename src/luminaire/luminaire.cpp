@@ -3,6 +3,7 @@
 
 #include "base/colour.h"
 #include "luminaire/area.h"
+#include "luminaire/composite.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 

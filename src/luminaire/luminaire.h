@@ -7,6 +7,7 @@
 #include "base/box.h"
 #include "base/transform.h"
 #include "base/vector.h"
+#include "shape/composite.h"
 #include "shape/shape.h"
 
 #include <cstdint>
@@ -48,7 +49,14 @@ struct AreaEmitter {
     Handle<Transform> transform;  ///< null: none
 };
 
-using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter>;
+/// Any other shape, whole or cut by others.
+struct CompositeEmitter {
+    Handle<Composite> composite;
+    std::uint32_t leaf = 0;  ///< of the composite: the part that glows
+    double seen_area = 0;    ///< the area of its shadow, on average over all directions
+};
+
+using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
 struct Luminaire {

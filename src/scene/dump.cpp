@@ -109,12 +109,25 @@ std::string light_text(Light light) {
     return message(info.name, " { ", written_fields(info, Kinds<Light>::address(light)), " }\n");
 }
 
+/// The object in one line, with all that is in it.
+std::string in_one_line(const Object& object);
+
+std::string confines_text(std::string_view word, const std::vector<ObjectHandle>& objects) {
+    std::string text = message(word, " { ");
+    for (const ObjectHandle& each : objects) text += in_one_line(*each) + " ";
+    return text + "}";
+}
+
 /// What follows an object's own content. The texture comes last: transformations before it do not
 /// move it.
 std::vector<std::string> modifiers(const Object& object) {
     std::vector<std::string> result;
     if (object.transform && !(*object.transform == Transform()))
         result.push_back(matrix_text(*object.transform).substr(1));
+    if (object.confines && !object.confines->clips.empty())
+        result.push_back(confines_text("clipped_by", object.confines->clips));
+    if (object.confines && !object.confines->bounds.empty())
+        result.push_back(confines_text("bounded_by", object.confines->bounds));
     for (const ObjectFlag& flag : object_flags)
         if (object.*flag.member) result.emplace_back(flag.name);
     if (object.interior) result.push_back(block_text(*object.interior));
@@ -162,8 +175,34 @@ std::vector<const Object*> in_order(std::span<const ObjectHandle> roots,
     return order;
 }
 
+std::string_view keyword(Csg csg) {
+    switch (csg) {
+        case Csg::together:
+            return "union";
+        case Csg::intersection:
+            return "intersection";
+        case Csg::difference:
+            return "difference";
+        case Csg::merge:
+            break;
+    }
+    return "merge";
+}
+
 class Dumper {
 public:
+    std::string line(const Object& object) {
+        write(object, 0);
+        std::string result;
+        for (const char c : out_)
+            if (c != '\n')
+                result += c;
+            else if (result.back() != ' ')
+                result += ' ';
+        result.pop_back();
+        return result;
+    }
+
     std::string text(const Scene& scene) {
         out_ = message("#version ", scene.language_version, ";\n", settings_text(scene));
         if (!(scene.background.colour == Colour()))
@@ -211,7 +250,7 @@ private:
             out_ += " }\n";
             return;
         }
-        out_ += "union {\n";
+        out_ += message(keyword(std::get<Union>(object.form).csg), " {\n");
         for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
         for (const std::string& each : modifiers(object))
             out_ += std::string(4 * depth + 4, ' ') + each + "\n";
@@ -221,6 +260,12 @@ private:
     std::string out_;
     std::unordered_map<const Object*, std::string> names_;
 };
+
+}  // namespace
+
+namespace {
+
+std::string in_one_line(const Object& object) { return Dumper().line(object); }
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "surface/texture.h"
 #include "text/span.h"
 
+#include <cstdint>
 #include <variant>
 #include <vector>
 
@@ -28,11 +29,32 @@ struct PlacedLight {
     Span span;
 };
 
+/// How several objects make one.
+enum class Csg : std::uint8_t {
+    together,      ///< a union: all of them
+    intersection,  ///< what is inside of all
+    difference,    ///< the first without the others
+    merge,         ///< a union without the surfaces that are inside of others
+};
+
 /// Several objects as one.
 struct Union {
     std::vector<ObjectHandle> children;
     std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own
                                       ///< space; Scene::lights has them too
+    Csg csg = Csg::together;
+};
+
+/// What cuts an object without closing it, and what rays must meet to see it. In the space after
+/// the object's transform.
+struct Confines {
+    std::vector<ObjectHandle> clips;
+    std::vector<ObjectHandle> bounds;
+};
+
+/// Textures of parts of a shape, which know them by their place in the list.
+struct PartTextures {
+    std::vector<Handle<Texture>> list;
 };
 
 /// One object: a shape or a union, where it stands and how it looks.
@@ -41,7 +63,9 @@ struct Object {
     Handle<Transform> transform;  ///< of the form; null: none
     Handle<Texture>
         texture;  ///< in the space after the transform; null: the parent's, or the default
-    Handle<Interior> interior;  ///< null: the parent's, or the atmosphere
+    Handle<Interior> interior;           ///< null: the parent's, or the atmosphere
+    Handle<Confines> confines;           ///< null: none
+    Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;

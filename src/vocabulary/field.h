@@ -23,6 +23,9 @@ enum class Placement {
     list,        ///< the word, then { count, value, value, ... }
     counted,     ///< a count, then so many entries, without a word, after the positional fields
     choice,      ///< the word alone, one of several that set the same member to a number
+    following,   ///< a value right after that of the field before it, an item
+    parts,       ///< the word, then a block; any number of them
+    loose_part,  ///< the word, then the values of a part without a block; any number of them
 };
 inline constexpr Placement positional = Placement::positional;
 inline constexpr Placement item = Placement::item;
@@ -30,6 +33,7 @@ inline constexpr Placement flag = Placement::flag;
 inline constexpr Placement list = Placement::list;
 inline constexpr Placement counted = Placement::counted;
 inline constexpr Placement choice = Placement::choice;
+inline constexpr Placement following = Placement::following;
 
 /// Values that a number may take (each component, for vectors).
 struct Range {
@@ -54,12 +58,18 @@ struct Ball {
     friend bool operator==(const Ball&, const Ball&) = default;
 };
 
+/// For fields that are kept elsewhere than in one member.
+struct NoMember {};
+
+struct PartsInfo;
+
 /// What a field can hold. Vec3 members named as colours take colours; see Field::rgb.
 template <class T>
-using Member = std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Colour T::*,
-                            std::string T::*, std::optional<double> T::*, std::optional<Vec3> T::*,
-                            std::vector<double> T::*, std::vector<Vec2> T::*,
-                            std::vector<Vec3> T::*, std::vector<Ball> T::*, std::vector<Face> T::*>;
+using Member =
+    std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Vec4 T::*, Colour T::*,
+                 std::string T::*, std::optional<double> T::*, std::optional<Vec3> T::*,
+                 std::vector<double> T::*, std::vector<Vec2> T::*, std::vector<Vec3> T::*,
+                 std::vector<Ball> T::*, std::vector<Face> T::*, NoMember>;
 
 /// One parameter of the item T.
 template <class T>
@@ -75,6 +85,7 @@ struct Field {
         false;          ///< a positional field that the text may omit (the hole of a disc)
     double chosen = 0;  ///< what the word of a choice stands for
     int entries = 0;    ///< of a counted field that has always so many; 0: the text says how many
+    const PartsInfo* parts = nullptr;  ///< see parts.h
 };
 
 /// The same field, as a colour.

@@ -26,6 +26,8 @@ std::string_view name_of(FieldType type) {
             return "vector of 2";
         case FieldType::vector3:
             return "vector";
+        case FieldType::vector4:
+            return "vector of 4";
         case FieldType::rgb:
         case FieldType::colour:
             return "colour";
@@ -41,6 +43,8 @@ std::string_view name_of(FieldType type) {
             return "list of vectors with a number each";
         case FieldType::faces:
             return "list of <index, index, index>";
+        case FieldType::parts:
+            return "block";
     }
     return {};
 }
@@ -59,6 +63,12 @@ std::string_view name_of(Placement place) {
             return "counted";
         case Placement::choice:
             return "choice";
+        case Placement::following:
+            return "following";
+        case Placement::parts:
+            return "parts";
+        case Placement::loose_part:
+            return "loose part";
     }
     return {};
 }
@@ -84,6 +94,7 @@ std::string default_text(const ItemInfo& item, std::size_t field) {
         case FieldType::vectors:
         case FieldType::balls:
         case FieldType::faces:
+        case FieldType::parts:
             return {};
         default:
             break;
@@ -102,7 +113,12 @@ std::string form(const FieldInfo& field) {
             return name;
         case Placement::flag:
         case Placement::choice:
+        case Placement::following:
             return name;
+        case Placement::parts:
+            return name + " { ... }";
+        case Placement::loose_part:
+            return name + " ...";
         case Placement::list:
             return name + " { count, ... }";
         case Placement::counted:
@@ -115,7 +131,9 @@ std::string form(const FieldInfo& field) {
 }
 
 std::string explanation(const ItemInfo& item, std::size_t field) {
-    return message(item.fields[field].help, " (", values(item, field), ")");
+    const FieldInfo& info = item.fields[field];
+    if (info.parts) return message(info.help, ": ", usage(info.parts->info()));
+    return message(info.help, " (", values(item, field), ")");
 }
 
 std::vector<ManualEntry> entries(const ItemInfo& item) {
@@ -177,6 +195,7 @@ Json json_value(const FieldValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* v = std::get_if<Vec2>(&value)) return {v->x, v->y};
     if (const auto* v = std::get_if<Vec3>(&value)) return {v->x, v->y, v->z};
+    if (const auto* v = std::get_if<Vec4>(&value)) return {v->x, v->y, v->z, v->w};
     if (const auto* c = std::get_if<Colour>(&value))
         return {c->rgb.x, c->rgb.y, c->rgb.z, c->filter, c->transmit};
     if (const auto* text = std::get_if<std::string>(&value)) return *text;

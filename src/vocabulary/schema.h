@@ -4,6 +4,7 @@
 
 #include "base/shared.h"
 #include "vocabulary/field.h"
+#include "vocabulary/parts.h"
 #include "vocabulary/reserved.h"
 
 #include <span>
@@ -23,7 +24,7 @@ consteval auto schema(std::string_view name, std::string_view help, F... fields)
 
 /// A value on its way into or out of a field. The number is also how integers and switches travel.
 using FieldValue =
-    std::variant<std::monostate, double, Vec2, Vec3, Colour, std::string, std::vector<double>,
+    std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string, std::vector<double>,
                  std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
 
 enum class FieldType {
@@ -32,6 +33,7 @@ enum class FieldType {
     boolean,
     vector2,
     vector3,
+    vector4,
     rgb,
     colour,
     text,
@@ -39,7 +41,8 @@ enum class FieldType {
     points,
     vectors,
     balls,
-    faces
+    faces,
+    parts
 };
 
 /// One field, without the type of its item.
@@ -49,10 +52,11 @@ struct FieldInfo {
     Placement place;
     FieldType type;
     Range range;
-    bool may_be_left_out;  ///< also true for std::optional members
-    NameId word;           ///< no_name: the name is not reserved, and known by its spelling only
-    double chosen;         ///< what the word of a choice stands for
-    int entries;           ///< of a counted field with a fixed number of them; otherwise 0
+    bool may_be_left_out;    ///< also true for std::optional members
+    NameId word;             ///< no_name: the name is not reserved, and known by its spelling only
+    double chosen;           ///< what the word of a choice stands for
+    int entries;             ///< of a counted field with a fixed number of them; otherwise 0
+    const PartsInfo* parts;  ///< of a field of that placement; otherwise null
 
     /// Comes without a word, in its turn.
     constexpr bool unnamed() const {
@@ -82,6 +86,10 @@ template <class T, class V>
 struct MemberValue<V T::*> {
     using type = V;
 };
+template <>
+struct MemberValue<NoMember> {
+    using type = NoMember;
+};
 template <class M>
 using ValueOf = typename MemberValue<M>::type;
 
@@ -97,6 +105,10 @@ constexpr FieldType type_of(bool colour) {
         return FieldType::vector2;
     else if constexpr (std::is_same_v<V, Vec3> || std::is_same_v<V, std::optional<Vec3>>)
         return colour ? FieldType::rgb : FieldType::vector3;
+    else if constexpr (std::is_same_v<V, Vec4>)
+        return FieldType::vector4;
+    else if constexpr (std::is_same_v<V, NoMember>)
+        return FieldType::parts;
     else if constexpr (std::is_same_v<V, Colour>)
         return FieldType::colour;
     else if constexpr (std::is_same_v<V, std::string>)
@@ -130,7 +142,8 @@ constexpr FieldInfo describe(const Field<T>& field) {
                              field.may_be_left_out || is_optional<V>,
                              reserved_word(field.name),
                              field.chosen,
-                             field.entries};
+                             field.entries,
+                             field.parts};
         },
         field.member);
 }
@@ -175,11 +188,25 @@ struct Access {
     using Getter = FieldValue (*)(const T&);
     template <std::size_t... I>
     static constexpr std::array<Setter, sizeof...(I)> make_setters(std::index_sequence<I...>) {
-        return {[](T& item, const FieldValue& value) { store(item.*member<I>, value); }...};
+        return {[](T& item, const FieldValue& value) { store_in<I>(item, value); }...};
     }
     template <std::size_t... I>
     static constexpr std::array<Getter, sizeof...(I)> make_getters(std::index_sequence<I...>) {
-        return {[](const T& item) { return load(item.*member<I>); }...};
+        return {[](const T& item) { return load_from<I>(item); }...};
+    }
+    template <std::size_t I>
+    static constexpr bool kept_elsewhere =
+        std::is_same_v<std::remove_cvref_t<decltype(member<I>)>, NoMember>;
+    template <std::size_t I>
+    static void store_in(T& item, const FieldValue& value) {
+        if constexpr (!kept_elsewhere<I>) store(item.*member<I>, value);
+    }
+    template <std::size_t I>
+    static FieldValue load_from(const T& item) {
+        if constexpr (kept_elsewhere<I>)
+            return {};
+        else
+            return load(item.*member<I>);
     }
     static void set(void* item, std::size_t field, const FieldValue& value) {
         static constexpr auto setters =

@@ -25,6 +25,7 @@ struct Writer {
     std::string operator()(const Vec3& v) const {
         return (type == FieldType::rgb ? "rgb " : "") + numbers(&v.x, 3);
     }
+    std::string operator()(const Vec4& v) const { return numbers(&v.x, 4); }
     std::string operator()(const Colour& c) const {
         const double all[] = {c.rgb.x, c.rgb.y, c.rgb.z, c.filter, c.transmit};
         return c.filter == 0 && c.transmit == 0 ? "rgb " + numbers(all, 3)
@@ -62,24 +63,86 @@ std::string written(const FieldValue& value, FieldType type) {
     return std::visit(Writer{type}, value);
 }
 
+namespace {
+
+std::string moved_text(const Transform& transform) {
+    if (transform == Transform()) return {};
+    const Affine& map = transform.forward();
+    std::string text = " matrix <";
+    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
+    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
+}
+
+/// Blocks of the parts in a list.
+std::string parts_text(const FieldInfo& field, const void* object) {
+    std::string text;
+    for (std::size_t i = 0; i < field.parts->count(object); ++i) {
+        const void* part = field.parts->at(object, i);
+        const bool loose = field.place == Placement::loose_part;
+        text += message(text.empty() ? "" : " ", field.name, loose ? " " : " { ",
+                        written_fields(field.parts->info(), part));
+        if (loose) continue;
+        // Only the caller's own copy would be changed through it, and nobody does.
+        if (field.parts->transform)
+            text += moved_text(*field.parts->transform(const_cast<void*>(part)));
+        text += " }";
+    }
+    return text;
+}
+
+/// The values of an item's field and of those that follow it; nothing when all have their defaults.
+std::string item_values(const ItemInfo& item, const void* object, std::size_t first) {
+    std::string text;
+    bool changed = false;
+    for (std::size_t i = first; i < item.fields.size(); ++i) {
+        const FieldInfo& field = item.fields[i];
+        if (i > first && field.place != Placement::following) break;
+        const std::string value = written(item.get(object, i), field.type);
+        changed = changed || value != written(item.default_value(i), field.type);
+        text += (i > first ? ", " : "") + value;
+    }
+    return changed ? text : std::string();
+}
+
+/// A field that has a word, as it stands in the text; nothing when it has its default.
+std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
+    const FieldInfo& field = item.fields[i];
+    const std::string name(field.name), value = written(item.get(object, i), field.type);
+    const bool changed = !value.empty() && value != written(item.default_value(i), field.type);
+    switch (field.place) {
+        case Placement::parts:
+        case Placement::loose_part:
+            return parts_text(field, object);
+        case Placement::item: {
+            const std::string values = item_values(item, object, i);
+            return values.empty() ? values : name + " " + values;
+        }
+        case Placement::choice:
+            return changed && value == message(field.chosen) ? name : std::string();
+        case Placement::flag:
+            return !changed ? std::string() : value == "on" ? name : name + " " + value;
+        case Placement::list:
+            return changed ? name + " { " + value + " }" : std::string();
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
 std::string written_fields(const ItemInfo& item, const void* object) {
     std::string choices, positional, others;
     for (std::size_t i = 0; i < item.fields.size(); ++i) {
         const FieldInfo& field = item.fields[i];
-        const bool flag = field.place == Placement::flag;
-        std::string value = written(item.get(object, i), field.type);
         if (field.unnamed()) {
+            std::string value = written(item.get(object, i), field.type);
             if (field.entries > 0) value.erase(0, value.find(' ') + 1);
             positional += message(positional.empty() ? "" : ", ", value);
-        } else if (!value.empty() && value != written(item.default_value(i), field.type)) {
-            std::string& text = field.place == Placement::choice ? choices : others;
-            if (field.place == Placement::choice && value != message(field.chosen)) continue;
-            text += message(text.empty() ? "" : " ", field.name);
-            if (field.place == Placement::list)
-                text += " { " + value + " }";
-            else if (field.place == Placement::item || (flag && value != "on"))
-                text += " " + value;
+            continue;
         }
+        const std::string text = worded(item, object, i);
+        std::string& to = field.place == Placement::choice ? choices : others;
+        to += message(to.empty() || text.empty() ? "" : " ", text);
     }
     std::string all;
     for (const std::string& part : {choices, positional, others})

@@ -5,12 +5,15 @@
 
 namespace {
 
-Box primitive_bounds(const World& world, PrimitiveIndex primitive) {
-    if (primitive < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[primitive];
+/// Of a primitive or a composite.
+Box item_bounds(const World& world, std::uint32_t item) {
+    if (item >= world.leaves_begin())
+        return world.composites[item - world.leaves_begin()].composite->bounds();
+    if (item < world.spheres.size()) {
+        const SpherePrimitive& s = world.spheres[item];
         return {s.centre - s.radius, s.centre + s.radius};
     }
-    const std::size_t face = primitive - world.spheres.size();
+    const std::size_t face = item - world.spheres.size();
     if (face < world.triangles.size()) {
         const TrianglePrimitive& t = world.triangles[face];
         return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
@@ -20,24 +23,25 @@ Box primitive_bounds(const World& world, PrimitiveIndex primitive) {
     return placed.transform ? placed.transform->box(box) : box;
 }
 
-Box primitive_in_cell(const World& world, PrimitiveIndex primitive, const Box& cell) {
-    if (primitive < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[primitive];
+Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {
+    if (item < world.spheres.size()) {
+        const SpherePrimitive& s = world.spheres[item];
         return clipped_bounds(Sphere{s.centre, s.radius}, cell);
     }
-    const std::size_t face = primitive - world.spheres.size();
+    const std::size_t face = item - world.spheres.size();
     if (face < world.triangles.size()) {
         const TrianglePrimitive& t = world.triangles[face];
         return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
     }
-    return clip(primitive_bounds(world, primitive), cell);
+    return clip(item_bounds(world, item), cell);
 }
 
 /// The planes of a scene in world space: where points to be lit may be, besides the bounded
 /// primitives.
 std::vector<Plane> world_planes(const World& world) {
     std::vector<Plane> planes;
-    for (const PrimitiveIndex primitive : world.unbounded) {
+    for (const std::uint32_t primitive : world.unbounded) {
+        if (primitive >= world.leaves_begin()) continue;
         const PlacedShape& placed =
             world.shapes[primitive - world.spheres.size() - world.triangles.size()];
         const Plane* plane = std::get_if<Plane>(&placed.shape);
@@ -65,15 +69,12 @@ World compile(const Scene& scene, const CompileOptions& options, Diagnostics& di
     for (const PlacedLight& placed : scene.lights) world.lights.push_back(placed.light);
     flatten(scene, world, diagnostics);
 
-    std::vector<Box> boxes(world.material_of.size());
-    for (PrimitiveIndex primitive = 0; primitive < boxes.size(); ++primitive)
-        boxes[primitive] = primitive_bounds(world, primitive);
-    for (const PrimitiveIndex plane : world.unbounded) boxes[plane] = Box();
+    std::vector<Box> boxes(world.leaves_begin() + world.composites.size());
+    for (std::uint32_t item = 0; item < boxes.size(); ++item)
+        boxes[item] = item_bounds(world, item);
+    for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
     world.tree = build_kdtree(
-        boxes,
-        [&](std::uint32_t primitive, const Box& cell) {
-            return primitive_in_cell(world, primitive, cell);
-        },
+        boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
         {}, options.threads);
     const std::vector<Plane> planes = world_planes(world);
     world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes, planes},

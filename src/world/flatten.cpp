@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/flatten.h"
 
+#include "luminaire/composite.h"
+#include "shape/area.h"
+#include "solid/assemble.h"
 #include "text/message.h"
 
 #include <map>
@@ -15,10 +18,10 @@ struct Inherited {
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
 };
 
-Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer) {
-    if (!inner) return outer;
-    if (!outer) return inner;
-    return make_handle<Transform>(inner->then(*outer));
+/// Whether an object is one solid that cannot be taken apart into primitives of their own.
+bool is_composite(const Object& object) {
+    const Union* group = std::get_if<Union>(&object.form);
+    return object.confines || object.inverse || (group && group->csg != Csg::together);
 }
 
 class Flattener {
@@ -28,6 +31,7 @@ public:
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known.
     void add(const Object& object, const Inherited& outer) {
+        if (is_composite(object)) return add_composite(object, outer);
         const Inherited here = inherit(object, outer);
         if (const Union* group = std::get_if<Union>(&object.form)) {
             for (const ObjectHandle& child : group->children) add(*child, here);
@@ -42,17 +46,25 @@ public:
         all = std::move(sphere_materials_);
         all.insert(all.end(), triangle_materials_.begin(), triangle_materials_.end());
         all.insert(all.end(), shape_materials_.begin(), shape_materials_.end());
+        all.insert(all.end(), leaf_materials_.begin(), leaf_materials_.end());
         if (!world_.normals.empty())
             world_.normals_of.resize(world_.triangles.size(), no_primitive);
         const auto triangles = static_cast<PrimitiveIndex>(world_.spheres.size());
         const auto shapes = static_cast<PrimitiveIndex>(triangles + world_.triangles.size());
-        for (PrimitiveIndex& plane : world_.unbounded) plane += shapes;
-        collect_luminaires(triangles, shapes);
+        const PrimitiveIndex leaves = world_.leaves_begin();
+        for (std::uint32_t& item : world_.unbounded) item += shapes;
+        for (std::uint32_t i = 0; i < world_.composites.size(); ++i) {
+            PlacedComposite& placed = world_.composites[i];
+            placed.first_leaf += leaves;
+            if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
+                world_.unbounded.push_back(leaves + i);
+        }
+        collect_luminaires({0, triangles, shapes, leaves});
     }
 
 private:
     struct Unplaced {
-        enum Kind { sphere, triangle, shape } kind;
+        enum Kind { sphere, triangle, shape, leaf } kind;
         std::uint32_t index;
         Span span;
     };
@@ -120,7 +132,7 @@ private:
             add_mesh(**mesh, here.transform.get(),
                      static_cast<std::uint32_t>(world_.materials.size() - 1), span);
         } else {
-            add_shape(built(shape), here.transform, material, span);
+            add_shape(shapes_.built(shape), here.transform, material, span);
         }
     }
 
@@ -161,18 +173,58 @@ private:
     void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
                    std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
-        if (finite(bounds(shape))) {
-            note_luminaire(Unplaced::shape, index, material, span);
-        } else {
-            world_.unbounded.push_back(index);
-            if (greatest_emission(*world_.materials[material].texture) != Vec3(0))
-                diagnostics_.add(
-                    warning(Fault::degenerate, span,
-                            "an unbounded luminaire glows, but lights nothing")
-                        .with_help("make it a large `box` or `disc`, which can be sampled"));
-        }
+        const bool bounded = finite(bounds(shape));
+        note(Unplaced::shape, index, material, span, bounded);
+        if (!bounded) world_.unbounded.push_back(index);
         world_.shapes.push_back({shape, transform});
         shape_materials_.push_back(material);
+    }
+
+    /// What the composite's leaves look like.
+    struct LeafVisitor {
+        Flattener& flattener;
+        std::vector<Inherited> around;
+        bool transparent = false;
+
+        void enter(const Object& object) {
+            around.push_back(flattener.inherit(object, around.back()));
+        }
+        void leave() { around.pop_back(); }
+        void leaf(const Object& object) {
+            const std::uint32_t material = flattener.material_index(around.back());
+            transparent |= flattener.world_.materials[material].transparent;
+            flattener.leaf_materials_.push_back(material);
+            flattener.leaf_spans_.push_back(object.span);
+        }
+    };
+
+    void add_composite(const Object& object, const Inherited& outer) {
+        ++world_.objects;
+        const std::size_t first = leaf_materials_.size();
+        CompositeBuilder builder;
+        LeafVisitor visitor{*this, {outer}};
+        const PartRef root =
+            Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
+        const auto composite = make_handle<Composite>(builder.finish(root));
+        const auto number = static_cast<std::uint32_t>(world_.composites.size());
+        world_.composites.push_back(
+            {composite, static_cast<PrimitiveIndex>(first), visitor.transparent});
+        for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {
+            world_.composite_of.push_back(number);
+            const Box& seen = composite->leaf_bounds(static_cast<std::uint32_t>(leaf - first));
+            if (!seen.empty())
+                note(Unplaced::leaf, leaf, leaf_materials_[leaf], leaf_spans_[leaf], finite(seen));
+        }
+    }
+
+    /// A primitive that glows lights others, unless it has no end.
+    void note(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span,
+              bool bounded) {
+        if (bounded) return note_luminaire(kind, index, material, span);
+        if (greatest_emission(*world_.materials[material].texture) == Vec3(0)) return;
+        diagnostics_.add(
+            warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
+                .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
     void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
@@ -180,22 +232,12 @@ private:
             glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
     }
 
-    void collect_luminaires(PrimitiveIndex first_triangle, PrimitiveIndex first_shape) {
+    /// `first` is the number of the first primitive of each kind.
+    void collect_luminaires(const std::array<PrimitiveIndex, 4>& first) {
         for (const Unplaced& glow : glowing_) {
             Luminaire luminaire;
-            if (glow.kind == Unplaced::sphere) {
-                const SpherePrimitive& s = world_.spheres[glow.index];
-                luminaire.emitter = SphereEmitter{s.centre, s.radius};
-                luminaire.primitive = glow.index;
-            } else if (glow.kind == Unplaced::triangle) {
-                const TrianglePrimitive& t = world_.triangles[glow.index];
-                luminaire.emitter = TriangleEmitter{t.corner1, t.corner2, t.corner3};
-                luminaire.primitive = first_triangle + glow.index;
-            } else {
-                luminaire.emitter = AreaEmitter{world_.shapes[glow.index].shape,
-                                                world_.shapes[glow.index].transform};
-                luminaire.primitive = first_shape + glow.index;
-            }
+            luminaire.emitter = emitter(glow);
+            luminaire.primitive = first[glow.kind] + glow.index;
             const Texture& texture = *world_.material(luminaire.primitive).texture;
             luminaire.radiance = greatest_emission(texture);
             luminaire.varying = texture.pigment.pattern.has_value();
@@ -210,9 +252,33 @@ private:
         }
     }
 
+    Emitter emitter(const Unplaced& glow) const {
+        if (glow.kind == Unplaced::sphere) {
+            const SpherePrimitive& s = world_.spheres[glow.index];
+            return SphereEmitter{s.centre, s.radius};
+        }
+        if (glow.kind == Unplaced::triangle) {
+            const TrianglePrimitive& t = world_.triangles[glow.index];
+            return TriangleEmitter{t.corner1, t.corner2, t.corner3};
+        }
+        if (glow.kind == Unplaced::leaf) {
+            const PlacedComposite& placed = world_.composites[world_.composite_of[glow.index]];
+            const PrimitiveIndex leaf = world_.leaves_begin() + glow.index;
+            return composite_emitter(placed.composite, leaf - placed.first_leaf);
+        }
+        const PlacedShape& placed = world_.shapes[glow.index];
+        if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
+        CompositeBuilder builder;
+        const PartRef alone = builder.add({placed.shape, placed.transform});
+        return composite_emitter(make_handle<Composite>(builder.finish(alone)), alone.index);
+    }
+
     World& world_;
     Diagnostics& diagnostics_;
-    std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_;
+    ShapeStore shapes_;
+    std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
+        leaf_materials_;
+    std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
     std::map<MaterialKey, std::uint32_t> material_indices_;
     std::map<TextureKey, Handle<Texture>> textures_;

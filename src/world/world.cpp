@@ -26,8 +26,19 @@ void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval&
         const double t = found[i].t;
         if (t <= range.min || t >= best.t) continue;
         best = {t, primitive,
-                placed.transform ? placed.transform->normal(found[i].normal) : found[i].normal};
+                placed.transform ? placed.transform->normal(found[i].normal) : found[i].normal,
+                found[i].part};
     }
+}
+
+/// The leaves for which wanted(PrimitiveIndex) is true.
+template <class Wanted>
+void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& range,
+                           Candidate& best, Wanted wanted) const {
+    const PlacedComposite& placed = composites[index];
+    const auto own = [&](std::uint32_t leaf) { return wanted(placed.first_leaf + leaf); };
+    const auto met = placed.composite->first(ray, {range.min, best.t}, own);
+    if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
 }
 
 void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
@@ -40,7 +51,7 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range
         const TrianglePrimitive& face = triangles[primitive - spheres.size()];
         const TriangleHit hit =
             first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
-        if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), hit.weight2, hit.weight3};
+        if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
         meet_shape(primitive, ray, range, best);
     }
@@ -79,13 +90,20 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
 bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
-    const auto ask = [&](PrimitiveIndex primitive) {
-        if (!any_left_out || !left_out(primitive, kind)) meet(primitive, ray, range, best);
+    const std::uint32_t first_composite = leaves_begin();
+    const auto there = [&](PrimitiveIndex primitive) {
+        return !any_left_out || !left_out(primitive, kind);
     };
-    for (const PrimitiveIndex plane : unbounded) ask(plane);
+    const auto ask = [&](std::uint32_t item) {
+        if (item >= first_composite)
+            meet_composite(item - first_composite, ray, range, best, there);
+        else if (there(item))
+            meet(item, ray, range, best);
+    };
+    for (const std::uint32_t item : unbounded) ask(item);
     tree.traverse(ray, {tolerance, best.t},
                   [&](std::span<const std::uint32_t> items, Interval& left) {
-                      for (const std::uint32_t primitive : items) ask(primitive);
+                      for (const std::uint32_t item : items) ask(item);
                       left.max = best.t;
                       return false;
                   });
@@ -94,45 +112,66 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     return true;
 }
 
-void World::collect(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
-                    std::vector<double>& found) const {
-    if (primitive < spheres.size()) {
-        const SpherePrimitive& s = spheres[primitive];
+void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
+                    std::vector<Passage>& found) const {
+    if (item >= leaves_begin()) {
+        const PlacedComposite& placed = composites[item - leaves_begin()];
+        const auto passed = [&](std::uint32_t leaf) {
+            const Material& m = material(placed.first_leaf + leaf);
+            return m.transparent && !m.no_shadow;
+        };
+        std::vector<Composite::Meeting> met;
+        placed.composite->all(ray, range, passed, met);
+        for (const auto& each : met) found.push_back({each.t, placed.first_leaf + each.leaf});
+        return;
+    }
+    if (material(item).no_shadow) return;
+    if (item < spheres.size()) {
+        const SpherePrimitive& s = spheres[item];
         const double near = first_crossing(s.centre, s.radius, ray, range);
         if (near >= range.max) return;
-        found.push_back(near);
+        found.push_back({near, item});
         const double far =
             first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
-        if (far < range.max) found.push_back(far);
-    } else if (primitive < spheres.size() + triangles.size()) {
+        if (far < range.max) found.push_back({far, item});
+    } else if (item < spheres.size() + triangles.size()) {
         Candidate best{range.max};
-        meet(primitive, ray, range, best);
-        if (best.primitive != no_primitive) found.push_back(best.t);
+        meet(item, ray, range, best);
+        if (best.primitive != no_primitive) found.push_back({best.t, item});
     } else {
-        const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
+        const PlacedShape& placed = shapes[item - spheres.size() - triangles.size()];
         Crossings all;
         crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, all);
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (range.contains(all[i].t)) found.push_back(all[i].t);
+            if (range.contains(all[i].t)) found.push_back({all[i].t, item});
     }
 }
 
-bool World::opaque_between(PrimitiveIndex primitive, const Ray& ray, const Interval& range) const {
-    if (material(primitive).no_shadow) return false;
+bool World::opaque_between(std::uint32_t item, const Ray& ray, const Interval& range) const {
+    const auto blocks = [&](PrimitiveIndex primitive) {
+        const Material& m = material(primitive);
+        return !m.no_shadow && !m.transparent;
+    };
     Candidate nearest{range.max};
-    meet(primitive, ray, range, nearest);
+    if (item >= leaves_begin())
+        meet_composite(item - leaves_begin(), ray, range, nearest, blocks);
+    else if (blocks(item))
+        meet(item, ray, range, nearest);
     return nearest.primitive != no_primitive;
+}
+
+bool World::may_pass(std::uint32_t item) const {
+    return item < leaves_begin() ? material(item).transparent
+                                 : composites[item - leaves_begin()].transparent;
 }
 
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
-    std::vector<PrimitiveIndex> clear;
-    const auto blocks = [&](PrimitiveIndex primitive) {
-        if (!any_transparent || !material(primitive).transparent)
-            return opaque_between(primitive, ray, range);
-        clear.push_back(primitive);
-        return false;
+    std::vector<std::uint32_t> clear;
+    const auto blocks = [&](std::uint32_t item) {
+        if (any_transparent && may_pass(item)) clear.push_back(item);
+        return opaque_between(item, ray, range);
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
     const bool blocked =
@@ -141,19 +180,18 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         });
     if (blocked) return Vec3(0);
 
-    // A transparent primitive may stand in several leaves, and counts once; sorted, so that the
-    // product never depends on the tree.
+    // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that
+    // the product never depends on the tree.
     std::ranges::sort(clear);
     const auto repeated = std::ranges::unique(clear);
     clear.erase(repeated.begin(), repeated.end());
     Vec3 passed(1);
-    std::vector<double> found;
-    for (const PrimitiveIndex primitive : clear) {
-        if (material(primitive).no_shadow) continue;
+    std::vector<Passage> found;
+    for (const std::uint32_t item : clear) {
         found.clear();
-        collect(primitive, ray, range, found);
-        for (const double t : found)
-            passed *= evaluate(material(primitive).texture->pigment, ray.at(t)).passing();
+        collect(item, ray, range, found);
+        for (const Passage& each : found)
+            passed *= evaluate(material(each.primitive).texture->pigment, ray.at(each.t)).passing();
     }
     return passed;
 }
@@ -168,9 +206,16 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
 
 std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
     std::vector<PrimitiveIndex> result;
-    for (PrimitiveIndex primitive = 0; primitive < material_of.size(); ++primitive)
+    for (PrimitiveIndex primitive = 0; primitive < leaves_begin(); ++primitive)
         if (material(primitive).transparent && contains_point(primitive, point))
             result.push_back(primitive);
+    for (const PlacedComposite& placed : composites) {
+        if (!placed.transparent || !placed.composite->inside(point)) continue;
+        // What is in the solid is what is behind its first transparent leaf.
+        PrimitiveIndex leaf = placed.first_leaf;
+        while (!material(leaf).transparent) ++leaf;
+        result.push_back(leaf);
+    }
     return result;
 }
 

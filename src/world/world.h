@@ -46,6 +46,13 @@ struct PlacedShape {
     Handle<Transform> transform;  ///< null: none
 };
 
+/// Several shapes as one solid. Its leaves are primitives as well, one after the other.
+struct PlacedComposite {
+    Handle<Composite> composite;
+    PrimitiveIndex first_leaf = 0;
+    bool transparent = false;  ///< a leaf is
+};
+
 /// Where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
@@ -87,21 +94,32 @@ public:
     /// version.
     double opacity(const Colour&) const;
 
-    /// What rays into a solid are told apart by: all faces of a mesh are one solid.
+    /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
+    /// leaves of a composite.
     std::uint32_t solid(PrimitiveIndex primitive) const {
         const bool face =
             primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
+        if (primitive >= leaves_begin())
+            return leaves_begin() + composite_of[primitive - leaves_begin()];
         return face ? ~material_of[primitive] : primitive;
     }
 
-    // Primitives are counted through: spheres, then triangles, then shapes.
+    /// Number of the first leaf of a composite among the primitives. The tree and `unbounded` have
+    /// the composites themselves from this number on.
+    PrimitiveIndex leaves_begin() const {
+        return static_cast<PrimitiveIndex>(spheres.size() + triangles.size() + shapes.size());
+    }
+
+    // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;
     std::vector<PlacedShape> shapes;
-    std::vector<CornerNormals> normals;  ///< of the smooth triangles
+    std::vector<PlacedComposite> composites;
+    std::vector<std::uint32_t> composite_of;  ///< of the leaves
+    std::vector<CornerNormals> normals;       ///< of the smooth triangles
     std::vector<std::uint32_t>
         normals_of;  ///< per triangle: index in normals, or no_primitive; empty when none is smooth
-    std::vector<PrimitiveIndex> unbounded;   ///< planes: asked apart from the tree
+    std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
     KdTree tree;
@@ -122,14 +140,24 @@ private:
     struct Candidate {
         double t;
         PrimitiveIndex primitive = no_primitive;
-        Vec3 normal = Vec3(0);            ///< of shapes only
+        Vec3 normal = Vec3(0);            ///< of shapes and leaves only
+        std::uint32_t part = 0;           ///< of shapes and leaves only: see Crossing
         double weight2 = 0, weight3 = 0;  ///< of triangles only
+    };
+    /// A point where light passes through a transparent surface.
+    struct Passage {
+        double t;
+        PrimitiveIndex primitive;
     };
     void meet(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
     void meet_shape(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
+    template <class Wanted>
+    void meet_composite(std::uint32_t composite, const Ray&, const Interval&, Candidate&,
+                        Wanted) const;
     bool left_out(PrimitiveIndex, RayKind) const;
     Hit complete(const Ray&, const Candidate&) const;
-    void collect(PrimitiveIndex, const Ray&, const Interval&, std::vector<double>&) const;
-    bool opaque_between(PrimitiveIndex, const Ray&, const Interval&) const;
+    void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
+    bool opaque_between(std::uint32_t item, const Ray&, const Interval&) const;
+    bool may_pass(std::uint32_t item) const;
     bool contains_point(PrimitiveIndex, const Vec3&) const;
 };

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/parts.h"
+
+#include "evaluate/textures.h"
+#include "evaluate/transforms.h"
+
+#include <algorithm>
+
+namespace {
+
+constexpr std::string_view effectless_words = "sturm hierarchy";
+
+/// texture, pigment and finish of a part.
+class PartLookReader : public SimpleReader {
+public:
+    explicit PartLookReader(OpenBlock& block)
+        : block_(block), draft_(block.binder.default_texture) {}
+
+    bool take(const Element& element) {
+        if (!block_.part_textures || element.kind != Element::Kind::block) return false;
+        bool good = true;
+        if (element.word == "texture"_word)
+            good = read_texture(block_.binder, element, draft_);
+        else if (element.word == "pigment"_word)
+            good = read_pigment(block_.binder, element, draft_.edit().pigment);
+        else if (element.word == "finish"_word)
+            good = read_finish(block_.binder, element, draft_.edit().finish);
+        else
+            return false;
+        given_ = true;
+        block_.broken |= !good;
+        return true;
+    }
+    void move(const Transform& transform) {
+        if (given_ && draft_.movable()) draft_.edit() = transformed(draft_.now(), transform);
+    }
+    void add_words(WordList& words) const {
+        if (block_.part_textures) words.insert(words.end(), {"texture", "pigment", "finish"});
+    }
+    /// The texture's number in the list, or -1.
+    int look() {
+        if (!given_) return -1;
+        std::vector<Handle<Texture>>& list = *block_.part_textures;
+        const Handle<Texture> texture = draft_.shared(block_.binder.textures);
+        const auto found = std::ranges::find(list, texture);
+        if (found == list.end()) list.push_back(texture);
+        return static_cast<int>(std::ranges::find(list, texture) - list.begin());
+    }
+
+private:
+    OpenBlock& block_;
+    TextureDraft draft_;
+    bool given_ = false;
+};
+
+}  // namespace
+
+void read_part(OpenBlock& block, const FieldInfo& field, void* item, const Element& element) {
+    const ItemInfo& info = field.parts->info();
+    OpenBlock inner(block.binder, field.name, element.word_span);
+    inner.item = &info;
+    inner.effectless = effectless_words;
+    if (field.parts->look) inner.part_textures = block.part_textures;
+    void* const part = field.parts->add(item);
+    Transform* const place = field.parts->transform ? field.parts->transform(part) : nullptr;
+    ItemReader fields(inner, info, part);
+    PartLookReader looks(inner);
+    if (place) {
+        const auto apply = [&](const Movement& movement) {
+            *place = place->then(movement.transform);
+            looks.move(movement.transform);
+        };
+        TransformReader moves(inner, apply);
+        inner.read(element.body, fields, looks, moves);
+    } else {
+        inner.read(element.body, fields, looks);
+    }
+    if (field.parts->look) *field.parts->look(part) = looks.look();
+    block.broken |= inner.broken;
+}

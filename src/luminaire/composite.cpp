@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/composite.h"
+
+#include "base/random.h"
+#include "luminaire/glow.h"
+
+#include <numbers>
+
+namespace {
+
+using std::numbers::pi;
+
+/// Rays start this share of the size away from where they are asked from, so that a point of the
+/// luminaire itself does not see itself.
+constexpr double clearance = 1e-9;
+
+/// Around the box in which the leaf is seen.
+struct Around {
+    Vec3 centre;
+    double radius;
+
+    explicit Around(const CompositeEmitter& e)
+        : centre(e.composite->leaf_bounds(e.leaf).centre()),
+          radius(0.5 * length(e.composite->leaf_bounds(e.leaf).size()) * (1 + 1e-9)) {}
+};
+
+/// The cone of directions that may meet the ball: 1 - cos of its half angle; 2 from within.
+double rim(const Around& ball, double distance) {
+    if (!(distance > ball.radius)) return 2;
+    const double sine = ball.radius / distance;
+    return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
+}
+
+std::optional<double> meet(const CompositeEmitter& e, const Ray& ray, double from) {
+    const auto own = [&](std::uint32_t leaf) { return leaf == e.leaf; };
+    const auto met = e.composite->first(ray, Interval{from}, own);
+    return met ? std::optional(met->t) : std::nullopt;
+}
+
+/// The direction for u, uniform over the cone around the middle.
+Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
+    const double versine = u.x * widest, sine = std::sqrt(versine * (2 - versine));
+    const auto [x, y] = perpendiculars(middle);
+    const double angle = 2 * pi * u.y;
+    return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+}  // namespace
+
+CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf) {
+    CompositeEmitter e{std::move(composite), leaf, 0};
+    const Around ball(e);
+    // The share of parallel rays through the ball, from all sides, that meet the leaf.
+    constexpr std::uint32_t rays = 512;
+    double met = 0;
+    for (std::uint32_t i = 0; i < rays; ++i) {
+        const auto number = [&](std::uint32_t branch, Purpose purpose) {
+            return uniform(Key{0, i, 0, branch}, purpose);
+        };
+        const Vec3 direction =
+            in_cone(Vec3(0, 0, 1), 2, {number(0, Purpose::light_u), number(0, Purpose::light_v)});
+        const auto [x, y] = perpendiculars(direction);
+        const double off = ball.radius * std::sqrt(number(1, Purpose::light_u));
+        const double angle = 2 * pi * number(1, Purpose::light_v);
+        const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
+        met += meet(e, {through - 2 * ball.radius * direction, direction}, 0).has_value();
+    }
+    e.seen_area = std::fmax(met, 0.5) / rays * pi * ball.radius * ball.radius;
+    return e;
+}
+
+LightBounds bounds(const CompositeEmitter& e, double luminance) {
+    const Around ball(e);
+    LightBounds result;
+    result.box = e.composite->leaf_bounds(e.leaf);
+    result.centre = ball.centre;
+    result.radius = ball.radius;
+    result.intensity = luminance * e.seen_area;
+    result.luminance = luminance;
+    return result;
+}
+
+double unoccluded(const CompositeEmitter& e, double luminance, const ShadingPoint& point) {
+    return irradiance(glow(bounds(e, luminance)), point);
+}
+
+std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, const Vec2& u) {
+    const Around ball(e);
+    const Vec3 offset = ball.centre - from;
+    const double to_centre = length(offset), widest = rim(ball, to_centre);
+    const Vec3 middle = to_centre > 0 ? offset / to_centre : Vec3(0, 0, 1);
+    const Vec3 direction = unit(in_cone(middle, widest, u));
+    const auto distance = meet(e, {from, direction}, clearance * ball.radius);
+    if (!distance) return {};
+    return LightPoint{from + *distance * direction, direction, *distance, 1 / (2 * pi * widest)};
+}
+
+double density(const CompositeEmitter& e, const Vec3& from, const Vec3& direction) {
+    const Around ball(e);
+    if (!meet(e, {from, direction}, clearance * ball.radius)) return 0;
+    return 1 / (2 * pi * rim(ball, length(ball.centre - from)));
+}
+
+double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A glowing leaf of a composite: any shape at all, whole or cut. Called through luminaire.h, which
+// states what each function promises. Its points are found by looking: rays within the cone of a
+// sphere around it, or all around from within.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+/// The emitter, with its size as seen from far away, which is measured once by some rays.
+CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf);
+
+LightBounds bounds(const CompositeEmitter&, double luminance);
+double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);
+std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
+double density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
+double emitting_area(const CompositeEmitter&);

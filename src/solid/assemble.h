@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From an object of the scene, with all objects in it, to the leaves and nodes of a composite.
+// Called by the world for what cannot be taken apart, and by the functions of the language for any
+// object. A visitor learns which object each leaf belongs to.
+#pragma once
+
+#include "scene/scene.h"
+#include "shape/composite.h"
+#include "solid/shape_store.h"
+
+/// The map of what is under both; null is none.
+Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer);
+
+/// For callers that want to know nothing of the leaves.
+struct NoVisitor {
+    void enter(const Object&) {}
+    void leave() {}
+    void leaf(const Object&) {}
+};
+
+template <class Visitor>
+class Assembler {
+public:
+    /// The visitor hears of each object when it is entered and left, and of each shape in the order
+    /// of the leaves' numbers.
+    Assembler(CompositeBuilder& builder, ShapeStore& shapes, Visitor& visitor)
+        : builder_(builder), shapes_(shapes), visitor_(visitor) {}
+
+    /// The object under a map; with `inverse`, inside and outside are swapped once more.
+    PartRef add(const Object& object, const Handle<Transform>& outer, bool inverse = false) {
+        visitor_.enter(object);
+        const Handle<Transform> transform = combined(object.transform, outer);
+        const bool swapped = object.inverse != inverse;
+        PartRef part = std::holds_alternative<Union>(object.form)
+                           ? group(std::get<Union>(object.form), transform, swapped)
+                           : leaf(object, transform, swapped);
+        if (object.confines) part = confined(part, *object.confines, outer);
+        visitor_.leave();
+        return part;
+    }
+
+private:
+    PartRef leaf(const Object& object, const Handle<Transform>& transform, bool inverse) {
+        visitor_.leaf(object);
+        return builder_.add({shapes_.built(std::get<Shape>(object.form)), transform, inverse});
+    }
+
+    /// Light sources, and what has been left out of the scene.
+    static bool is_nothing(const Object& object) {
+        const auto* group = std::get_if<Union>(&object.form);
+        return group && group->children.empty();
+    }
+
+    /// What is inverse is, as De Morgan says, the other combination of inverse parts.
+    PartRef group(const Union& group, const Handle<Transform>& transform, bool inverse) {
+        const bool cuts = group.csg == Csg::intersection || group.csg == Csg::difference;
+        const Combination how = cuts != inverse           ? Combination::common
+                                : group.csg == Csg::merge ? Combination::merged
+                                                          : Combination::together;
+        std::vector<PartRef> parts;
+        for (const ObjectHandle& child : group.children) {
+            if (is_nothing(*child)) continue;
+            const bool taken_away = group.csg == Csg::difference && !parts.empty();
+            parts.push_back(add(*child, transform, inverse != taken_away));
+        }
+        return builder_.add(how, std::move(parts));
+    }
+
+    PartRef confined(PartRef part, const Confines& confines, const Handle<Transform>& outer) {
+        std::vector<PartRef> parts = {part};
+        for (const ObjectHandle& each : confines.clips) {
+            parts.push_back(add(*each, outer));
+            parts.back().clips = true;
+        }
+        part = builder_.add(Combination::common, std::move(parts));
+        if (confines.bounds.empty()) return part;
+        CompositeBuilder around;
+        NoVisitor nobody;
+        Assembler<NoVisitor> assembler(around, shapes_, nobody);
+        std::vector<PartRef> bounds;
+        for (const ObjectHandle& each : confines.bounds)
+            bounds.push_back(assembler.add(*each, outer));
+        const PartRef root = around.add(Combination::common, std::move(bounds));
+        return builder_.add(Combination::together, {part},
+                            make_handle<Composite>(around.finish(root)));
+    }
+
+    CompositeBuilder& builder_;
+    ShapeStore& shapes_;
+    Visitor& visitor_;
+};

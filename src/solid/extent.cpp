@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/extent.h"
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Box everywhere() { return {Vec3(-infinity), Vec3(infinity)}; }
+
+Box widened(const Box& box, const Vec3& by) { return {box.low - by, box.high + by}; }
+
+template <class T>
+Box extent_of(const T& shape) {
+    return bounds(ready(shape));
+}
+Box extent_of(const Disc& disc) {
+    return widened(bounds(disc), 0.001 * glm::abs(unit(disc.normal)));
+}
+Box extent_of(const Superellipsoid& s) { return widened(bounds(s), Vec3(0.0001)); }
+Box extent_of(const Polygon& polygon) {
+    const BuiltPolygon built = build(polygon);
+    return widened(built.bounds, 0.001 * glm::abs(built.normal));
+}
+
+double volume(const Box& box) {
+    const Vec3 size = glm::max(box.size(), Vec3(0));
+    return size.x * size.y * size.z;
+}
+
+Box confined(const Box& box, const Confines& confines) {
+    const auto shared = [](const std::vector<ObjectHandle>& objects) {
+        Box result = everywhere();
+        for (const ObjectHandle& each : objects) result = clip(result, extent(*each));
+        return result;
+    };
+    Box result = box;
+    for (const auto* objects : {&confines.clips, &confines.bounds}) {
+        const Box other = shared(*objects);
+        if (!objects->empty() && volume(other) < volume(result)) result = other;
+    }
+    return result;
+}
+
+/// The half space of a plane, if the object is one; otherwise what an intersection may keep of it.
+Box cutting(const Object& object, bool inverse) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    const Plane* plane = shape ? std::get_if<Plane>(shape) : nullptr;
+    if (!plane) return inverse != object.inverse ? everywhere() : extent(object);
+    Plane placed = *plane;
+    if (object.transform) {
+        const Vec3 normal = unit(plane->normal), turned = unit(object.transform->normal(normal));
+        placed = {turned, dot(turned, object.transform->point(plane->distance * normal))};
+    }
+    if (inverse != object.inverse) placed = {-placed.normal, -placed.distance};
+    return inside_bounds(placed);
+}
+
+Box extent_of(const Union& group) {
+    if (!group.lights.empty()) return everywhere();
+    if (group.csg == Csg::together || group.csg == Csg::merge) {
+        Box box;
+        for (const ObjectHandle& child : group.children) box = join(box, extent(*child));
+        return box.empty() ? everywhere() : box;
+    }
+    Box box = everywhere();
+    for (const ObjectHandle& child : group.children) {
+        const bool taken_away = group.csg == Csg::difference && &child != &group.children.front();
+        box = clip(box, cutting(*child, taken_away));
+    }
+    return box;
+}
+
+}  // namespace
+
+Box extent(const Object& object) {
+    Box box = std::holds_alternative<Union>(object.form)
+                  ? extent_of(std::get<Union>(object.form))
+                  : visit_shape([](const auto& shape) { return extent_of(shape); },
+                                std::get<Shape>(object.form));
+    if (object.transform) box = object.transform->box(box);
+    if (object.confines) box = confined(box, *object.confines);
+    return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};
+}

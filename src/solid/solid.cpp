@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/solid.h"
+
+#include "solid/assemble.h"
+
+namespace {
+
+/// POV-Ray sees nothing nearer and nothing farther.
+constexpr Interval seen{1e-4, 1e7};
+
+template <class T>
+bool solid(const T&) {
+    return true;
+}
+bool solid(const Triangle&) { return false; }
+bool solid(const SmoothTriangle&) { return false; }
+bool solid(const Polygon&) { return false; }
+bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
+
+}  // namespace
+
+const Composite& Solids::composite(const ObjectHandle& object) {
+    if (last_ && last_->object == object) return last_->composite;
+    auto found = known_.find(object.get());
+    if (found == known_.end()) {
+        CompositeBuilder builder;
+        NoVisitor nobody;
+        const PartRef root = Assembler<NoVisitor>(builder, shapes_, nobody).add(*object, {});
+        found = known_.emplace(object.get(), Known{object, builder.finish(root)}).first;
+    }
+    last_ = &found->second;
+    return last_->composite;
+}
+
+std::optional<Solids::Hit> Solids::trace(const ObjectHandle& object, const Vec3& from,
+                                         const Vec3& direction) {
+    const Ray ray{from, direction / length(direction)};
+    const auto met = composite(object).first(ray, seen, [](std::uint32_t) { return true; });
+    if (!met) return std::nullopt;
+    return Hit{ray.at(met->t), met->normal};
+}
+
+bool Solids::inside(const ObjectHandle& object, const Vec3& point) {
+    return composite(object).inside(point);
+}
+
+bool has_inside(const Object& object) {
+    if (const auto* group = std::get_if<Union>(&object.form))
+        return std::ranges::all_of(group->children,
+                                   [](const ObjectHandle& child) { return has_inside(*child); });
+    return visit_shape([](const auto& shape) { return solid(shape); },
+                       std::get<Shape>(object.form));
+}

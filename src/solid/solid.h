@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions about single objects: inside, trace, min_extent and max_extent of the language. An
+// object is made ready at the first question and kept for the next ones.
+#pragma once
+
+#include "base/handle.h"
+#include "scene/scene.h"
+#include "shape/composite.h"
+#include "solid/shape_store.h"
+
+#include <optional>
+#include <unordered_map>
+
+class Solids {
+public:
+    struct Hit {
+        Vec3 position;
+        Vec3 normal;  ///< unit; not turned to where the ray comes from
+    };
+
+    /// The first hit of the ray further away than 1e-4, as in POV-Ray; the direction is not 0.
+    std::optional<Hit> trace(const ObjectHandle&, const Vec3& from, const Vec3& direction);
+
+    bool inside(const ObjectHandle&, const Vec3& point);
+
+private:
+    struct Known {
+        ObjectHandle object;  ///< kept, so that no address comes twice
+        Composite composite;
+    };
+    const Composite& composite(const ObjectHandle&);
+
+    ShapeStore shapes_;
+    std::unordered_map<const Object*, Known> known_;
+    const Known* last_ = nullptr;
+};
+
+/// Whether inside() can be true anywhere: false for triangles, polygons and the like, and for all
+/// that has such a part.
+bool has_inside(const Object&);
