@@ -112,6 +112,10 @@ bool ItemReader::take_value(const Element& element) {
     if (element.value.is(Absence::nothing)) return word_ >= 0 || next_ < positional_;
     const bool scalar = element.value.numbers() && element.value.numbers()->is_scalar();
     if (word_ >= 0 && word_ == alone_ && !scalar && !element.value.broken()) missing_value();
+    if (loose_part_) {
+        take_loose(element);
+        return true;
+    }
     if (word_ >= 0) {
         const int field = std::exchange(word_, -1);
         store(field, element);
@@ -147,6 +151,20 @@ bool ItemReader::take_value(const Element& element) {
     else
         store(next_++, element);
     return true;
+}
+
+/// A value of the part whose word came last.
+void ItemReader::take_loose(const Element& element) {
+    const ItemInfo& info = info_->fields[word_].parts->info();
+    const FieldInfo& field = info.fields[static_cast<std::size_t>(loose_next_)];
+    const auto name = [&] { return message('`', field.name, "` of `", info.name, '`'); };
+    const auto help = [&] { return usage(info); };
+    const auto value = converted(block_, element, field.type, {name, help});
+    if (value && in_range(field.range, {name, help}, *value, element.span))
+        info.set(loose_part_, static_cast<std::size_t>(loose_next_), *value);
+    if (++loose_next_ < info.positional) return;
+    loose_part_ = nullptr;
+    word_ = -1;
 }
 
 void ItemReader::take_counted(const Element& element) {
@@ -255,6 +273,10 @@ void ItemReader::begin(int field, Span word) {
     }
     if (info_->fields[field].place != Placement::flag) {
         word_ = field;
+        if (info_->fields[field].place == Placement::loose_part) {
+            loose_part_ = info_->fields[field].parts->add(item_);
+            loose_next_ = 0;
+        }
         return;
     }
     set(field, 1.0, word);
@@ -269,9 +291,11 @@ void ItemReader::store(int field, const Element& element) {
     const FieldInfo& info = info_->fields[field];
     if (element.value.numbers() && info.type == FieldType::boolean)
         given_ &= ~(std::uint64_t{1} << field);
-    const std::optional<FieldValue> value = converted(
-        block_, element, info.type, {[&] { return of_block(field); }, [&] { return help(field); }});
-    if (value && in_range(field, *value, element.span)) set(field, *value, element.span);
+    const auto name = [&] { return of_block(field); };
+    const auto way_out = [&] { return help(field); };
+    const auto value = converted(block_, element, info.type, {name, way_out});
+    if (value && in_range(info.range, {name, way_out}, *value, element.span))
+        set(field, *value, element.span);
 }
 
 void ItemReader::set(int field, const FieldValue& value, Span) {
@@ -284,19 +308,20 @@ void ItemReader::set(int field, const FieldValue& value, Span) {
     stored_ = field;
 }
 
-bool ItemReader::in_range(int field, const FieldValue& value, Span span) {
-    const double* wrong = offender(info_->fields[field].range, value);
+bool ItemReader::in_range(const Range& range, const Slot& slot, const FieldValue& value,
+                          Span span) {
+    const double* wrong = offender(range, value);
     if (!wrong) return true;
     block_.report(error(Fault::out_of_range, span,
-                        message(of_block(field), " must be ", rule(info_->fields[field].range),
-                                ", but it is ", *wrong))
+                        message(slot.name(), " must be ", rule(range), ", but it is ", *wrong))
                       .with_label(message("this is ", *wrong))
-                      .with_help(help(field)));
+                      .with_help(slot.help()));
     return false;
 }
 
 void ItemReader::missing_value() {
     const int field = std::exchange(word_, -1);
+    loose_part_ = nullptr;
     if (field == alone_) {
         set(field, alone_value_, word_span_);
         return;

@@ -15,8 +15,8 @@ public:
     /// All outlive the reader. The item is of the type that the vocabulary describes.
     ItemReader(OpenBlock&, const ItemInfo&, void* item);
 
-    bool waiting() const { return word_ >= 0 || switch_ >= 0; }
-    bool wants() const { return word_ >= 0 || required_missing(); }
+    bool waiting() const { return word_ >= 0 || switch_ >= 0 || loose_part_; }
+    bool wants() const { return word_ >= 0 || loose_part_ || required_missing(); }
     bool take(const Element&);
     void finish();
     void add_words(WordList&) const;
@@ -45,6 +45,7 @@ private:
     bool take_block(const Element&);
     bool take_list(const Element&);
     void take_counted(const Element&);
+    void take_loose(const Element&);
     void take_count(const Element&);
     void take_entry(const Element&);
     bool counting() const { return entries_left_ >= 0; }
@@ -56,7 +57,7 @@ private:
     int find(std::string_view word) const;
     void begin(int field, Span word);
     void missing_value();
-    bool in_range(int field, const FieldValue&, Span);
+    bool in_range(const Range&, const Slot&, const FieldValue&, Span);
     std::string of_block(int field) const;
     std::string help(int field) const;
     void read_list(int field, const Element&);
@@ -76,6 +77,8 @@ private:
     FieldValue entries_;     ///< of the counted field, as far as they have come
     int entries_left_ = -1;  ///< -1: none are expected now
     int entry_count_ = 0;
+    void* loose_part_ = nullptr;  ///< whose values are expected now
+    int loose_next_ = 0;
     std::optional<Vec3> centre_;  ///< of a ball whose radius comes next
     bool repeatable_ = false;
 };

@@ -100,7 +100,7 @@ void Evaluator::State::receive(const Tree& tree, NodeId first, int count, const 
     while (tree[last].next != no_node) last = tree[last].next;
     if (static_cast<int>(list_length(tree, first)) == count &&
         (tree.get_if<node::Name>(last) || tree.get_if<node::Index>(last))) {
-        assign(tree, last, value, false);
+        assign(tree, last, Value(value), false);
         return;
     }
     report(error(Fault::wrong_type, tree.span(last), "here must be the name of a declared vector")

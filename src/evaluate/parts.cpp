@@ -38,7 +38,7 @@ public:
         if (block_.part_textures) words.insert(words.end(), {"texture", "pigment", "finish"});
     }
     /// The texture's number in the list, or -1.
-    int look() const {
+    int look() {
         if (!given_) return -1;
         std::vector<Handle<Texture>>& list = *block_.part_textures;
         const Handle<Texture> texture = draft_.shared(block_.binder.textures);

@@ -3,6 +3,7 @@
 // language, the manual, the conformance tests and the tracer.
 #pragma once
 
+#include "shape/blob.h"
 #include "shape/box.h"
 #include "shape/cone.h"
 #include "shape/cylinder.h"
@@ -17,6 +18,7 @@
 #include "shape/quadric.h"
 #include "shape/sor.h"
 #include "shape/sphere.h"
+#include "shape/sphere_sweep.h"
 #include "shape/superellipsoid.h"
 #include "shape/torus.h"
 #include "shape/triangle.h"
@@ -25,10 +27,11 @@
 #include <concepts>
 
 /// Shapes as they are written. Those that take much room are shared by their copies.
-using Shape = std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
-                           Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>,
-                           Shared<Cubic>, Shared<Quartic>, Shared<Poly>, Superellipsoid,
-                           Shared<Polygon>, Shared<Prism>, Shared<Lathe>, Shared<Sor>, Ovus>;
+using Shape =
+    std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
+                 Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>, Shared<Cubic>,
+                 Shared<Quartic>, Shared<Poly>, Superellipsoid, Shared<Polygon>, Shared<Prism>,
+                 Shared<Lathe>, Shared<Sor>, Ovus, Shared<SphereSweep>, Shared<Blob>>;
 
 /// A kind of shape that is made ready for rays: build() gives what they ask instead of it.
 template <class T>

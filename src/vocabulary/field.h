@@ -25,6 +25,7 @@ enum class Placement {
     choice,      ///< the word alone, one of several that set the same member to a number
     following,   ///< a value right after that of the field before it, an item
     parts,       ///< the word, then a block; any number of them
+    loose_part,  ///< the word, then the values of a part without a block; any number of them
 };
 inline constexpr Placement positional = Placement::positional;
 inline constexpr Placement item = Placement::item;

@@ -67,6 +67,8 @@ std::string_view name_of(Placement place) {
             return "following";
         case Placement::parts:
             return "parts";
+        case Placement::loose_part:
+            return "loose part";
     }
     return {};
 }
@@ -115,6 +117,8 @@ std::string form(const FieldInfo& field) {
             return name;
         case Placement::parts:
             return name + " { ... }";
+        case Placement::loose_part:
+            return name + " ...";
         case Placement::list:
             return name + " { count, ... }";
         case Placement::counted:

@@ -70,3 +70,11 @@ constexpr auto parts(std::string_view name, std::string_view help) {
     field.parts = &Access::all;
     return field;
 }
+
+/// A word after which a part's values stand without braces.
+template <auto list>
+constexpr auto loose_parts(std::string_view name, std::string_view help) {
+    auto field = parts<list>(name, help);
+    field.place = Placement::loose_part;
+    return field;
+}

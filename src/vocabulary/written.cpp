@@ -78,8 +78,10 @@ std::string parts_text(const FieldInfo& field, const void* object) {
     std::string text;
     for (std::size_t i = 0; i < field.parts->count(object); ++i) {
         const void* part = field.parts->at(object, i);
-        text += message(text.empty() ? "" : " ", field.name, " { ",
+        const bool loose = field.place == Placement::loose_part;
+        text += message(text.empty() ? "" : " ", field.name, loose ? " " : " { ",
                         written_fields(field.parts->info(), part));
+        if (loose) continue;
         // Only the caller's own copy would be changed through it, and nobody does.
         if (field.parts->transform)
             text += moved_text(*field.parts->transform(const_cast<void*>(part)));
@@ -109,6 +111,7 @@ std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
     const bool changed = !value.empty() && value != written(item.default_value(i), field.type);
     switch (field.place) {
         case Placement::parts:
+        case Placement::loose_part:
             return parts_text(field, object);
         case Placement::item: {
             const std::string values = item_values(item, object, i);

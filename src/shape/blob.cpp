@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/blob.h"
+
+#include "base/roots.h"
+
+namespace {
+
+using Source = BuiltBlob::Source;
+using Kind = BuiltBlob::Kind;
+
+constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+
+Handle<Transform> handle(const Transform& transform) {
+    return transform == Transform() ? Handle<Transform>() : make_handle<Transform>(transform);
+}
+
+Box bounds(const Source& f) {
+    const Vec3 r(std::sqrt(f.radius2));
+    Box box{f.centre - r, f.centre + r};
+    if (f.kind == Kind::rod) {
+        const Vec3 far = f.centre + f.length * f.axis;
+        box = join(box, {far - r, far + r});
+    }
+    return f.transform ? f.transform->box(box) : box;
+}
+
+/// a + b s + c s^2.
+struct Quadratic {
+    double a, b, c;
+};
+
+/// 1 - d^2 / radius^2 along the ray.
+Quadratic nearness(const Source& f, const Ray& ray) {
+    Vec3 o = ray.origin - f.centre, d = ray.direction;
+    if (f.kind == Kind::rod) {
+        o -= dot(o, f.axis) * f.axis;
+        d -= dot(d, f.axis) * f.axis;
+    }
+    return {1 - dot(o, o) / f.radius2, -2 * dot(o, d) / f.radius2, -dot(d, d) / f.radius2};
+}
+
+/// The part of the range in which low <= (p - centre) . axis <= high.
+Interval between(const Source& f, const Ray& ray, double low, double high, Interval range) {
+    const double at = dot(ray.origin - f.centre, f.axis), rise = dot(ray.direction, f.axis);
+    if (rise == 0) return at >= low && at < high ? range : Interval{1, 0};
+    double first = (low - at) / rise, last = (high - at) / rise;
+    if (rise < 0) std::swap(first, last);
+    return {std::fmax(range.min, first), std::fmin(range.max, last)};
+}
+
+/// Where the ray is in the field.
+Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
+    Interval range = whole_line;
+    if (q.c < 0) {
+        const Roots ends = sign_changes(std::array{q.a, q.b, q.c}, whole_line);
+        if (ends.size() != 2) return {1, 0};
+        range = {ends[0], ends[1]};
+    } else if (!(q.a > 0)) {
+        return {1, 0};
+    }
+    if (f.kind == Kind::hemisphere)
+        return between(f, ray, 0, std::numeric_limits<double>::infinity(), range);
+    if (f.kind == Kind::rod) return between(f, ray, 0, f.length, range);
+    return range;
+}
+
+using Quartic = std::array<double, 5>;
+
+/// A stretch of the ray on which a field is a polynomial.
+struct Stretch {
+    Interval range;
+    Quartic field;
+};
+
+std::optional<Stretch> stretch(const Source& f, const Ray& ray) {
+    const Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
+    const Quadratic q = nearness(f, local);
+    const Interval range = reach(f, local, q);
+    if (!(range.min < range.max) || !std::isfinite(range.min) || !std::isfinite(range.max))
+        return std::nullopt;
+    const double s = f.strength;
+    return Stretch{range,
+                   {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
+                    2 * s * q.b * q.c, s * q.c * q.c}};
+}
+
+/// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
+/// nothing outside of the field.
+struct Seen {
+    Vec3 off;
+    double nearness;
+};
+
+std::optional<Seen> seen(const Source& f, const Vec3& point) {
+    const Vec3 p = f.transform ? f.transform->inverse_point(point) : point;
+    Vec3 off = p - f.centre;
+    const double along = dot(off, f.axis);
+    if (f.kind == Kind::rod && !(along >= 0 && along < f.length)) return std::nullopt;
+    if (f.kind == Kind::hemisphere && along < 0) return std::nullopt;
+    if (f.kind == Kind::rod) off -= along * f.axis;
+    const double nearness = 1 - dot(off, off) / f.radius2;
+    return nearness > 0 ? std::optional(Seen{off, nearness}) : std::nullopt;
+}
+
+/// The gradient of the sum of all fields.
+Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
+    Vec3 sum(0);
+    blob.index.around(point, [&](std::uint32_t i) {
+        const Source& f = blob.sources[i];
+        const auto met = seen(f, point);
+        if (!met) return;
+        const Vec3 slope = -4 * f.strength * met->nearness / f.radius2 * met->off;
+        sum += f.transform ? f.transform->normal(slope) : slope;
+    });
+    return sum;
+}
+
+/// The sum of the fields that reach over a stretch, less the threshold.
+Quartic sum_over(const std::vector<Stretch>& stretches, const Interval& range, double threshold) {
+    Quartic sum{-threshold, 0, 0, 0, 0};
+    const double middle = 0.5 * (range.min + range.max);
+    for (const Stretch& each : stretches)
+        if (each.range.contains(middle))
+            for (std::size_t i = 0; i < 5; ++i) sum[i] += each.field[i];
+    return sum;
+}
+
+}  // namespace
+
+BuiltBlob build(const Blob& blob) {
+    BuiltBlob result;
+    result.threshold = blob.threshold;
+    const auto add = [&](const Source& field) {
+        if (field.strength != 0) result.sources.push_back(field);
+    };
+    for (const BlobSphere& s : blob.spheres)
+        add({Kind::ball, s.centre, Vec3(0), 0, s.radius * s.radius, s.strength, handle(s.transform),
+             s.look});
+    for (const BlobComponent& c : blob.components)
+        add({Kind::ball, c.centre, Vec3(0), 0, c.radius * c.radius, c.strength, {}, -1});
+    for (const BlobCylinder& c : blob.cylinders) {
+        const double length = ::length(c.cap - c.base), radius2 = c.radius * c.radius;
+        const Vec3 axis = unit(c.cap - c.base);
+        const Handle<Transform> place = handle(c.transform);
+        if (!(length > 0)) {
+            add({Kind::ball, c.base, Vec3(0), 0, radius2, c.strength, place, c.look});
+            continue;
+        }
+        add({Kind::rod, c.base, axis, length, radius2, c.strength, place, c.look});
+        add({Kind::hemisphere, c.base, -axis, 0, radius2, c.strength, place, c.look});
+        add({Kind::hemisphere, c.cap, axis, 0, radius2, c.strength, place, c.look});
+    }
+    std::vector<Box> boxes;
+    for (const Source& field : result.sources) boxes.push_back(bounds(field));
+    result.index = PartIndex(std::move(boxes));
+    return result;
+}
+
+std::string problem(const Blob& blob) {
+    return blob.spheres.empty() && blob.cylinders.empty() && blob.components.empty()
+               ? "a `blob` needs a component"
+               : "";
+}
+
+Box bounds(const BuiltBlob& blob) { return blob.index.bounds(); }
+
+void crossings(const BuiltBlob& blob, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0) || blob.sources.empty()) return;
+    // From the point nearest to the middle, where a far origin costs no digits.
+    const Vec3 u = ray.direction / speed;
+    const double start = dot(blob.index.bounds().centre() - ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    std::vector<Stretch> stretches;
+    std::vector<double> ends;
+    blob.index.along(near, whole_line, [&](std::uint32_t i) {
+        const auto met = stretch(blob.sources[i], near);
+        if (!met) return;
+        stretches.push_back(*met);
+        ends.insert(ends.end(), {met->range.min, met->range.max});
+    });
+    std::sort(ends.begin(), ends.end());
+    // What is so near to each other is the same but for rounding: a rod's end and the ball there.
+    const double same = 1e-12 * length(blob.index.bounds().size());
+    ends.erase(std::unique(ends.begin(), ends.end(),
+                           [&](double a, double b) { return b - a <= same; }),
+               ends.end());
+    double before = -blob.threshold;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const Interval range{ends[i], ends[i + 1]};
+        const Quartic sum = sum_over(stretches, range, blob.threshold);
+        // The sum is continuous: what it is at one end, it is at the start of the next stretch.
+        const bool last = i + 2 == ends.size();
+        const double after = last ? -blob.threshold : polynomial(sum, range.max);
+        for (const double s : sign_changes(sum, range, before, after)) {
+            const Vec3 normal = unit(-gradient(blob, near.at(s)));
+            if (normal != Vec3(0)) found.add({(start + s) / speed, normal, dot(u, normal) < 0});
+        }
+        before = after;
+    }
+}
+
+double strength_at(const Source& source, const Vec3& point) {
+    const auto met = seen(source, point);
+    return met ? source.strength * met->nearness * met->nearness : 0;
+}
+
+bool inside(const BuiltBlob& blob, const Vec3& point) {
+    double sum = 0;
+    blob.index.around(point, [&](std::uint32_t i) { sum += strength_at(blob.sources[i], point); });
+    return sum > blob.threshold;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solid that a sphere fills while it moves along a curve and changes its size. Rays ask the
+// BuiltSphereSweep.
+#pragma once
+
+#include "base/ray.h"
+#include "shape/part_index.h"
+#include "vocabulary/schema.h"
+
+enum SweepWay : int {
+    no_way = -1,
+    linear_way,  ///< straight from sphere to sphere
+    cubic_way,   ///< through all spheres but the first and the last (Catmull and Rom)
+    b_way,       ///< near the spheres, smoother than the others
+};
+
+/// Spheres, and all between them.
+struct SphereSweep {
+    int spline = no_way;
+    std::vector<Ball> spheres;
+    double tolerance = 1e-6;
+
+    static consteval auto vocabulary();
+};
+
+consteval auto SphereSweep::vocabulary() {
+    using F = Field<SphereSweep>;
+    return schema<SphereSweep>(
+        "sphere_sweep", "The solid that a moving sphere fills.",
+        F{"spheres", &SphereSweep::spheres, counted, "centre, radius of each"},
+        chooses("linear_spline", &SphereSweep::spline, linear_way,
+                "straight from sphere to sphere"),
+        chooses("cubic_spline", &SphereSweep::spline, cubic_way,
+                "smooth; the first and the last sphere only shape the way"),
+        chooses("b_spline", &SphereSweep::spline, b_way,
+                "smoother; the way passes by the spheres"),
+        F{"tolerance", &SphereSweep::tolerance, item,
+          "has no effect: surfaces are as exact as numbers are", above(0)});
+}
+
+struct BuiltSphereSweep {
+    /// centre(u) = centres[0] + centres[1] u + ... for u from 0 to 1, and the radius likewise.
+    struct Piece {
+        std::array<Vec3, 4> centres;
+        std::array<double, 4> radii;
+
+        Vec3 centre(double u) const {
+            return centres[0] + u * (centres[1] + u * (centres[2] + u * centres[3]));
+        }
+        double radius(double u) const {
+            return radii[0] + u * (radii[1] + u * (radii[2] + u * radii[3]));
+        }
+    };
+    std::vector<Piece> pieces;
+    PartIndex index;
+};
+
+BuiltSphereSweep build(const SphereSweep&);
+/// What is wrong beyond the ranges of single fields (no kind of spline, too few spheres), as a
+/// sentence; empty when nothing is.
+std::string problem(const SphereSweep&);
+
+Box bounds(const BuiltSphereSweep&);
+void crossings(const BuiltSphereSweep&, const Ray&, Crossings&);
+bool inside(const BuiltSphereSweep&, const Vec3&);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/composite.h"
+
+#include "luminaire/sphere.h"
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Vec3 o(0), x(1, 0, 0), y(0, 1, 0);
+
+CompositeEmitter alone(const BuiltShape& shape) {
+    CompositeBuilder builder;
+    const PartRef leaf = builder.add({shape});
+    return composite_emitter(make_handle<Composite>(builder.finish(leaf)), leaf.index);
+}
+
+CompositeEmitter half_ball() {
+    CompositeBuilder builder;
+    const PartRef ball = builder.add({Sphere{o, 1}}), cut = builder.add({Plane{x, 0}});
+    const PartRef both = builder.add(Combination::common, {ball, cut});
+    return composite_emitter(make_handle<Composite>(builder.finish(both)), ball.index);
+}
+
+}  // namespace
+
+TEST_CASE("any shape gives the light that it would give as an emitter of its own", "[luminaire]") {
+    const Luminaire ball = glowing(SphereEmitter{o, 1}), any = glowing(alone(Sphere{o, 1}));
+    Draw draw(1);
+    for (int i = 0; i < 20; ++i) {
+        const ShadingPoint point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
+        const double expected = sampled_irradiance(ball, point, 100);
+        CHECK(sampled_irradiance(any, point, 200) == Approx(expected).epsilon(0.02).margin(0.002));
+        if (expected > 1e-6) CHECK(unoccluded(any, point) > 0);
+    }
+}
+
+TEST_CASE("samples of a composite lie on the leaf, with the density that they say", "[luminaire]") {
+    const CompositeEmitter e = half_ball();
+    Draw draw(2);
+    std::size_t met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 from = point_around(o, 1, draw);
+        const auto s = sample(e, from, {draw.number(), draw.number()});
+        if (!s) continue;
+        ++met;
+        CHECK(length(s->position) == Approx(1).epsilon(1e-6));
+        CHECK(s->position.x < 1e-9);
+        CHECK(length(from + s->distance * s->direction - s->position) < 1e-9 * (1 + s->distance));
+        CHECK(density(e, from, s->direction) == Approx(s->density));
+    }
+    CHECK(met > 500);
+    CHECK(density(e, 5.0 * x, x) == 0);
+}
+
+TEST_CASE("its size is that of its shadow", "[luminaire]") {
+    CHECK(alone(Sphere{o, 2}).seen_area == Approx(4 * 3.14159).epsilon(0.1));
+    CHECK(alone(Cuboid{o, Vec3(1)}).seen_area == Approx(1.5).epsilon(0.15));
+    CHECK(alone(Torus{1, 0.3}).seen_area > 0);
+    CHECK(emitting_area(alone(Sphere{o, 1})) == Approx(4 * 3.14159).epsilon(0.1));
+    const LightBounds b = bounds(half_ball(), 3);
+    CHECK(b.luminance == 3);
+    CHECK(b.box.high.x < 1e-9);
+    CHECK(b.radius >= 1);
+}

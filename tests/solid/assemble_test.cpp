@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/assemble.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+ObjectHandle object(const Shape& shape, bool inverse = false) {
+    Object result;
+    result.form = shape;
+    result.inverse = inverse;
+    return make_handle<Object>(result);
+}
+
+Object group(Csg csg, std::vector<ObjectHandle> children) {
+    Object result;
+    result.form = Union{std::move(children), {}, csg};
+    return result;
+}
+
+Composite assembled(const Object& object) {
+    CompositeBuilder builder;
+    ShapeStore shapes;
+    NoVisitor nobody;
+    return builder.finish(Assembler<NoVisitor>(builder, shapes, nobody).add(object, {}));
+}
+
+std::string insides(const Object& object, const std::vector<Vec3>& points) {
+    const Composite composite = assembled(object);
+    std::string result;
+    for (const Vec3& p : points) result += composite.inside(p) ? '1' : '0';
+    return result;
+}
+
+struct Names {
+    std::string said;
+
+    void enter(const Object&) { said += '('; }
+    void leave() { said += ')'; }
+    void leaf(const Object& object) {
+        said += std::to_string(std::get<Shape>(object.form).index());
+    }
+};
+
+}  // namespace
+
+TEST_CASE("objects combine as their words say", "[solid]") {
+    const ObjectHandle left = object(Sphere{o, 1}), right = object(Sphere{x, 1});
+    const std::vector<Vec3> points = {-0.5 * x, 0.5 * x, 1.5 * x, 3.0 * x};
+    CHECK(insides(group(Csg::together, {left, right}), points) == "1110");
+    CHECK(insides(group(Csg::merge, {left, right}), points) == "1110");
+    CHECK(insides(group(Csg::intersection, {left, right}), points) == "0100");
+    CHECK(insides(group(Csg::difference, {left, right}), points) == "1000");
+}
+
+TEST_CASE("inverse turns combinations round, as De Morgan says", "[solid]") {
+    const ObjectHandle left = object(Sphere{o, 1}), right = object(Sphere{x, 1});
+    const std::vector<Vec3> points = {-0.5 * x, 0.5 * x, 1.5 * x, 3.0 * x};
+    for (const Csg csg : {Csg::together, Csg::merge, Csg::intersection, Csg::difference}) {
+        Object whole = group(csg, {left, right});
+        std::string expected = insides(whole, points);
+        for (char& c : expected) c = c == '0' ? '1' : '0';
+        whole.inverse = true;
+        CHECK(insides(whole, points) == expected);
+        // And once more in another group.
+        Object outer = group(Csg::together, {make_handle<Object>(whole)});
+        outer.inverse = true;
+        CHECK(insides(outer, points) == insides(group(csg, {left, right}), points));
+    }
+    CHECK(insides(group(Csg::difference, {left, object(Sphere{x, 1}, true)}), points) == "0100");
+}
+
+TEST_CASE("maps of groups and objects add up", "[solid]") {
+    Object moved = *object(Sphere{o, 1});
+    moved.transform = make_handle<Transform>(Transform::translation(x));
+    Object whole = group(Csg::intersection, {make_handle<Object>(moved)});
+    whole.transform = make_handle<Transform>(Transform::rotation(90.0 * z));
+    CHECK(insides(whole, {o, 0.5 * y, 1.5 * y, x}) == "0110");
+}
+
+TEST_CASE("what clips or bounds an object is in the space around it", "[solid]") {
+    Object half = *object(Sphere{o, 2});
+    half.transform = make_handle<Transform>(Transform::translation(5.0 * x));
+    Confines confines;
+    confines.clips = {object(Plane{x, 5})};
+    half.confines = make_handle<Confines>(confines);
+    CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "100");
+    // Inverse does not turn the clipping round.
+    half.inverse = true;
+    CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "001");
+
+    confines = {};
+    confines.bounds = {object(Cuboid{Vec3(4, -1, -1), Vec3(6, 1, 1)})};
+    half.confines = make_handle<Confines>(confines);
+    half.inverse = false;
+    const Composite bounded = assembled(half);
+    const auto any = [](std::uint32_t) { return true; };
+    CHECK_FALSE(bounded.first({Vec3(6.5, 0, -5), z}, Interval{}, any));
+    CHECK(bounded.first({Vec3(5.5, 0, -5), z}, Interval{}, any));
+    CHECK(bounded.inside(Vec3(6.5, 0, 0)));
+}
+
+TEST_CASE("visitors hear of every object and of each leaf in its order", "[solid]") {
+    const Object whole =
+        group(Csg::difference,
+              {object(Sphere{o, 1}),
+               make_handle<Object>(group(Csg::together, {object(Cuboid{}), object(Plane{})}))});
+    CompositeBuilder builder;
+    ShapeStore shapes;
+    Names names;
+    const PartRef root = Assembler<Names>(builder, shapes, names).add(whole, {});
+    CHECK(names.said == "((0)((1)(2)))");
+    const Composite composite = builder.finish(root);
+    REQUIRE(composite.leaf_count() == 3);
+    CHECK_FALSE(composite.leaf(0).inverse);
+    CHECK(composite.leaf(1).inverse);
+    CHECK(composite.leaf(2).inverse);
+}
+
+TEST_CASE("light sources in a group are no part of the solid", "[solid]") {
+    Object light = group(Csg::together, {});
+    std::get<Union>(light.form).lights.push_back({});
+    const Object whole =
+        group(Csg::intersection, {make_handle<Object>(light), object(Sphere{o, 1})});
+    CHECK(insides(whole, {o, 2.0 * x}) == "10");
+    CHECK(assembled(group(Csg::together, {})).bounds().empty());
+}

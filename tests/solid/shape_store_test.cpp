@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/shape_store.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const BuiltLathe* lathe(const BuiltShape& shape) { return &*std::get<Shared<BuiltLathe>>(shape); }
+
+}  // namespace
+
+TEST_CASE("a shape that several objects share is built once", "[solid]") {
+    ShapeStore store;
+    const Shape top = Shared(Lathe{linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
+    const Shape copy = top, same = Shared(Lathe{linear_curve, {{0, 0}, {1, 1}, {0, 2}}});
+    const BuiltShape first = store.built(top);
+    CHECK(lathe(store.built(copy)) == lathe(first));
+    CHECK(lathe(store.built(same)) != lathe(first));
+}
+
+TEST_CASE("shapes that need no building are copied", "[solid]") {
+    ShapeStore store;
+    CHECK(std::get<Sphere>(store.built(Sphere{Vec3(1), 2})).radius == 2);
+    const Shape triangle = Shared(Triangle{});
+    CHECK(&*std::get<Shared<Triangle>>(store.built(triangle)) ==
+          &*std::get<Shared<Triangle>>(triangle));
+}
