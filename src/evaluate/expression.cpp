@@ -123,8 +123,8 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Array>:
             return array(tree, *std::get_if<node::Array>(&content), id);
         case kind<node::Function>:
-            return broken(Fault::not_implemented, tree.span(id),
-                          "`function { ... }` is known but not implemented");
+            // Libraries declare many; only the call of one is an error.
+            return Absence::uninitialised;
         case kind<node::Tuple>:
             return broken(Fault::wrong_count, tree.span(id), "one value is wanted here");
         case kind<node::Broken>:

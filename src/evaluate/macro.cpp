@@ -126,7 +126,12 @@ const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Ca
         unknown_name(node.name, {tree.source, tree[id].first, tree[id].first + length});
         return nullptr;
     }
-    if (!found->macro() && !found->broken())
+    if (found->is(Absence::uninitialised))
+        broken(
+            Fault::not_implemented, tree.span(id),
+            message("`", names.spelling(node.name),
+                    "` has no value that can be called: functions are known but not implemented"));
+    else if (!found->macro() && !found->broken())
         broken(Fault::wrong_type, tree.span(id),
                message("`", names.spelling(node.name), "` is ", kind_name(*found),
                        " and cannot be called"));

@@ -99,7 +99,7 @@ std::string_view habit(Parser::symbol_kind_type found, const Expected& expected,
     if (wanted == "`(`") return "a condition stands in parentheses: (a > b)";
     if (found == Kind::S_NUMBER && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
-    if (after.substr(1).starts_with('=')) return change;
+    if (after.size() > 1 && after[1] == '=') return change;
     if (after.starts_with('.'))
         return "parts of a vector are not set alone: #declare V = <2, V.y, V.z>;";
     const bool hyphen = after.starts_with('-') && after.size() > 1 && letter(after[1]);

@@ -79,7 +79,7 @@ TEST_CASE("wrong objects are told of once", "[evaluate]") {
     CHECK(complaint("object { scale 2 sphere { 0, 1 } }") ==
           "error misplaced: in `object` the object comes before what changes it");
     CHECK(complaint("union { sphere { 0, 1 } scale 2 sphere { 0, 1 } }") ==
-          "error misplaced: the objects of a `union` come before what changes the whole");
+          "error misplaced: the objects of `union` come before what changes the whole");
     CHECK(complaint("#declare A = sphere { 0, 1 } sphere { 0, 1 A }") ==
           "error misplaced: a declared object comes first in `sphere`, in the place of its values");
     CHECK(complaint("sphere { 0, 1 sphere { 0, 1 } }") ==

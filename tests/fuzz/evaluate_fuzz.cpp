@@ -9,7 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const SourceId id = sources.add("input", {reinterpret_cast<const char*>(data), size});
     const Loader loader([](const std::string&) { return std::nullopt; });
     EvaluateOptions options;
-    options.limits.loop_passes = 300;
+    options.limits.steps = 300;
+    options.limits.array_elements = 10'000;
     options.limits.call_depth = 100;
     Diagnostics diagnostics;
     evaluate(sources, loader, id, options, diagnostics);

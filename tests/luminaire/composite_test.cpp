@@ -31,7 +31,7 @@ TEST_CASE("any shape gives the light that it would give as an emitter of its own
     for (int i = 0; i < 20; ++i) {
         const ShadingPoint point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
         const double expected = sampled_irradiance(ball, point, 100);
-        CHECK(sampled_irradiance(any, point, 200) == Approx(expected).epsilon(0.02).margin(0.002));
+        CHECK(sampled_irradiance(any, point, 500) == Approx(expected).epsilon(0.02).margin(0.002));
         if (expected > 1e-6) CHECK(unoccluded(any, point) > 0);
     }
 }
@@ -55,10 +55,11 @@ TEST_CASE("samples of a composite lie on the leaf, with the density that they sa
 }
 
 TEST_CASE("its size is that of its shadow", "[luminaire]") {
-    CHECK(alone(Sphere{o, 2}).seen_area == Approx(4 * 3.14159).epsilon(0.1));
+    // An estimate from a coarse grid, which is what luminaires are compared by.
+    CHECK(alone(Sphere{o, 2}).seen_area == Approx(4 * 3.14159).epsilon(0.15));
     CHECK(alone(Cuboid{o, Vec3(1)}).seen_area == Approx(1.5).epsilon(0.15));
     CHECK(alone(Torus{1, 0.3}).seen_area > 0);
-    CHECK(emitting_area(alone(Sphere{o, 1})) == Approx(4 * 3.14159).epsilon(0.1));
+    CHECK(emitting_area(alone(Sphere{o, 1})) == Approx(4 * 3.14159).epsilon(0.15));
     const LightBounds b = bounds(half_ball(), 3);
     CHECK(b.luminance == 3);
     CHECK(b.box.high.x < 1e-9);

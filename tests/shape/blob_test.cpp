@@ -63,7 +63,7 @@ TEST_CASE("the surface of a blob is where the fields reach the threshold", "[sha
         }
         const BuiltBlob built = build(many);
         std::size_t met = 0;
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < 600; ++i) {
             const Vec3 from = draw.point(4);
             const Ray ray{from, draw.between(0.2, 5) * (draw.point(1) - from)};
             const auto found = hits(built, ray);

@@ -34,7 +34,7 @@ std::string insides(const Object& object, const std::vector<Vec3>& points) {
     return result;
 }
 
-struct Names {
+struct Visits {
     std::string said;
 
     void enter(const Object&) { said += '('; }
@@ -109,9 +109,9 @@ TEST_CASE("visitors hear of every object and of each leaf in its order", "[solid
                make_handle<Object>(group(Csg::together, {object(Cuboid{}), object(Plane{})}))});
     CompositeBuilder builder;
     ShapeStore shapes;
-    Names names;
-    const PartRef root = Assembler<Names>(builder, shapes, names).add(whole, {});
-    CHECK(names.said == "((0)((1)(2)))");
+    Visits visits;
+    const PartRef root = Assembler<Visits>(builder, shapes, visits).add(whole, {});
+    CHECK(visits.said == "((0)((1)(2)))");
     const Composite composite = builder.finish(root);
     REQUIRE(composite.leaf_count() == 3);
     CHECK_FALSE(composite.leaf(0).inverse);

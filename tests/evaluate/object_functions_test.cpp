@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/object_functions.h"
+
+#include "evaluate/script.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+std::string printed(const std::string& script) {
+    std::string text;
+    EvaluateOptions options;
+    options.print = [&](std::string_view said) { text += said; };
+    const Script done =
+        run("#version 3.7; #macro V(A) #debug vstr(3, A, \",\", 0, 2) #end\n"
+            "#declare O = sphere { <1, 0, 0>, 2 }\n" +
+                script,
+            {}, options);
+    return text + done.text.substr(0, done.text.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("what can be asked of a declared object", "[evaluate]") {
+    CHECK(printed("V(min_extent(O))") == "-1.00,-2.00,-2.00");
+    CHECK(printed("V(max_extent(O))") == "3.00,2.00,2.00");
+    CHECK(printed("#debug str(inside(O, x), 0, 0) #debug str(inside(O, 4*x), 0, 0)") == "10");
+    CHECK(printed("#declare N = y; V(trace(O, <1, 0, -9>, z, N)) V(N)") ==
+          "1.00,0.00,-2.000.00,0.00,-1.00");
+    CHECK(printed("V(trace(O, <9, 9, -9>, z))") == "0.00,0.00,0.00");
+}
+
+TEST_CASE("only objects can be asked", "[evaluate]") {
+    CHECK(printed("#declare A = inside(3, x);") ==
+          "error: `inside` takes a declared object here, but this is a number");
+}
