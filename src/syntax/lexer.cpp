@@ -285,10 +285,14 @@ Token Lexer::read_text(const char* first) {
             long_string_ = span(first, first + 1);
     }
     // Names of files keep their backslashes, as in POV-Ray.
-    tree_.texts.push_back(file_name_expected()
-                              ? std::string(raw)
-                              : unescaped(raw, source_, offset(first + 1), diagnostics_));
-    return token(TokenKind::text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
+    const auto index = static_cast<std::uint32_t>(tree_.texts.size());
+    if (file_name_expected()) {
+        tree_.verbatim.push_back(index);
+        tree_.texts.emplace_back(raw);
+    } else {
+        tree_.texts.push_back(unescaped(raw, source_, offset(first + 1), diagnostics_));
+    }
+    return token(TokenKind::text, first, index);
 }
 
 /// What cannot begin a token. Where it is clear what was meant, that is returned.

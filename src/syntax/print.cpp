@@ -64,7 +64,11 @@ struct Print {
             text += message(i ? ", " : "", number(n.first_number + i));
         return {say(message(text, ">"))};
     }
-    Pieces operator()(const node::Text& n) const { return {say(quoted(tree.texts[n.text]))}; }
+    Pieces operator()(const node::Text& n) const {
+        const std::string& text = tree.texts[n.text];
+        const bool verbatim = std::ranges::binary_search(tree.verbatim, n.text);
+        return {say(verbatim ? message('"', text, '"') : quoted(text))};
+    }
     Pieces operator()(const node::Name& n) const { return {say(spell(n.name))}; }
     Pieces operator()(const node::Word& n) const { return {say(spell(n.word))}; }
     Pieces operator()(const node::Constant& n) const { return {say(spell(n.word))}; }

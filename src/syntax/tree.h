@@ -246,6 +246,8 @@ struct Tree {
     std::vector<Node> nodes;
     std::vector<double> numbers;
     std::vector<std::string> texts;  ///< strings with their escapes replaced
+    /// Indices, ascending, of the strings that have no escapes: names of files.
+    std::vector<std::uint32_t> verbatim;
 
     const Node& operator[](NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
     Node& operator[](NodeId id) { return nodes[static_cast<std::size_t>(id)]; }
