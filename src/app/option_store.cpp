@@ -70,7 +70,7 @@ void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rul
 }
 
 std::size_t settings_field(std::string_view name) {
-    const auto fields = item_info<RenderSettings>().fields;
+    const auto fields = RenderSettings::vocabulary.fields;
     return static_cast<std::size_t>(std::ranges::find(fields, name, &FieldInfo::name) -
                                     fields.begin());
 }
@@ -78,11 +78,11 @@ std::size_t settings_field(std::string_view name) {
 void store::field(std::string_view name, Options& options, const Given& given,
                   Diagnostics& diagnostics) {
     const std::size_t index = settings_field(name);
-    const FieldInfo& info = item_info<RenderSettings>().fields[index];
+    const FieldInfo& info = RenderSettings::vocabulary.fields[index];
     const std::optional<double> value = number(given.value.value_or(""));
     const bool whole = info.type != FieldType::integer || (value && std::floor(*value) == *value);
     if (value && whole && info.range.contains(*value))
-        return item_info<RenderSettings>().set(&options.render, index, *value);
+        return RenderSettings::vocabulary.set(&options.render, index, *value);
     const std::string got = given.value && !given.value->empty()
                                 ? message(", but it is `", harmless(*given.value), "`")
                                 : "";

@@ -215,6 +215,6 @@ ManualEntry manual_entry(const OptionRow& row) {
     }
     if (row.field.empty()) return {term, std::string(row.help)};
     const std::size_t field = settings_field(row.field);
-    return {term, message(item_info<RenderSettings>().fields[field].help, " (",
-                          values(item_info<RenderSettings>(), field), ")")};
+    return {term, message(RenderSettings::vocabulary.fields[field].help, " (",
+                          values(RenderSettings::vocabulary, field), ")")};
 }

@@ -1,7 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/camera.h"
 
+#include "vocabulary/schema.h"
+
 #include <numbers>
+
+namespace {
+
+template <class T>
+consteval auto camera_schema(std::string_view name, std::string_view help) {
+    using F = Field<T>;
+    return schema<T>(name, help, F{"location", &T::location, item, "where it stands"},
+                     F{"direction", &T::direction, item,
+                       "towards the middle of the picture; its length is the distance of the "
+                       "picture plane (default z)"},
+                     F{"right", &T::right, item,
+                       "from the left edge of the picture to the right (default 1.33 x)"},
+                     F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
+                     F{"sky", &T::sky, item, "what look_at keeps upright"},
+                     F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
+                     F{"angle", &T::angle, item, "degrees from the left edge to the right",
+                       Range{0, 360, true}});
+}
+
+}  // namespace
+
+const ItemInfo Perspective::vocabulary = described<Perspective>(
+    [] { return camera_schema<Perspective>("perspective", "All rays start at the camera."); });
+
+const ItemInfo Orthographic::vocabulary = described<Orthographic>(
+    [] { return camera_schema<Orthographic>("orthographic", "All rays are parallel."); });
 
 namespace {
 

@@ -22,40 +22,14 @@ struct View {
     Transform transform;  ///< applied after everything else
 };
 
-namespace camera_detail {
-template <class T>
-consteval auto vocabulary(std::string_view name, std::string_view help) {
-    using F = Field<T>;
-    return schema<T>(name, help, F{"location", &T::location, item, "where it stands"},
-                     F{"direction", &T::direction, item,
-                       "towards the middle of the picture; its length is the distance of the "
-                       "picture plane (default z)"},
-                     F{"right", &T::right, item,
-                       "from the left edge of the picture to the right (default 1.33 x)"},
-                     F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
-                     F{"sky", &T::sky, item, "what look_at keeps upright"},
-                     F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
-                     F{"angle", &T::angle, item, "degrees from the left edge to the right",
-                       Range{0, 360, true}});
-}
-}  // namespace camera_detail
-
 /// All rays start at the camera.
 struct Perspective : View {
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-consteval auto Perspective::vocabulary() {
-    return camera_detail::vocabulary<Perspective>("perspective", "All rays start at the camera.");
-}
-
 /// All rays are parallel.
 struct Orthographic : View {
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-consteval auto Orthographic::vocabulary() {
-    return camera_detail::vocabulary<Orthographic>("orthographic", "All rays are parallel.");
-}
-
 /// Every camera; the first is the one that a block without a type means.
 using Camera = std::variant<Perspective, Orthographic>;
 

@@ -66,7 +66,7 @@ private:
 
 bool read_camera(Binder& binder, const Element& element, Camera& camera) {
     OpenBlock block(binder, "camera", element.word_span);
-    block.item = &item_info<Perspective>();
+    block.item = &Perspective::vocabulary;
     CameraReader fields(block, camera);
     auto declared = named<DeclaredCamera>(block, [&](const Handle<DeclaredCamera>& other) {
         camera = other->camera;

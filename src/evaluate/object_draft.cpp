@@ -1,7 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/object_draft.h"
 
+#include "vocabulary/schema.h"
+
 #include "evaluate/lights.h"
+
+const ItemInfo Switches::vocabulary = described<Switches>([] {
+    using F = Field<Switches>;
+    return schema<Switches>(
+        "object", "What can be switched on an object.",
+        F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
+        F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
+        F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
+        F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
+        F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
+        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"});
+});
 
 namespace {
 

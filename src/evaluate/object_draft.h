@@ -16,21 +16,9 @@ struct Switches {
     bool inverse = false;
     bool double_illuminate = false;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
     friend bool operator==(const Switches&, const Switches&) = default;
 };
-
-consteval auto Switches::vocabulary() {
-    using F = Field<Switches>;
-    return schema<Switches>(
-        "object", "What can be switched on an object.",
-        F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
-        F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
-        F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
-        F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
-        F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
-        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"});
-}
 
 /// What an object is made of and how it looks, while its block is read.
 struct ObjectDraft {

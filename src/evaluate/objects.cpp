@@ -221,7 +221,7 @@ private:
         TransformReader moves(block_, apply);
         LookReader look(block_, draft_);
         ConfineReader confines(block_, draft_);
-        ItemReader switches(block_, item_info<Switches>(), &draft_.switches);
+        ItemReader switches(block_, Switches::vocabulary, &draft_.switches);
         switches.repeatable();
         block_.read(element_.body, fields..., content, look, confines, moves, switches);
     }

@@ -79,7 +79,7 @@ private:
 class ColouringReader {
 public:
     ColouringReader(OpenBlock& block, Pigment& pigment)
-        : block_(block), pigment_(pigment), fields_(block, item_info<Checker>(), nullptr) {}
+        : block_(block), pigment_(pigment), fields_(block, Checker::vocabulary, nullptr) {}
 
     bool waiting() const { return chosen_ && fields_.waiting(); }
     bool wants() const { return block_.taken == 0 || (chosen_ && fields_.wants()); }

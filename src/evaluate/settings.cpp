@@ -2,19 +2,22 @@
 #include "evaluate/settings.h"
 
 #include "text/message.h"
+#include "vocabulary/schema.h"
 
 namespace {
 
 struct BackgroundColour {
     Colour colour;
 
-    static consteval auto vocabulary() {
-        return schema<BackgroundColour>(
-            "background", "What rays see that meet nothing.",
-            Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
-                                    "the colour in all directions"});
-    }
+    static const ItemInfo vocabulary;
 };
+
+const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
+    return schema<BackgroundColour>(
+        "background", "What rays see that meet nothing.",
+        Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
+                                "the colour in all directions"});
+});
 
 constexpr std::string_view sampler_form =
     "{ light_octree [threshold n] ... }, or one of: every_light, constant_alpha, linear_alpha, "
@@ -24,7 +27,7 @@ constexpr std::string_view sampler_form =
 class SamplerReader {
 public:
     SamplerReader(OpenBlock& block, LightSampler& sampler)
-        : block_(block), sampler_(sampler), fields_(block, item_info<EveryLight>(), &sampler) {}
+        : block_(block), sampler_(sampler), fields_(block, EveryLight::vocabulary, &sampler) {}
 
     bool waiting() const { return fields_.waiting(); }
     bool wants() const { return fields_.wants(); }
@@ -107,7 +110,7 @@ private:
 void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
                           bool& gamma_given) {
     OpenBlock block(binder, "global_settings", element.word_span);
-    block.item = &item_info<GlobalSettings>();
+    block.item = &GlobalSettings::vocabulary;
     block.effectless =
         "charset utf8 ascii sys hf_gray_16 max_intersections number_of_waves noise_generator "
         "irid_wavelength mm_per_unit "
@@ -127,7 +130,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
 
 void read_background(Binder& binder, const Element& element, Background& background) {
     OpenBlock block(binder, "background", element.word_span);
-    block.item = &item_info<BackgroundColour>();
+    block.item = &BackgroundColour::vocabulary;
     BackgroundColour made;
     ItemReader fields(block, *block.item, &made);
     block.read(element.body, fields);

@@ -57,7 +57,7 @@ public:
             waiting_ = false;
             const auto value = converted(block_, element, FieldType::rgb,
                                          {[] { return std::string("`reflection` of `finish`"); },
-                                          [] { return usage(item_info<Reflection>()); }});
+                                          [] { return usage(Reflection::vocabulary); }});
             if (value) reflection_.least = reflection_.greatest = std::get<Vec3>(*value);
             return true;
         }
@@ -80,7 +80,7 @@ public:
         if (!std::exchange(waiting_, false)) return;
         block_.report(
             error(Fault::missing, span_, "`reflection` of `finish` needs a colour or a block")
-                .with_help(usage(item_info<Reflection>())));
+                .with_help(usage(Reflection::vocabulary)));
     }
 
     void add_words(WordList& words) const { words.push_back("reflection"); }
@@ -88,7 +88,7 @@ public:
 private:
     void read(const Element& element) {
         OpenBlock inner(block_.binder, "reflection", element.word_span);
-        inner.item = &item_info<Reflection>();
+        inner.item = &Reflection::vocabulary;
         Reflection made;
         ItemReader fields(inner, *inner.item, &made);
         fields.alone("metallic", 1);
@@ -123,7 +123,7 @@ bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
 
 bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     OpenBlock block(binder, "finish", element.word_span);
-    block.item = &item_info<Finish>();
+    block.item = &Finish::vocabulary;
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
     ItemReader fields(block, *block.item, &finish);
     fields.alone("metallic", 1);
@@ -134,7 +134,7 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
 
 bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     OpenBlock block(binder, "interior", element.word_span);
-    block.item = &item_info<Interior>();
+    block.item = &Interior::vocabulary;
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
     ItemReader fields(block, *block.item, &interior);

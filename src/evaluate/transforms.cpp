@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/transforms.h"
 
+#include "vocabulary/schema.h"
+
 #include "text/message.h"
 
 #include <algorithm>
+
+const ItemInfo Moves::vocabulary = described<Moves>([] {
+    using F = Field<Moves>;
+    return schema<Moves>(
+        "transform", "Moves, turns and stretches, in the order of the text.",
+        F{"translate", &Moves::translate, item, "moves along a vector"},
+        F{"rotate", &Moves::rotate, item, "turns about x, then y, then z, by degrees"},
+        F{"scale", &Moves::scale, item, "stretches along the axes; 0 counts as 1"});
+});
 
 namespace {
 
@@ -45,7 +56,7 @@ private:
 }  // namespace
 
 TransformReader::TransformReader(OpenBlock& block, Apply apply)
-    : block_(block), apply_(apply), moves_(block, item_info<Moves>(), &moved_) {
+    : block_(block), apply_(apply), moves_(block, Moves::vocabulary, &moved_) {
     moves_.repeatable();
 }
 

@@ -13,17 +13,8 @@ struct Moves {
     Vec3 rotate = Vec3(0);
     Vec3 scale = Vec3(1);
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Moves::vocabulary() {
-    using F = Field<Moves>;
-    return schema<Moves>(
-        "transform", "Moves, turns and stretches, in the order of the text.",
-        F{"translate", &Moves::translate, item, "moves along a vector"},
-        F{"rotate", &Moves::rotate, item, "turns about x, then y, then z, by degrees"},
-        F{"scale", &Moves::scale, item, "stretches along the axes; 0 counts as 1"});
-}
 
 /// One movement, complete.
 struct Movement {

@@ -7,8 +7,8 @@
 #include "base/box.h"
 #include "base/transform.h"
 #include "base/vector.h"
+#include "shape/built_shape.h"
 #include "shape/composite.h"
-#include "shape/shape.h"
 
 #include <cstdint>
 #include <memory>

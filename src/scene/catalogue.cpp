@@ -8,8 +8,8 @@
 namespace {
 
 constexpr auto surface =
-    std::array{&item_info<Finish>(), &item_info<Reflection>(), &item_info<Interior>()};
-constexpr auto settings = std::array{&item_info<GlobalSettings>()};
+    std::array{&Finish::vocabulary, &Reflection::vocabulary, &Interior::vocabulary};
+constexpr auto settings = std::array{&GlobalSettings::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},

@@ -38,8 +38,8 @@ std::string item_text(Variant alternative) {
 
 template <class T>
 std::string block_text(const T& item) {
-    const std::string fields = written_fields(item_info<T>(), &item);
-    return message(item_info<T>().name, " { ", fields, fields.empty() ? "" : " ", "}");
+    const std::string fields = written_fields(T::vocabulary, &item);
+    return message(T::vocabulary.name, " { ", fields, fields.empty() ? "" : " ", "}");
 }
 
 std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
@@ -72,14 +72,14 @@ std::string pigment_text(const Pigment& pigment) {
 
 std::string reflection_text(const Reflection& reflection) {
     const Reflection none;
-    const std::string fields = written_fields(item_info<Reflection>(), &reflection);
-    return fields == written_fields(item_info<Reflection>(), &none)
+    const std::string fields = written_fields(Reflection::vocabulary, &reflection);
+    return fields == written_fields(Reflection::vocabulary, &none)
                ? ""
                : message("reflection { ", fields, " }");
 }
 
 std::string finish_text(const Finish& finish) {
-    const std::string fields = written_fields(item_info<Finish>(), &finish);
+    const std::string fields = written_fields(Finish::vocabulary, &finish);
     const std::string reflection = reflection_text(finish.reflection);
     if (fields.empty() && reflection.empty()) return {};
     return message(" finish { ", fields, fields.empty() || reflection.empty() ? "" : " ",
@@ -88,7 +88,7 @@ std::string finish_text(const Finish& finish) {
 
 std::string settings_text(const Scene& scene) {
     const GlobalSettings& settings = scene.settings;
-    std::string text = written_fields(item_info<GlobalSettings>(), &settings);
+    std::string text = written_fields(GlobalSettings::vocabulary, &settings);
     // Before version 3.7 it makes a difference that the default was given.
     if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");

@@ -4,7 +4,7 @@
 // their flat normal.
 #pragma once
 
-#include "shape/shape.h"
+#include "shape/built_shape.h"
 
 /// A point of a surface with the outward unit normal there.
 struct SurfacePoint {

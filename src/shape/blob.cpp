@@ -1,7 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/blob.h"
 
+#include "vocabulary/parts.h"
+#include "vocabulary/schema.h"
+
 #include "base/roots.h"
+
+const ItemInfo BlobSphere::vocabulary = described<BlobSphere>([] {
+    using F = Field<BlobSphere>;
+    return schema<BlobSphere>(
+        "sphere", "A field around a point.", F{"centre", &BlobSphere::centre, positional, "centre"},
+        F{"radius", &BlobSphere::radius, positional, "how far the field reaches", above(0)},
+        maybe(F{"strength", &BlobSphere::strength, positional, "field in the centre"}),
+        F{"strength", &BlobSphere::strength, item, "the same, with its word"});
+});
+
+const ItemInfo BlobCylinder::vocabulary = described<BlobCylinder>([] {
+    using F = Field<BlobCylinder>;
+    return schema<BlobCylinder>(
+        "cylinder", "A field around a line, with round ends.",
+        F{"base", &BlobCylinder::base, positional, "one end of the line"},
+        F{"cap", &BlobCylinder::cap, positional, "the other end"},
+        F{"radius", &BlobCylinder::radius, positional, "how far the field reaches", above(0)},
+        maybe(F{"strength", &BlobCylinder::strength, positional, "field on the line"}),
+        F{"strength", &BlobCylinder::strength, item, "the same, with its word"});
+});
+
+const ItemInfo BlobComponent::vocabulary = described<BlobComponent>([] {
+    using F = Field<BlobComponent>;
+    return schema<BlobComponent>(
+        "component", "A field around a point, as old scenes write it.",
+        F{"strength", &BlobComponent::strength, positional, "field in the centre"},
+        F{"radius", &BlobComponent::radius, positional, "how far the field reaches", above(0)},
+        F{"centre", &BlobComponent::centre, positional, "centre"});
+});
+
+const ItemInfo Blob::vocabulary = described<Blob>([] {
+    using F = Field<Blob>;
+    return schema<Blob>("blob", "Balls and rods that flow into each other.",
+                        F{"threshold", &Blob::threshold, item, "field on the surface", above(0)},
+                        parts<&Blob::spheres>("sphere", "a field around a point"),
+                        parts<&Blob::cylinders>("cylinder", "a field around a line"),
+                        loose_parts<&Blob::components>("component", "a sphere in the old form"));
+});
 
 namespace {
 
@@ -183,9 +224,9 @@ void crossings(const BuiltBlob& blob, const Ray& ray, Crossings& found) {
     std::sort(ends.begin(), ends.end());
     // What is so near to each other is the same but for rounding: a rod's end and the ball there.
     const double same = 1e-12 * length(blob.index.bounds().size());
-    ends.erase(std::unique(ends.begin(), ends.end(),
-                           [&](double a, double b) { return b - a <= same; }),
-               ends.end());
+    ends.erase(
+        std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a <= same; }),
+        ends.end());
     double before = -blob.threshold;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const Interval range{ends[i], ends[i + 1]};

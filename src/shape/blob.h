@@ -7,7 +7,7 @@
 #include "base/ray.h"
 #include "base/transform.h"
 #include "shape/part_index.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A field that falls from its strength in the centre to 0 at the radius.
 struct BlobSphere {
@@ -17,7 +17,7 @@ struct BlobSphere {
     Transform transform;
     int look = -1;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
 /// The same around a line, with round ends.
@@ -29,7 +29,7 @@ struct BlobCylinder {
     Transform transform;
     int look = -1;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
 /// A sphere as old scenes write it.
@@ -38,7 +38,7 @@ struct BlobComponent {
     double radius = 1;
     Vec3 centre = Vec3(0);
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
 struct Blob {
@@ -47,46 +47,8 @@ struct Blob {
     std::vector<BlobCylinder> cylinders;
     std::vector<BlobComponent> components;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto BlobSphere::vocabulary() {
-    using F = Field<BlobSphere>;
-    return schema<BlobSphere>(
-        "sphere", "A field around a point.", F{"centre", &BlobSphere::centre, positional, "centre"},
-        F{"radius", &BlobSphere::radius, positional, "how far the field reaches", above(0)},
-        maybe(F{"strength", &BlobSphere::strength, positional, "field in the centre"}),
-        F{"strength", &BlobSphere::strength, item, "the same, with its word"});
-}
-
-consteval auto BlobCylinder::vocabulary() {
-    using F = Field<BlobCylinder>;
-    return schema<BlobCylinder>(
-        "cylinder", "A field around a line, with round ends.",
-        F{"base", &BlobCylinder::base, positional, "one end of the line"},
-        F{"cap", &BlobCylinder::cap, positional, "the other end"},
-        F{"radius", &BlobCylinder::radius, positional, "how far the field reaches", above(0)},
-        maybe(F{"strength", &BlobCylinder::strength, positional, "field on the line"}),
-        F{"strength", &BlobCylinder::strength, item, "the same, with its word"});
-}
-
-consteval auto BlobComponent::vocabulary() {
-    using F = Field<BlobComponent>;
-    return schema<BlobComponent>(
-        "component", "A field around a point, as old scenes write it.",
-        F{"strength", &BlobComponent::strength, positional, "field in the centre"},
-        F{"radius", &BlobComponent::radius, positional, "how far the field reaches", above(0)},
-        F{"centre", &BlobComponent::centre, positional, "centre"});
-}
-
-consteval auto Blob::vocabulary() {
-    using F = Field<Blob>;
-    return schema<Blob>("blob", "Balls and rods that flow into each other.",
-                        F{"threshold", &Blob::threshold, item, "field on the surface", above(0)},
-                        parts<&Blob::spheres>("sphere", "a field around a point"),
-                        parts<&Blob::cylinders>("cylinder", "a field around a line"),
-                        loose_parts<&Blob::components>("component", "a sphere in the old form"));
-}
 
 struct BuiltBlob {
     enum class Kind : std::uint8_t { ball, hemisphere, rod };

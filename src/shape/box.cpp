@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/box.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Cuboid::vocabulary = described<Cuboid>([] {
+    using F = Field<Cuboid>;
+    return schema<Cuboid>(
+        "box", "A solid between two opposite corners, its faces along the axes.",
+        F{"corner1", &Cuboid::corner1, positional, "one corner"},
+        F{"corner2", &Cuboid::corner2, positional, "the opposite corner, in any order"});
+});
+
 Box bounds(const Cuboid& cuboid) {
     return {glm::min(cuboid.corner1, cuboid.corner2), glm::max(cuboid.corner1, cuboid.corner2)};
 }

@@ -10,7 +10,7 @@
 #include "base/handle.h"
 #include "base/transform.h"
 #include "index/kdtree.h"
-#include "shape/shape.h"
+#include "shape/built_shape.h"
 
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@ struct PartRef {
 struct CompositeLeaf {
     BuiltShape shape;
     Handle<Transform> transform = nullptr;  ///< null: none
-    bool inverse = false;         ///< inside and outside are swapped
+    bool inverse = false;                   ///< inside and outside are swapped
 };
 
 class Composite {

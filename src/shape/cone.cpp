@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/cone.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Cone::vocabulary = described<Cone>([] {
+    using F = Field<Cone>;
+    return schema<Cone>(
+        "cone", "A cone or a frustum with flat ends.",
+        F{"base", &Cone::base, positional, "centre of one end"},
+        F{"base_radius", &Cone::base_radius, positional, "radius at that end", at_least(0)},
+        F{"cap", &Cone::cap, positional, "centre of the other end"},
+        F{"cap_radius", &Cone::cap_radius, positional, "radius there", at_least(0)},
+        F{"open", &Cone::open, flag, "leaves the ends out"});
+});
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

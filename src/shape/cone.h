@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A cone: its radius goes linearly from one end to the other.
 struct Cone {
@@ -13,19 +13,8 @@ struct Cone {
     double cap_radius = 0;
     bool open = false;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Cone::vocabulary() {
-    using F = Field<Cone>;
-    return schema<Cone>(
-        "cone", "A cone or a frustum with flat ends.",
-        F{"base", &Cone::base, positional, "centre of one end"},
-        F{"base_radius", &Cone::base_radius, positional, "radius at that end", at_least(0)},
-        F{"cap", &Cone::cap, positional, "centre of the other end"},
-        F{"cap_radius", &Cone::cap_radius, positional, "radius there", at_least(0)},
-        F{"open", &Cone::open, flag, "leaves the ends out"});
-}
 
 Box bounds(const Cone&);
 void crossings(const Cone&, const Ray&, Crossings&);

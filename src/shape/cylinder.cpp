@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/cylinder.h"
 
+#include "vocabulary/schema.h"
+
 #include "shape/cone.h"
+
+const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
+    using F = Field<Cylinder>;
+    return schema<Cylinder>("cylinder", "A cylinder with flat ends.",
+                            F{"base", &Cylinder::base, positional, "centre of one end"},
+                            F{"cap", &Cylinder::cap, positional, "centre of the other end"},
+                            F{"radius", &Cylinder::radius, positional, "radius", above(0)},
+                            F{"open", &Cylinder::open, flag, "leaves the ends out"});
+});
 
 namespace {
 

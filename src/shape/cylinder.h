@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A cylinder with flat ends, or a tube without them.
 struct Cylinder {
@@ -12,17 +12,8 @@ struct Cylinder {
     double radius = 1;
     bool open = false;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Cylinder::vocabulary() {
-    using F = Field<Cylinder>;
-    return schema<Cylinder>("cylinder", "A cylinder with flat ends.",
-                            F{"base", &Cylinder::base, positional, "centre of one end"},
-                            F{"cap", &Cylinder::cap, positional, "centre of the other end"},
-                            F{"radius", &Cylinder::radius, positional, "radius", above(0)},
-                            F{"open", &Cylinder::open, flag, "leaves the ends out"});
-}
 
 Box bounds(const Cylinder&);
 void crossings(const Cylinder&, const Ray&, Crossings&);

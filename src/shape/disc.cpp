@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/disc.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Disc::vocabulary = described<Disc>([] {
+    using F = Field<Disc>;
+    return schema<Disc>(
+        "disc", "A flat disc, with or without a hole.",
+        F{"centre", &Disc::centre, positional, "centre"},
+        F{"normal", &Disc::normal, positional, "direction of its face, of any length but 0"},
+        F{"radius", &Disc::radius, positional, "outer radius", above(0)},
+        maybe(F{"hole", &Disc::hole, positional, "radius of the hole", at_least(0)}));
+});
+
 Box bounds(const Disc& disc) {
     const Vec3 n2 = unit(disc.normal) * unit(disc.normal);
     const Vec3 reach =

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A flat ring or full disc. Its inside is the half space behind it, as in POV-Ray 3.7.
 struct Disc {
@@ -12,18 +12,8 @@ struct Disc {
     double radius = 1;
     double hole = 0;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Disc::vocabulary() {
-    using F = Field<Disc>;
-    return schema<Disc>(
-        "disc", "A flat disc, with or without a hole.",
-        F{"centre", &Disc::centre, positional, "centre"},
-        F{"normal", &Disc::normal, positional, "direction of its face, of any length but 0"},
-        F{"radius", &Disc::radius, positional, "outer radius", above(0)},
-        maybe(F{"hole", &Disc::hole, positional, "radius of the hole", at_least(0)}));
-}
 
 Box bounds(const Disc&);
 void crossings(const Disc&, const Ray&, Crossings&);

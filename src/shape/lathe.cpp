@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/lathe.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Lathe::vocabulary = described<Lathe>([] {
+    using F = Field<Lathe>;
+    return schema<Lathe>(
+        "lathe", "A curve turned around the y axis.",
+        F{"points", &Lathe::points, counted, "<radius, y> along the curve"},
+        chooses("linear_spline", &Lathe::spline, linear_curve, "straight between the points"),
+        chooses("quadratic_spline", &Lathe::spline, quadratic_curve,
+                "smooth; the first point only shapes the curve"),
+        chooses("cubic_spline", &Lathe::spline, cubic_curve,
+                "smooth; the first and the last point only shape the curve"),
+        chooses("bezier_spline", &Lathe::spline, bezier_curve,
+                "each four points are a Bezier curve"));
+});
+
 namespace {
 
 constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),

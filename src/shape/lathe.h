@@ -4,7 +4,7 @@
 
 #include "base/ray.h"
 #include "shape/curve.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A curve of points <radius, height>, turned around the y axis. It need not be closed: what lies
 /// on the axis' side of it is inside.
@@ -12,22 +12,8 @@ struct Lathe {
     int spline = linear_curve;
     std::vector<Vec2> points;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Lathe::vocabulary() {
-    using F = Field<Lathe>;
-    return schema<Lathe>(
-        "lathe", "A curve turned around the y axis.",
-        F{"points", &Lathe::points, counted, "<radius, y> along the curve"},
-        chooses("linear_spline", &Lathe::spline, linear_curve, "straight between the points"),
-        chooses("quadratic_spline", &Lathe::spline, quadratic_curve,
-                "smooth; the first point only shapes the curve"),
-        chooses("cubic_spline", &Lathe::spline, cubic_curve,
-                "smooth; the first and the last point only shape the curve"),
-        chooses("bezier_spline", &Lathe::spline, bezier_curve,
-                "each four points are a Bezier curve"));
-}
 
 struct BuiltLathe {
     struct Part {

@@ -1,7 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/mesh.h"
 
+#include "vocabulary/schema.h"
+
 #include "shape/triangle.h"
+
+const ItemInfo Mesh::vocabulary = described<Mesh>([] {
+    using F = Field<Mesh>;
+    return schema<Mesh>(
+        "mesh2", "Triangles over a list of shared vertices.",
+        F{"vertex_vectors", &Mesh::vertices, list, "corners"},
+        F{"normal_vectors", &Mesh::normals, list, "surface normals, for smooth shading"},
+        F{"face_indices", &Mesh::faces, list, "three vertices for each face, counted from 0"},
+        F{"normal_indices", &Mesh::normal_faces, list,
+          "three normals for each face, counted from 0"},
+        F{"inside_vector", &Mesh::inside_vector, item,
+          "direction in which to count crossings to tell inside from outside"});
+});
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// Triangles over shared vertices (POV-Ray's mesh2). Without an inside_vector, or with one of
 /// length 0, it has no inside.
@@ -15,21 +15,8 @@ struct Mesh {
         normal_faces;  ///< empty: the faces' own indices when there is a normal for each vertex
     std::optional<Vec3> inside_vector;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Mesh::vocabulary() {
-    using F = Field<Mesh>;
-    return schema<Mesh>(
-        "mesh2", "Triangles over a list of shared vertices.",
-        F{"vertex_vectors", &Mesh::vertices, list, "corners"},
-        F{"normal_vectors", &Mesh::normals, list, "surface normals, for smooth shading"},
-        F{"face_indices", &Mesh::faces, list, "three vertices for each face, counted from 0"},
-        F{"normal_indices", &Mesh::normal_faces, list,
-          "three normals for each face, counted from 0"},
-        F{"inside_vector", &Mesh::inside_vector, item,
-          "direction in which to count crossings to tell inside from outside"});
-}
 
 /// What is wrong with the lists (an index out of range, too many normals ...), as a sentence; empty
 /// when nothing is.

@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/ovus.h"
 
+#include "vocabulary/schema.h"
+
 #include "shape/sphere.h"
 #include "shape/torus.h"
+
+const ItemInfo Ovus::vocabulary = described<Ovus>([] {
+    using F = Field<Ovus>;
+    return schema<Ovus>(
+        "ovus", "An egg.",
+        F{"bottom_radius", &Ovus::bottom_radius, positional,
+          "radius of the sphere around the origin, and height of the other's centre", above(0)},
+        F{"top_radius", &Ovus::top_radius, positional, "radius of the sphere at the top",
+          above(0)});
+});
 
 namespace {
 

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/plane.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Plane::vocabulary = described<Plane>([] {
+    using F = Field<Plane>;
+    return schema<Plane>("plane", "An unbounded plane; its inside is the half space behind it.",
+                         F{"normal", &Plane::normal, positional,
+                           "direction away from the inside, of any length but 0"},
+                         F{"distance", &Plane::distance, positional,
+                           "distance from the origin along the unit normal"});
+});
+
 Box bounds(const Plane&) {
     const Vec3 everywhere(std::numeric_limits<double>::infinity());
     return {-everywhere, everywhere};

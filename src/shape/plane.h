@@ -3,24 +3,15 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// The half space behind a plane.
 struct Plane {
     Vec3 normal = Vec3(0, 1, 0);
     double distance = 0;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Plane::vocabulary() {
-    using F = Field<Plane>;
-    return schema<Plane>("plane", "An unbounded plane; its inside is the half space behind it.",
-                         F{"normal", &Plane::normal, positional,
-                           "direction away from the inside, of any length but 0"},
-                         F{"distance", &Plane::distance, positional,
-                           "distance from the origin along the unit normal"});
-}
 
 Box bounds(const Plane&);
 void crossings(const Plane&, const Ray&, Crossings&);

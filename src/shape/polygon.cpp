@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/polygon.h"
 
+#include "vocabulary/schema.h"
+
 #include <tuple>
+
+const ItemInfo Polygon::vocabulary = described<Polygon>([] {
+    using F = Field<Polygon>;
+    return schema<Polygon>("polygon", "A flat area between straight edges.",
+                           F{"points", &Polygon::points, counted,
+                             "corners, loop after loop; each loop ends with its first corner"});
+});
 
 namespace {
 

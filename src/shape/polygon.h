@@ -4,22 +4,15 @@
 
 #include "base/ray.h"
 #include "shape/outline.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// Loops of corners in one plane: a loop ends where it comes back to its first corner. Points
 /// within an even number of loops are holes.
 struct Polygon {
     std::vector<Vec3> points;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Polygon::vocabulary() {
-    using F = Field<Polygon>;
-    return schema<Polygon>("polygon", "A flat area between straight edges.",
-                           F{"points", &Polygon::points, counted,
-                             "corners, loop after loop; each loop ends with its first corner"});
-}
 
 struct BuiltPolygon {
     Vec3 origin = Vec3(0), normal = Vec3(0, 0, 1);

@@ -1,7 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/polynomial.h"
 
+#include "vocabulary/schema.h"
+
 #include "base/roots.h"
+
+const ItemInfo Cubic::vocabulary = described<Cubic>([] {
+    using F = Field<Cubic>;
+    return schema<Cubic>("cubic", "The surface of a polynomial of degree 3; inside it is below 0.",
+                         F{"factors", &Cubic::factors, positional,
+                           "<20 factors>, of x^3, x^2 y, x^2 z, x^2, x y^2 ... to the constant"});
+});
+
+const ItemInfo Quartic::vocabulary = described<Quartic>([] {
+    using F = Field<Quartic>;
+    return schema<Quartic>(
+        "quartic", "The surface of a polynomial of degree 4; inside it is below 0.",
+        F{"factors", &Quartic::factors, positional,
+          "<35 factors>, of x^4, x^3 y, x^3 z, x^3, x^2 y^2 ... to the constant"});
+});
+
+const ItemInfo Poly::vocabulary = described<Poly>([] {
+    using F = Field<Poly>;
+    return schema<Poly>("poly", "The surface of a polynomial of any degree; inside it is below 0.",
+                        F{"degree", &Poly::degree, positional, "degree", between(2, 35)},
+                        F{"factors", &Poly::factors, positional,
+                          "<factors>, powers of x falling, then of y, then of z"});
+});
 
 namespace {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// The points where a polynomial is not above 0. The factors come in this order: powers of x fall
 /// from the degree to 0; for each, powers of y fall from what is left; for each, powers of z. The
@@ -24,14 +24,14 @@ constexpr std::size_t factor_count(int degree) {
 struct Cubic {
     std::vector<double> factors;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
 /// A surface of degree 4.
 struct Quartic {
     std::vector<double> factors;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
 /// A surface of any degree.
@@ -39,31 +39,8 @@ struct Poly {
     int degree = 2;
     std::vector<double> factors;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Cubic::vocabulary() {
-    using F = Field<Cubic>;
-    return schema<Cubic>("cubic", "The surface of a polynomial of degree 3; inside it is below 0.",
-                         F{"factors", &Cubic::factors, positional,
-                           "<20 factors>, of x^3, x^2 y, x^2 z, x^2, x y^2 ... to the constant"});
-}
-
-consteval auto Quartic::vocabulary() {
-    using F = Field<Quartic>;
-    return schema<Quartic>(
-        "quartic", "The surface of a polynomial of degree 4; inside it is below 0.",
-        F{"factors", &Quartic::factors, positional,
-          "<35 factors>, of x^4, x^3 y, x^3 z, x^3, x^2 y^2 ... to the constant"});
-}
-
-consteval auto Poly::vocabulary() {
-    using F = Field<Poly>;
-    return schema<Poly>("poly", "The surface of a polynomial of any degree; inside it is below 0.",
-                        F{"degree", &Poly::degree, positional, "degree", between(2, 35)},
-                        F{"factors", &Poly::factors, positional,
-                          "<factors>, powers of x falling, then of y, then of z"});
-}
 
 AlgebraicSurface build(const Cubic&);
 AlgebraicSurface build(const Quartic&);

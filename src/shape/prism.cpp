@@ -1,6 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/prism.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Prism::vocabulary = described<Prism>([] {
+    using F = Field<Prism>;
+    return schema<Prism>(
+        "prism", "Closed curves in the xz plane, swept along y.",
+        F{"height1", &Prism::height1, positional, "height of one end"},
+        F{"height2", &Prism::height2, positional, "height of the other"},
+        F{"points", &Prism::points, counted, "<x, z>, loop after loop; each ends at its start"},
+        chooses("linear_sweep", &Prism::sweep, linear_sweep, "keeps the outline's size"),
+        chooses("conic_sweep", &Prism::sweep, conic_sweep, "scales the outline by y: a pyramid"),
+        chooses("linear_spline", &Prism::spline, linear_curve, "straight between the points"),
+        chooses("quadratic_spline", &Prism::spline, quadratic_curve,
+                "smooth; the first point of a loop only shapes its curve"),
+        chooses("cubic_spline", &Prism::spline, cubic_curve,
+                "smooth; the first and last point of a loop only shape its curve"),
+        chooses("bezier_spline", &Prism::spline, bezier_curve,
+                "each four points are a Bezier curve"),
+        F{"open", &Prism::open, flag, "leaves the ends out"});
+});
+
 namespace {
 
 Vec2 flat(const Vec3& v) { return {v.x, v.z}; }

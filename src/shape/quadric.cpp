@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/quadric.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Quadric::vocabulary = described<Quadric>([] {
+    using F = Field<Quadric>;
+    return schema<Quadric>("quadric",
+                           "The surface of a polynomial of degree 2; inside it is below 0.",
+                           F{"squares", &Quadric::squares, positional, "factors of x^2, y^2, z^2"},
+                           F{"products", &Quadric::products, positional, "factors of xy, xz, yz"},
+                           F{"linear", &Quadric::linear, positional, "factors of x, y, z"},
+                           F{"constant", &Quadric::constant, positional, "what is added"});
+});
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// The points with A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0, where
 /// squares = <A, B, C>, products = <D, E, F>, linear = <G, H, I>.
@@ -14,18 +14,8 @@ struct Quadric {
     Vec3 linear = Vec3(0);
     double constant = -1;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Quadric::vocabulary() {
-    using F = Field<Quadric>;
-    return schema<Quadric>("quadric",
-                           "The surface of a polynomial of degree 2; inside it is below 0.",
-                           F{"squares", &Quadric::squares, positional, "factors of x^2, y^2, z^2"},
-                           F{"products", &Quadric::products, positional, "factors of xy, xz, yz"},
-                           F{"linear", &Quadric::linear, positional, "factors of x, y, z"},
-                           F{"constant", &Quadric::constant, positional, "what is added"});
-}
 
 /// Infinite along the axes in which the solid has no end or none that is known.
 Box bounds(const Quadric&);

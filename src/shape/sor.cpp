@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/sor.h"
 
+#include "vocabulary/schema.h"
+
 #include "base/roots.h"
+
+const ItemInfo Sor::vocabulary = described<Sor>([] {
+    using F = Field<Sor>;
+    return schema<Sor>("sor", "A curve turned around the y axis, with one radius at each height.",
+                       F{"points", &Sor::points, counted,
+                         "<radius, y> with rising y; the first and the last only shape the curve"},
+                       F{"open", &Sor::open, flag, "leaves the ends out"});
+});
 
 namespace {
 

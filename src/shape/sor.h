@@ -4,23 +4,15 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// Radii at heights, turned around the y axis. The first and the last point only shape the curve.
 struct Sor {
     std::vector<Vec2> points;
     bool open = false;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Sor::vocabulary() {
-    using F = Field<Sor>;
-    return schema<Sor>("sor", "A curve turned around the y axis, with one radius at each height.",
-                       F{"points", &Sor::points, counted,
-                         "<radius, y> with rising y; the first and the last only shape the curve"},
-                       F{"open", &Sor::open, flag, "leaves the ends out"});
-}
 
 struct BuiltSor {
     /// radius^2 = factors[0] + factors[1] h + factors[2] h^2 + factors[3] h^3 at the height h above

@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/sphere.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Sphere::vocabulary = described<Sphere>([] {
+    using F = Field<Sphere>;
+    return schema<Sphere>("sphere", "All points at one distance from a centre.",
+                          F{"centre", &Sphere::centre, positional, "centre"},
+                          F{"radius", &Sphere::radius, positional, "radius", above(0)});
+});
+
 namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();

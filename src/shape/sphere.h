@@ -4,22 +4,15 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// All points at one distance from a centre.
 struct Sphere {
     Vec3 centre = Vec3(0);
     double radius = 1;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Sphere::vocabulary() {
-    using F = Field<Sphere>;
-    return schema<Sphere>("sphere", "All points at one distance from a centre.",
-                          F{"centre", &Sphere::centre, positional, "centre"},
-                          F{"radius", &Sphere::radius, positional, "radius", above(0)});
-}
 
 Box bounds(const Sphere&);
 void crossings(const Sphere&, const Ray&, Crossings&);

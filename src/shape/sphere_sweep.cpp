@@ -1,7 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/sphere_sweep.h"
 
+#include "vocabulary/schema.h"
+
 #include "base/roots.h"
+
+const ItemInfo SphereSweep::vocabulary = described<SphereSweep>([] {
+    using F = Field<SphereSweep>;
+    return schema<SphereSweep>(
+        "sphere_sweep", "The solid that a moving sphere fills.",
+        F{"spheres", &SphereSweep::spheres, counted, "centre, radius of each"},
+        chooses("linear_spline", &SphereSweep::spline, linear_way,
+                "straight from sphere to sphere"),
+        chooses("cubic_spline", &SphereSweep::spline, cubic_way,
+                "smooth; the first and the last sphere only shape the way"),
+        chooses("b_spline", &SphereSweep::spline, b_way, "smoother; the way passes by the spheres"),
+        F{"tolerance", &SphereSweep::tolerance, item,
+          "has no effect: surfaces are as exact as numbers are", above(0)});
+});
 
 namespace {
 

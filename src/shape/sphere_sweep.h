@@ -5,7 +5,7 @@
 
 #include "base/ray.h"
 #include "shape/part_index.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 enum SweepWay : int {
     no_way = -1,
@@ -20,23 +20,8 @@ struct SphereSweep {
     std::vector<Ball> spheres;
     double tolerance = 1e-6;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto SphereSweep::vocabulary() {
-    using F = Field<SphereSweep>;
-    return schema<SphereSweep>(
-        "sphere_sweep", "The solid that a moving sphere fills.",
-        F{"spheres", &SphereSweep::spheres, counted, "centre, radius of each"},
-        chooses("linear_spline", &SphereSweep::spline, linear_way,
-                "straight from sphere to sphere"),
-        chooses("cubic_spline", &SphereSweep::spline, cubic_way,
-                "smooth; the first and the last sphere only shape the way"),
-        chooses("b_spline", &SphereSweep::spline, b_way,
-                "smoother; the way passes by the spheres"),
-        F{"tolerance", &SphereSweep::tolerance, item,
-          "has no effect: surfaces are as exact as numbers are", above(0)});
-}
 
 struct BuiltSphereSweep {
     /// centre(u) = centres[0] + centres[1] u + ... for u from 0 to 1, and the radius likewise.

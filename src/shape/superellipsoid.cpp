@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/superellipsoid.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
+    using F = Field<Superellipsoid>;
+    return schema<Superellipsoid>(
+        "superellipsoid", "A solid between box, cylinder, sphere and octahedron.",
+        F{"exponents", &Superellipsoid::exponents, positional,
+          "<e, n>: 1 is round, towards 0 square, 2 is straight, above it pinched", above(0)});
+});
+
 namespace {
 
 /// (a^p + b^p)^(1/p) for a, b >= 0, also where the powers leave the range of numbers.

@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/torus.h"
 
+#include "vocabulary/schema.h"
+
 #include "base/roots.h"
+
+const ItemInfo Torus::vocabulary = described<Torus>([] {
+    using F = Field<Torus>;
+    return schema<Torus>(
+        "torus", "A ring around the y axis.",
+        F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
+        F{"minor", &Torus::minor, positional, "radius of the tube", above(0)});
+});
 
 namespace {
 

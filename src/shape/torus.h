@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A ring around the y axis. A tube wider than the ring passes through itself: all of its surface
 /// is met, also the part within.
@@ -11,16 +11,8 @@ struct Torus {
     double major = 1;
     double minor = 0.25;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Torus::vocabulary() {
-    using F = Field<Torus>;
-    return schema<Torus>(
-        "torus", "A ring around the y axis.",
-        F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
-        F{"minor", &Torus::minor, positional, "radius of the tube", above(0)});
-}
 
 Box bounds(const Torus&);
 void crossings(const Torus&, const Ray&, Crossings&);

@@ -1,6 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/triangle.h"
 
+#include "vocabulary/schema.h"
+
+const ItemInfo Triangle::vocabulary = described<Triangle>([] {
+    using F = Field<Triangle>;
+    return schema<Triangle>("triangle", "A flat triangle.",
+                            F{"corner1", &Triangle::corner1, positional, "first corner"},
+                            F{"corner2", &Triangle::corner2, positional, "second corner"},
+                            F{"corner3", &Triangle::corner3, positional, "third corner"});
+});
+
+const ItemInfo SmoothTriangle::vocabulary = described<SmoothTriangle>([] {
+    using F = Field<SmoothTriangle>;
+    return schema<SmoothTriangle>(
+        "smooth_triangle", "A flat triangle that is shaded as if it were curved.",
+        F{"corner1", &SmoothTriangle::corner1, positional, "first corner"},
+        F{"normal1", &SmoothTriangle::normal1, positional, "surface normal there"},
+        F{"corner2", &SmoothTriangle::corner2, positional, "second corner"},
+        F{"normal2", &SmoothTriangle::normal2, positional, "surface normal there"},
+        F{"corner3", &SmoothTriangle::corner3, positional, "third corner"},
+        F{"normal3", &SmoothTriangle::normal3, positional, "surface normal there"});
+});
+
 namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 /// A flat triangle.
 struct Triangle {
@@ -11,16 +11,8 @@ struct Triangle {
     Vec3 corner2 = Vec3(1, 0, 0);
     Vec3 corner3 = Vec3(0, 1, 0);
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Triangle::vocabulary() {
-    using F = Field<Triangle>;
-    return schema<Triangle>("triangle", "A flat triangle.",
-                            F{"corner1", &Triangle::corner1, positional, "first corner"},
-                            F{"corner2", &Triangle::corner2, positional, "second corner"},
-                            F{"corner3", &Triangle::corner3, positional, "third corner"});
-}
 
 /// A triangle that is shaded as if it were curved: its normal is interpolated between the corners'.
 struct SmoothTriangle {
@@ -28,20 +20,8 @@ struct SmoothTriangle {
     Vec3 corner2 = Vec3(1, 0, 0), normal2 = Vec3(0, 0, 1);
     Vec3 corner3 = Vec3(0, 1, 0), normal3 = Vec3(0, 0, 1);
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto SmoothTriangle::vocabulary() {
-    using F = Field<SmoothTriangle>;
-    return schema<SmoothTriangle>(
-        "smooth_triangle", "A flat triangle that is shaded as if it were curved.",
-        F{"corner1", &SmoothTriangle::corner1, positional, "first corner"},
-        F{"normal1", &SmoothTriangle::normal1, positional, "surface normal there"},
-        F{"corner2", &SmoothTriangle::corner2, positional, "second corner"},
-        F{"normal2", &SmoothTriangle::normal2, positional, "surface normal there"},
-        F{"corner3", &SmoothTriangle::corner3, positional, "third corner"},
-        F{"normal3", &SmoothTriangle::normal3, positional, "surface normal there"});
-}
 
 Box bounds(const Triangle&);
 void crossings(const Triangle&, const Ray&, Crossings&);

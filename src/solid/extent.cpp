@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/extent.h"
 
+#include "shape/built_shape.h"
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -3,7 +3,7 @@
 // is built once. Called by whoever makes primitives of objects.
 #pragma once
 
-#include "shape/shape.h"
+#include "shape/built_shape.h"
 
 #include <unordered_map>
 

@@ -2,16 +2,10 @@
 // What is inside a solid.
 #pragma once
 
-#include "vocabulary/schema.h"
+#include "vocabulary/item_info.h"
 
 struct Interior {
     double ior = 1;
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
-
-consteval auto Interior::vocabulary() {
-    using F = Field<Interior>;
-    return schema<Interior>("interior", "What is inside a solid.",
-                            F{"ior", &Interior::ior, item, "index of refraction", above(0)});
-}

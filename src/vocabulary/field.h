@@ -1,67 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter of one item: its name, where it is stored, where it stands in the text, which
-// values it takes. Items state their fields once, in vocabulary(); language, manual and tests read
-// them from there.
+// One parameter of one item, typed: its name, where it is stored, where it stands in the text,
+// which values it takes. Items state their fields once, in their .cpp files; language, manual and
+// tests read them from ItemInfo.
 #pragma once
 
-#include "base/colour.h"
-#include "base/vector.h"
-
-#include <array>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
-
-/// Where a parameter stands in its block.
-enum class Placement {
-    positional,  ///< a value without a word, in the order of the fields
-    item,        ///< the word, then the value
-    flag,        ///< the word alone; a number behind it switches it off (0) or on
-    list,        ///< the word, then { count, value, value, ... }
-    counted,     ///< a count, then so many entries, without a word, after the positional fields
-    choice,      ///< the word alone, one of several that set the same member to a number
-    following,   ///< a value right after that of the field before it, an item
-    parts,       ///< the word, then a block; any number of them
-    loose_part,  ///< the word, then the values of a part without a block; any number of them
-};
-inline constexpr Placement positional = Placement::positional;
-inline constexpr Placement item = Placement::item;
-inline constexpr Placement flag = Placement::flag;
-inline constexpr Placement list = Placement::list;
-inline constexpr Placement counted = Placement::counted;
-inline constexpr Placement choice = Placement::choice;
-inline constexpr Placement following = Placement::following;
-
-/// Values that a number may take (each component, for vectors).
-struct Range {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    bool low_excluded = false;
-
-    bool contains(double x) const { return (low_excluded ? x > low : x >= low) && x <= high; }
-};
-constexpr Range at_least(double low) {
-    return {low, std::numeric_limits<double>::infinity(), false};
-}
-constexpr Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
-constexpr Range between(double low, double high) { return {low, high, false}; }
-
-using Face = std::array<int, 3>;
-
-/// A centre and a radius, written one after the other.
-struct Ball {
-    Vec3 centre = Vec3(0);
-    double radius = 0;
-    friend bool operator==(const Ball&, const Ball&) = default;
-};
+#include "vocabulary/item_info.h"
 
 /// For fields that are kept elsewhere than in one member.
 struct NoMember {};
-
-struct PartsInfo;
 
 /// What a field can hold. Vec3 members named as colours take colours; see Field::rgb.
 template <class T>

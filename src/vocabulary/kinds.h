@@ -3,9 +3,10 @@
 // type list is the only list.
 #pragma once
 
-#include "vocabulary/schema.h"
+#include "base/shared.h"
+#include "vocabulary/item_info.h"
 
-#include <utility>
+#include <cstdint>
 
 namespace kinds_detail {
 
@@ -42,17 +43,18 @@ struct Kinds<std::variant<T...>> {
     static constexpr std::size_t count = sizeof...(T);
 
     /// Vocabularies in the order of the alternatives.
-    static constexpr std::array<const ItemInfo*, count> infos = {&item_info<ContentOf<T>>()...};
+    static constexpr std::array<const ItemInfo*, count> infos = {&ContentOf<T>::vocabulary...};
 
     /// Index of the alternative with this keyword; count when there is none.
-    static constexpr std::size_t find(std::string_view keyword) {
+    static std::size_t find(std::string_view keyword) {
         std::size_t i = 0;
         while (i < count && infos[i]->name != keyword) ++i;
         return i;
     }
 
     /// The same for the number of a reserved word.
-    static constexpr std::size_t find(NameId word) {
+    static std::size_t find(NameId word) {
+        static const std::vector<std::uint8_t> by_word = indices_by_word();
         return static_cast<std::size_t>(word) < by_word.size()
                    ? by_word[static_cast<std::size_t>(word)]
                    : count;
@@ -79,20 +81,16 @@ struct Kinds<std::variant<T...>> {
     }
 
 private:
-    static constexpr auto by_word = [] {
-        static_assert(count < 256);
-        std::array<std::uint8_t, reserved_detail::words.size()> result{};
-        result.fill(count);
-        for (std::size_t i = 0; i < count; ++i)
-            if (infos[i]->word != no_name) result[static_cast<std::size_t>(infos[i]->word)] = i;
-        return result;
-    }();
+    static_assert(count < 256);
 
-    static constexpr bool distinct() {
-        for (std::size_t i = 0; i < count; ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (infos[i]->name == infos[j]->name) return false;
-        return true;
+    static std::vector<std::uint8_t> indices_by_word() {
+        std::vector<std::uint8_t> result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto word = static_cast<std::size_t>(infos[i]->word);
+            if (infos[i]->word == no_name) continue;
+            if (word >= result.size()) result.resize(word + 1, count);
+            result[word] = static_cast<std::uint8_t>(i);
+        }
+        return result;
     }
-    static_assert(distinct(), "two kinds of a variant have the same keyword");
 };

@@ -8,10 +8,6 @@
 #include "base/transform.h"
 #include "vocabulary/field.h"
 
-struct ItemInfo;
-template <class T>
-constexpr const ItemInfo& item_info();
-
 /// Access to the parts in one list of an item, without their type.
 struct PartsInfo {
     const ItemInfo& (*info)();
@@ -41,7 +37,7 @@ struct Access {
     static const std::vector<Part>& parts(const void* item) {
         return static_cast<const Item*>(item)->*list;
     }
-    static const ItemInfo& info() { return item_info<Part>(); }
+    static const ItemInfo& info() { return Part::vocabulary; }
     static void* add(void* item) { return &parts(item).emplace_back(); }
     static std::size_t count(const void* item) { return parts(item).size(); }
     static const void* at(const void* item, std::size_t i) { return &parts(item)[i]; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vocabulary of one item: typed where the item states it, untyped (ItemInfo) where it is read.
+// How an item's .cpp file states its vocabulary: typed, then described() for those who read it.
 #pragma once
 
 #include "base/shared.h"
@@ -21,62 +21,6 @@ template <class T, class... F>
 consteval auto schema(std::string_view name, std::string_view help, F... fields) {
     return Schema<T, sizeof...(F)>{name, help, {fields...}};
 }
-
-/// A value on its way into or out of a field. The number is also how integers and switches travel.
-using FieldValue =
-    std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string, std::vector<double>,
-                 std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
-
-enum class FieldType {
-    number,
-    integer,
-    boolean,
-    vector2,
-    vector3,
-    vector4,
-    rgb,
-    colour,
-    text,
-    numbers,
-    points,
-    vectors,
-    balls,
-    faces,
-    parts
-};
-
-/// One field, without the type of its item.
-struct FieldInfo {
-    std::string_view name;
-    std::string_view help;
-    Placement place;
-    FieldType type;
-    Range range;
-    bool may_be_left_out;    ///< also true for std::optional members
-    NameId word;             ///< no_name: the name is not reserved, and known by its spelling only
-    double chosen;           ///< what the word of a choice stands for
-    int entries;             ///< of a counted field with a fixed number of them; otherwise 0
-    const PartsInfo* parts;  ///< of a field of that placement; otherwise null
-
-    /// Comes without a word, in its turn.
-    constexpr bool unnamed() const {
-        return place == Placement::positional || place == Placement::counted;
-    }
-};
-
-/// One item's vocabulary, without its type. All instances are constants.
-struct ItemInfo {
-    std::string_view name;
-    std::string_view help;
-    std::span<const FieldInfo> fields;
-    void (*set)(void* item, std::size_t field,
-                const FieldValue& value);  ///< value must be of the field's type
-    FieldValue (*get)(const void* item,
-                      std::size_t field);  ///< monostate: an optional that is not set
-    FieldValue (*default_value)(std::size_t field);
-    NameId word;     ///< of the name, when it is reserved
-    int positional;  ///< how many fields come without a word; they are the first ones
-};
 
 namespace schema_detail {
 
@@ -172,9 +116,9 @@ FieldValue load(const V& from) {
         return from;
 }
 
-template <class T>
+template <class T, class Make>
 struct Access {
-    static constexpr auto typed = T::vocabulary();
+    static constexpr auto typed = Make()();
     static constexpr auto fields = [] {
         std::array<FieldInfo, typed.fields.size()> result{};
         for (std::size_t i = 0; i < result.size(); ++i) result[i] = describe(typed.fields[i]);
@@ -236,8 +180,9 @@ struct Access {
 
 }  // namespace schema_detail
 
-/// The vocabulary of T for readers that do not know T.
-template <class T>
-constexpr const ItemInfo& item_info() {
-    return schema_detail::Access<T>::info;
+/// The vocabulary of T for readers that do not know T. `make` is a lambda without captures that
+/// gives the schema.
+template <class T, class Make>
+consteval ItemInfo described(Make) {
+    return schema_detail::Access<T, Make>::info;
 }

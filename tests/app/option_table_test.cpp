@@ -7,7 +7,7 @@
 
 TEST_CASE("no switch, keyword or word stands in the table twice, and every row leads somewhere") {
     std::set<std::string_view> letters, keywords, words;
-    const auto fields = item_info<RenderSettings>().fields;
+    const auto fields = RenderSettings::vocabulary.fields;
     for (const OptionRow& row : option_table()) {
         CAPTURE(row.letters, row.keyword, row.word);
         CHECK((row.letters.empty() || letters.insert(row.letters).second));
@@ -22,7 +22,7 @@ TEST_CASE("no switch, keyword or word stands in the table twice, and every row l
 }
 
 TEST_CASE("every setting of the run but the sampler's parameters has an option") {
-    for (const FieldInfo& field : item_info<RenderSettings>().fields) {
+    for (const FieldInfo& field : RenderSettings::vocabulary.fields) {
         CAPTURE(field.name);
         bool found = field.name == "antialias";  // +A does more than store it
         for (const OptionRow& row : option_table()) found = found || row.field == field.name;

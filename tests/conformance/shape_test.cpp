@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every shape promises, checked for each alternative of Shape with its default values and with
 // a table of others. A shape that is added to the variant is tested here without a line of its own.
-#include "shape/shape.h"
+#include "shape/built_shape.h"
 
 #include "support/draw.h"
 #include "support/hits.h"
@@ -224,7 +224,7 @@ double rounding(const Ray& ray, const Box& box) {
 TEMPLATE_LIST_TEST_CASE("every shape is found by its keyword, and its defaults lie in their ranges",
                         "[shape]", Shape) {
     using T = ContentOf<TestType>;
-    const ItemInfo& info = item_info<T>();
+    const ItemInfo& info = T::vocabulary;
     const std::size_t index = Kinds<Shape>::find(info.name);
     REQUIRE(index < Kinds<Shape>::count);
     const Shape fresh = Kinds<Shape>::make(index);
@@ -248,7 +248,7 @@ TEMPLATE_LIST_TEST_CASE("every shape says what is wrong with it, also through Sh
     for (const T& shape : instances<T>()) CHECK(problem(Shape(TestType(shape))).empty());
     // All numbers 0 is the worst that a text can say; where no range rejects it, the sentence names
     // the keyword.
-    const ItemInfo& info = item_info<T>();
+    const ItemInfo& info = T::vocabulary;
     T zero{};
     bool in_range = true;
     for (std::size_t i = 0; i < info.fields.size(); ++i) {

@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/kinds.h"
 
+#include "vocabulary/schema.h"
+
 #include <catch2/catch.hpp>
 
 namespace {
 
 struct Apple {
     double size = 1;
-    static consteval auto vocabulary() {
-        return schema<Apple>("apple", "A fruit.",
-                             Field<Apple>{"size", &Apple::size, positional, "diameter"});
-    }
+    static const ItemInfo vocabulary;
 };
+
+const ItemInfo Apple::vocabulary = described<Apple>([] {
+    return schema<Apple>("apple", "A fruit.",
+                         Field<Apple>{"size", &Apple::size, positional, "diameter"});
+});
 
 struct Pear {
     double length = 2;
-    static consteval auto vocabulary() {
-        return schema<Pear>("pear", "A longer one.",
-                            Field<Pear>{"length", &Pear::length, positional, "length"});
-    }
+    static const ItemInfo vocabulary;
 };
+
+const ItemInfo Pear::vocabulary = described<Pear>([] {
+    return schema<Pear>("pear", "A longer one.",
+                        Field<Pear>{"length", &Pear::length, positional, "length"});
+});
 
 using Fruit = std::variant<Apple, Shared<Pear>>;
 

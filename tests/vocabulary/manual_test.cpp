@@ -18,10 +18,10 @@ struct Lamp {
     std::optional<double> angle;
     std::string font = "plain";
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
-consteval auto Lamp::vocabulary() {
+const ItemInfo Lamp::vocabulary = described<Lamp>([] {
     using F = Field<Lamp>;
     return schema<Lamp>("lamp", "Something that shines.",
                         F{"centre", &Lamp::centre, positional, "where it is"},
@@ -34,10 +34,10 @@ consteval auto Lamp::vocabulary() {
                                     "not fit into one line of \"80\""}),
                         F{"angle", &Lamp::angle, item, "how wide", Range{0, 360, true}},
                         F{"font", &Lamp::font, item, "how it is written"});
-}
+});
 
-const ItemInfo& lamp = item_info<Lamp>();
-constexpr std::array lamps = {&item_info<Lamp>()};
+const ItemInfo& lamp = Lamp::vocabulary;
+constexpr std::array lamps = {&Lamp::vocabulary};
 constexpr std::array groups = {ItemGroup{"Lamps", "All of them.", lamps, "light"}};
 
 }  // namespace

@@ -20,10 +20,10 @@ struct Sample {
     std::vector<Vec3> points = {Vec3(1)};
     std::vector<Face> faces = {{0, 1, 2}};
 
-    static consteval auto vocabulary();
+    static const ItemInfo vocabulary;
 };
 
-consteval auto Sample::vocabulary() {
+const ItemInfo Sample::vocabulary = described<Sample>([] {
     using F = Field<Sample>;
     return schema<Sample>(
         "sample", "One field of each type.",
@@ -36,16 +36,19 @@ consteval auto Sample::vocabulary() {
         F{"perhaps", &Sample::perhaps, item, "a number or none", at_least(0)},
         F{"somewhere", &Sample::somewhere, item, "a point or none"},
         F{"points", &Sample::points, list, "points"}, F{"faces", &Sample::faces, list, "faces"});
-}
+});
 
 struct Plain {
-    static consteval auto vocabulary() { return schema<Plain>("plain", "Has no fields."); }
+    static const ItemInfo vocabulary;
 };
+
+const ItemInfo Plain::vocabulary =
+    described<Plain>([] { return schema<Plain>("plain", "Has no fields."); });
 
 }  // namespace
 
 TEST_CASE("a vocabulary keeps its fields in order, with their types", "[vocabulary]") {
-    const ItemInfo& info = item_info<Sample>();
+    const ItemInfo& info = Sample::vocabulary;
     CHECK(info.name == "sample");
     CHECK(info.help == "One field of each type.");
     struct Row {
@@ -76,11 +79,11 @@ TEST_CASE("a vocabulary keeps its fields in order, with their types", "[vocabula
         CHECK(info.fields[i].place == table[i].place);
         CHECK(info.fields[i].may_be_left_out == table[i].may_be_left_out);
     }
-    CHECK(item_info<Plain>().fields.empty());
+    CHECK(Plain::vocabulary.fields.empty());
 }
 
 TEST_CASE("what is stored in a field is read from it", "[vocabulary]") {
-    const ItemInfo& info = item_info<Sample>();
+    const ItemInfo& info = Sample::vocabulary;
     const std::vector<FieldValue> values = {
         2.5,
         7.0,
@@ -108,7 +111,7 @@ TEST_CASE("what is stored in a field is read from it", "[vocabulary]") {
 }
 
 TEST_CASE("default values are those of the members", "[vocabulary]") {
-    const ItemInfo& info = item_info<Sample>();
+    const ItemInfo& info = Sample::vocabulary;
     CHECK(info.default_value(0) == FieldValue(1.5));
     CHECK(info.default_value(2) == FieldValue(1.0));
     CHECK(info.default_value(7) == FieldValue(std::string("word")));

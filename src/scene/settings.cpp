@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/settings.h"
+
+#include "vocabulary/schema.h"
+
+const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
+    using F = Field<GlobalSettings>;
+    return schema<GlobalSettings>(
+        "global_settings", "What holds for the whole scene.",
+        as_colour(F{"ambient_light", &GlobalSettings::ambient_light, item,
+                    "light that seems to come from everywhere"}),
+        F{"assumed_gamma", &GlobalSettings::assumed_gamma, item,
+          "power by which the scene's colours become linear light; 1: they are", above(0)},
+        F{"max_trace_level", &GlobalSettings::max_trace_level, item,
+          "how many reflections and refractions are followed", between(1, 256)},
+        F{"adc_bailout", &GlobalSettings::adc_bailout, item,
+          "rays that can change the pixel by less than this are dropped", at_least(0)});
+});
+
+const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
+    using F = Field<RenderSettings>;
+    return schema<RenderSettings>(
+        "render_settings", "What holds for the run.",
+        F{"width", &RenderSettings::width, item, "width of the picture in pixels",
+          between(1, 65535)},
+        F{"height", &RenderSettings::height, item, "height of the picture in pixels",
+          between(1, 65535)},
+        F{"antialias", &RenderSettings::antialias, flag,
+          "spread the camera rays over the pixel; off: all go through its middle"},
+        F{"antialias_threshold", &RenderSettings::antialias_threshold, item,
+          "a pixel gets more rays while the standard error of its displayed colour, summed over "
+          "red, green and blue (each 0 to 1), is above a tenth of this",
+          at_least(0)},
+        F{"antialias_depth", &RenderSettings::antialias_depth, item,
+          "when the number of rays is chosen for each pixel, it is at most 4 to this power",
+          between(1, 9)},
+        F{"samples", &RenderSettings::samples, item,
+          "camera rays for each pixel; 0: as many as each needs", between(0, 1e6)},
+        F{"shadow_rays", &RenderSettings::shadow_rays, item,
+          "how often luminaires are chosen at each hit", between(1, 1e4)},
+        F{"seed", &RenderSettings::seed, item, "another seed gives other noise",
+          between(0, std::numeric_limits<int>::max())},
+        F{"threads", &RenderSettings::threads, item, "threads that work; 0: one for each core",
+          between(0, 4096)});
+});

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/shape.h"
+
+std::string problem(const Shape& shape) {
+    return visit_shape([](const auto& s) { return problem(s); }, shape);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/finish.h"
+
+#include "vocabulary/schema.h"
+
+const ItemInfo Reflection::vocabulary = described<Reflection>([] {
+    using F = Field<Reflection>;
+    return schema<Reflection>(
+        "reflection", "Mirror reflection, from straight on to grazing.",
+        as_colour(F{"minimum", &Reflection::least, positional, "amount seen straight on"}),
+        maybe(as_colour(F{"maximum", &Reflection::greatest, positional,
+                          "amount at grazing angles; the minimum when left out"})),
+        F{"fresnel", &Reflection::fresnel, flag,
+          "amount by Fresnel's equations and the interior's ior"},
+        F{"falloff", &Reflection::falloff, item, "exponent of the change with the angle"},
+        F{"exponent", &Reflection::exponent, item, "dims dark reflections more than bright ones",
+          above(0)},
+        F{"metallic", &Reflection::metallic, item, "tints the reflection with the pigment"});
+});
+
+const ItemInfo Finish::vocabulary = described<Finish>([] {
+    using F = Field<Finish>;
+    return schema<Finish>(
+        "finish", "How a surface answers light.",
+        as_colour(F{"ambient", &Finish::ambient, item,
+                    "share of ambient_light that it seems to reflect everywhere"}),
+        as_colour(F{"emission", &Finish::emission, item,
+                    "radiance that it emits, times the pigment: makes it a luminaire"}),
+        F{"diffuse", &Finish::diffuse, item,
+          "share of the light that it scatters in all directions, times the pigment"},
+        F{"brilliance", &Finish::brilliance, item,
+          "exponent of the cosine of the light's angle in diffuse scattering", at_least(0)},
+        F{"phong", &Finish::phong, item, "strength of the Phong highlight"},
+        F{"phong_size", &Finish::phong_size, item,
+          "exponent of the Phong highlight: greater is smaller", at_least(0)},
+        F{"specular", &Finish::specular, item, "strength of the Blinn highlight"},
+        F{"roughness", &Finish::roughness, item,
+          "width of the Blinn highlight: its exponent is 1/roughness", above(0)},
+        F{"metallic", &Finish::metallic, item,
+          "tints highlights with the pigment; 1 when no number follows"},
+        F{"conserve_energy", &Finish::conserve_energy, flag,
+          "what is reflected does not also pass through"});
+});

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The vocabulary of one item as it is read: by the language, the manual and editors, which do not
+// know the item's type. Every item has one, `static const ItemInfo vocabulary`; its .cpp file makes
+// it with described() (schema.h).
+#pragma once
+
+#include "base/colour.h"
+#include "base/vector.h"
+#include "vocabulary/words.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// Where a parameter stands in its block.
+enum class Placement {
+    positional,  ///< a value without a word, in the order of the fields
+    item,        ///< the word, then the value
+    flag,        ///< the word alone; a number behind it switches it off (0) or on
+    list,        ///< the word, then { count, value, value, ... }
+    counted,     ///< a count, then so many entries, without a word, after the positional fields
+    choice,      ///< the word alone, one of several that set the same member to a number
+    following,   ///< a value right after that of the field before it, an item
+    parts,       ///< the word, then a block; any number of them
+    loose_part,  ///< the word, then the values of a part without a block; any number of them
+};
+inline constexpr Placement positional = Placement::positional;
+inline constexpr Placement item = Placement::item;
+inline constexpr Placement flag = Placement::flag;
+inline constexpr Placement list = Placement::list;
+inline constexpr Placement counted = Placement::counted;
+inline constexpr Placement choice = Placement::choice;
+inline constexpr Placement following = Placement::following;
+
+/// Values that a number may take (each component, for vectors).
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_excluded = false;
+
+    bool contains(double x) const { return (low_excluded ? x > low : x >= low) && x <= high; }
+};
+constexpr Range at_least(double low) {
+    return {low, std::numeric_limits<double>::infinity(), false};
+}
+constexpr Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
+constexpr Range between(double low, double high) { return {low, high, false}; }
+
+using Face = std::array<int, 3>;
+
+/// A centre and a radius, written one after the other.
+struct Ball {
+    Vec3 centre = Vec3(0);
+    double radius = 0;
+    friend bool operator==(const Ball&, const Ball&) = default;
+};
+
+struct PartsInfo;
+
+/// A value on its way into or out of a field. The number is also how integers and switches travel.
+using FieldValue =
+    std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string, std::vector<double>,
+                 std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
+
+enum class FieldType {
+    number,
+    integer,
+    boolean,
+    vector2,
+    vector3,
+    vector4,
+    rgb,
+    colour,
+    text,
+    numbers,
+    points,
+    vectors,
+    balls,
+    faces,
+    parts
+};
+
+/// One field, without the type of its item.
+struct FieldInfo {
+    std::string_view name;
+    std::string_view help;
+    Placement place;
+    FieldType type;
+    Range range;
+    bool may_be_left_out;    ///< also true for std::optional members
+    NameId word;             ///< no_name: the name is not reserved, and known by its spelling only
+    double chosen;           ///< what the word of a choice stands for
+    int entries;             ///< of a counted field with a fixed number of them; otherwise 0
+    const PartsInfo* parts;  ///< of a field of that placement; otherwise null
+
+    /// Comes without a word, in its turn.
+    constexpr bool unnamed() const {
+        return place == Placement::positional || place == Placement::counted;
+    }
+};
+
+/// One item's vocabulary, without its type. All instances are constants.
+struct ItemInfo {
+    std::string_view name;
+    std::string_view help;
+    std::span<const FieldInfo> fields;
+    void (*set)(void* item, std::size_t field,
+                const FieldValue& value);  ///< value must be of the field's type
+    FieldValue (*get)(const void* item,
+                      std::size_t field);  ///< monostate: an optional that is not set
+    FieldValue (*default_value)(std::size_t field);
+    NameId word;     ///< of the name, when it is reserved
+    int positional;  ///< how many fields come without a word; they are the first ones
+};
