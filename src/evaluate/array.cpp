@@ -159,7 +159,7 @@ Evaluator::State::Place Evaluator::State::edit_element(Value& array, const Indic
                                                        Span span) {
     Value* at = &array;
     for (std::size_t used = 0;;) {
-        if (!check_array(*at, span)) return {};
+        if (!at->array() && !check_array(*at, span)) return {};
         const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
         if (!i) return {};
         ArrayData& edited = at->edit_array();

@@ -14,15 +14,39 @@ std::size_t list_length(const Tree& tree, NodeId first) {
 }  // namespace
 
 Value Evaluator::State::call(const Tree& tree, const node::Call& node, NodeId id) {
+    const Value* found = scope.find(node.name);  // null for the functions of the language
+    if (found && found->macro()) {
+        OneValue one{meaning};
+        call_macro(tree, node, id, Sink(one));
+        return one_value(std::move(one), tree.span(id));
+    }
     if (builds_text(tree, id)) {
         std::string text;
         return append_text(tree, id, text, node.name) ? Value(std::move(text))
                                                       : Value(Absence::broken);
     }
     if (names.reserved(node.name)) return call_function(tree, node, id);
-    OneValue one{meaning};
-    call_macro(tree, node, id, Sink(one));
-    return one_value(std::move(one), tree.span(id));
+    if (is_function(node.name)) {
+        const Value called = *found;
+        return call_value(tree, called, node.name, node.arguments, tree.span(id));
+    }
+    called_macro(tree, node, id);  // says what is wrong
+    return Absence::broken;
+}
+
+bool Evaluator::State::is_function(NameId name) const {
+    const Value* found = scope.find(name);
+    return found && (found->formula() || found->handle<Spline>());
+}
+
+Value Evaluator::State::call_value(const Tree& tree, const Value& called, NameId name, NodeId first,
+                                   Span span) {
+    if (called.formula()) return call_formula(tree, called.handle<Formula>(), name, first, span);
+    if (const auto spline = called.handle<Spline>())
+        return call_spline(tree, spline, name, first, span);
+    if (called.broken()) return called;
+    return broken(Fault::wrong_type, span,
+                  message("this is ", kind_name(called), " and cannot be called"));
 }
 
 bool Evaluator::State::defined(const Tree& tree, NodeId target) {

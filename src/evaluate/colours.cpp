@@ -43,7 +43,8 @@ Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeI
         return Absence::broken;
     }
     if (component == grey_component)
-        return 0.297 * numbers->at[0] + 0.589 * numbers->at[1] + 0.114 * numbers->at[2];
+        return grey_weights[0] * numbers->at[0] + grey_weights[1] * numbers->at[1] +
+               grey_weights[2] * numbers->at[2];
     if (component >= numbers->count)
         return broken(Fault::bad_index, tree.span(id),
                       message("there is no `.", name, "` in ", kind_name(value)));

@@ -237,8 +237,7 @@ Operands Evaluator::State::Compiler::member(const node::Member& node) {
     const Operands operand = compile(node.operand);
     if (operand.count == 0) return {};
     if (part == grey_component) {
-        constexpr auto weights = std::array{0.297, 0.589, 0.114};
-        const Operand grey = dot(numbers(weights), with_zeros(operand, 3));
+        const Operand grey = dot(numbers(grey_weights), with_zeros(operand, 3));
         release(operand);
         return Operands::one(grey);
     }

@@ -48,7 +48,7 @@ struct Evaluator::State::Compiler {
     // ---- compiler_calls.cpp
     Operands call(const node::Call&);
     Operands index(const node::Index&);
-    Operands call_formula(NameId, Handle<Formula>, NodeId arguments);
+    Operands call_formula(Handle<Formula>, NodeId arguments);
     Operands random(NodeId arguments);
     Operands array_size(std::string_view name, NodeId arguments);
     bool scalars(NodeId first, std::vector<Operand>& result);
@@ -59,13 +59,11 @@ struct Evaluator::State::Compiler {
     /// A call of code of C++.
     template <class Code>
     Operands native(std::size_t results, Code code, std::span<const Operand> arguments) {
-        return call_program(
-            make_handle<Formula>(arguments.size(), results, std::move(code)), arguments);
+        return call_program(make_handle<Formula>(arguments.size(), results, std::move(code)),
+                            arguments);
     }
     Operands call_program(Handle<Formula>, std::span<const Operand> arguments);
     void refuse_outside(std::string_view function, Operand x);
-    Operand fold(Operation, std::span<const Operand>);
-    Operand select(std::span<const Operand> arguments);
     Operand dot(const Operands& a, const Operands& b);
 
     State& state;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/transform.h"
 #include "evaluate/compiler.h"
+#include "evaluate/splines.h"
 
 #include <algorithm>
 
@@ -8,8 +9,11 @@ Operands Evaluator::State::Compiler::call(const node::Call& node) {
     if (!state.names.reserved(node.name)) {
         const Value* found = state.scope.find(node.name);
         if (!found) return {};
-        if (!found->formula()) return never();  // nearly always a macro
-        return call_formula(node.name, found->handle<Formula>(), node.arguments);
+        Handle<Formula> formula = found->handle<Formula>();
+        if (const auto spline = found->handle<Spline>()) formula = spline_formula(spline);
+        if (!formula) return never();  // nearly always a macro
+        code.callees.push_back({node.name, found->shared_place()});
+        return call_formula(std::move(formula), node.arguments);
     }
     const std::string_view name = state.names.spelling(node.name);
     if (const auto function = function_number(name)) return of_one(name, *function, node.arguments);
@@ -41,11 +45,9 @@ Operands Evaluator::State::Compiler::call_program(Handle<Formula> formula,
     return result;
 }
 
-Operands Evaluator::State::Compiler::call_formula(NameId name, Handle<Formula> formula,
-                                                  NodeId arguments) {
+Operands Evaluator::State::Compiler::call_formula(Handle<Formula> formula, NodeId arguments) {
     std::vector<Operand> values;
     if (!scalars(arguments, values) || values.size() != formula->parameters()) return {};
-    code.callees.push_back({name, formula.get()});
     return call_program(std::move(formula), values);
 }
 
@@ -129,66 +131,29 @@ Operands Evaluator::State::Compiler::of_one(std::string_view name, std::uint16_t
     return Operands::one(result);
 }
 
-ProgramBuilder::Operand Evaluator::State::Compiler::fold(Operation operation,
-                                                         std::span<const Operand> values) {
-    Operand result = values[0];
-    for (const Operand value : values.subspan(1)) {
-        const Operand next = builder.emit(operation, result, value);
-        builder.release(result);
-        builder.release(value);
-        result = next;
-    }
-    return result;
-}
-
-ProgramBuilder::Operand Evaluator::State::Compiler::select(std::span<const Operand> values) {
-    const Operand result = builder.variable();
-    std::vector<std::size_t> to_end;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-        const Operation test = i == 1 ? Operation::less : Operation::equal;
-        const Operand here = builder.emit(test, values[0], builder.constant(0));
-        const std::size_t other = builder.jump_unless(here);
-        builder.release(here);
-        builder.assign(result, values[i]);
-        to_end.push_back(builder.jump());
-        builder.land(other);
-    }
-    builder.assign(result, values.back());
-    for (const std::size_t jump : to_end) builder.land(jump);
-    for (const Operand value : values) builder.release(value);
-    return result;
-}
-
 Operands Evaluator::State::Compiler::of_numbers(std::string_view name, NodeId arguments) {
-    struct OfTwo {
-        std::string_view name;
-        Operation operation;
-    };
-    constexpr auto of_two =
-        std::array{OfTwo{"atan2", Operation::arc_tangent}, OfTwo{"div", Operation::whole_quotient},
-                   OfTwo{"mod", Operation::remainder}, OfTwo{"pow", Operation::power}};
     const bool extreme = name == "min" || name == "max";
-    const auto* two = std::find_if(of_two.begin(), of_two.end(),
-                                   [&](const OfTwo& entry) { return entry.name == name; });
-    if (!extreme && name != "select" && two == of_two.end()) return never();
+    const auto two = operation_of_two(name);
+    if (!extreme && name != "select" && !two) return never();
     std::vector<Operand> values;
     if (!scalars(arguments, values)) return {};
     if (extreme && !values.empty())
-        return Operands::one(fold(name == "min" ? Operation::least : Operation::greatest, values));
+        return Operands::one(
+            builder.fold(name == "min" ? Operation::least : Operation::greatest, values));
     if (name == "select" && (values.size() == 3 || values.size() == 4))
-        return Operands::one(select(values));
-    if (two == of_two.end() || values.size() != 2) return {};
+        return Operands::one(builder.select(values));
+    if (!two || values.size() != 2) return {};
     // atan2(0, 0) and pow(0, 0) are errors.
     if (name == "atan2") refuse_unless(builder.emit(Operation::true_either, values[0], values[1]));
     if (name == "pow") refuse_unless(builder.emit(Operation::either, values[0], values[1]));
-    return Operands::one(fold(two->operation, values));
+    return Operands::one(builder.fold(*two, values));
 }
 
 ProgramBuilder::Operand Evaluator::State::Compiler::dot(const Operands& a, const Operands& b) {
     std::array<Operand, 3> products;
     for (std::size_t i = 0; i < products.size(); ++i)
         products[i] = builder.emit(Operation::multiply, a.at[i], b.at[i]);
-    return fold(Operation::add, products);
+    return builder.fold(Operation::add, products);
 }
 
 Operands Evaluator::State::Compiler::of_two_vectors(std::string_view name, const Operands& a,
@@ -200,7 +165,7 @@ Operands Evaluator::State::Compiler::of_two_vectors(std::string_view name, const
             const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
             const std::array products = {builder.emit(Operation::multiply, a.at[i], b.at[j]),
                                          builder.emit(Operation::multiply, b.at[i], a.at[j])};
-            result.at[result.count++] = fold(Operation::subtract, products);
+            result.at[result.count++] = builder.fold(Operation::subtract, products);
         }
         return result;
     }

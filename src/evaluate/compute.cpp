@@ -42,7 +42,7 @@ bool Evaluator::State::load(Code& code) const {
     }
     for (const Code::Callee& callee : code.callees) {
         const Value* found = scope.find(callee.name);
-        if (!found || found->formula() != callee.function) return false;
+        if (!found || found->shared_place() != callee.function) return false;
     }
     return true;
 }

@@ -25,6 +25,18 @@ void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& no
     report(problem.with_help("#declare and #local of numbers, vectors and colours end in `;`"));
 }
 
+/// Numbers for a name or element that does not hold numbers yet.
+void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& node,
+                                       const Numbers& numbers) {
+    const auto* name = tree.get_if<node::Name>(node.target);
+    const Value* before = name ? scope.find(name->name) : nullptr;
+    const bool taken = before && (before->macro() || scope.is_local(name->name));
+    if (name && node.local && !taken)
+        scope.declare_fresh_local(name->name, numbers);
+    else
+        assign(tree, node.target, numbers, node.local);
+}
+
 void Evaluator::State::declare(const Tree& tree, const node::Declare& node, NodeId id) {
     // Nearly always numbers take the place of numbers.
     const auto* name = tree.get_if<node::Name>(node.target);
@@ -32,7 +44,7 @@ void Evaluator::State::declare(const Tree& tree, const node::Declare& node, Node
     Numbers computed;
     if (compute(tree, node.value, target ? *target : computed)) {
         check_semicolon(tree, node);
-        if (!target) assign(tree, node.target, computed, node.local);
+        if (!target) declare_numbers(tree, node, computed);
         return;
     }
     if (name && declare_text(tree, node)) return;
@@ -108,6 +120,13 @@ void Evaluator::State::assign(const Tree& tree, NodeId target, Value&& value, bo
                            "` is a macro and cannot become something else"));
             return;
         }
+        if (before && before->formula() && (!local || scope.is_local(name->name))) {
+            report(error(Fault::redefinition, span,
+                         message("`", names.spelling(name->name),
+                                 "` is a function and cannot become something else"))
+                       .with_help(message("#undef ", names.spelling(name->name), " first")));
+            return;
+        }
         if (local)
             scope.declare_local(name->name, std::move(value));
         else
@@ -131,7 +150,10 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
         return;
     }
     const Place place = edit_element(*array, places, span);
-    if (place.array && !value.broken() && !place.array->fits(place.element, value))
+    const Numbers* numbers = value.numbers();
+    if (place.array && numbers && place.array->most_numbers() > 0)
+        place.array->set(place.element, *numbers);
+    else if (place.array && !value.broken() && !place.array->fits(place.element, value))
         broken(Fault::wrong_type, span,
                message("all elements of an array are of one kind: others are ",
                        kind_name(place.array->other(place.element)), ", and this is ",

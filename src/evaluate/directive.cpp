@@ -70,14 +70,17 @@ bool Evaluator::State::condition(const Tree& tree, NodeId id) {
     return value && std::abs(*value) > tolerance;
 }
 
-Flow Evaluator::State::branch(const Tree& tree, const node::If& node, const Sink& take) {
-    for (NodeId id = node.branches; id != no_node; id = tree[id].next) {
+const node::Branch* Evaluator::State::taken_branch(const Tree& tree, const node::If& node) {
+    for (NodeId id = node.branches; id != no_node && !stopped_; id = tree[id].next) {
         const auto& branch = tree.get<node::Branch>(id);
-        if (branch.condition == no_node || condition(tree, branch.condition))
-            return walk(tree, branch.body, take);
-        if (stopped_) return Flow::stopped;
+        if (branch.condition == no_node || condition(tree, branch.condition)) return &branch;
     }
-    return Flow::end;
+    return nullptr;
+}
+
+Flow Evaluator::State::branch(const Tree& tree, const node::If& node, const Sink& take) {
+    if (const node::Branch* taken = taken_branch(tree, node)) return walk(tree, taken->body, take);
+    return stopped_ ? Flow::stopped : Flow::end;
 }
 
 bool Evaluator::State::too_many_steps(const Tree& tree, NodeId place) {

@@ -2,6 +2,7 @@
 #include "evaluate/evaluator.h"
 
 #include "evaluate/deep_stack.h"
+#include "evaluate/splines.h"
 #include "evaluate/state.h"
 #include "syntax/lint.h"
 #include "syntax/parser.h"
@@ -18,7 +19,15 @@ Evaluator::Evaluator(SourceStore& sources, const Loader& loader, Names& names,
 
 Evaluator::~Evaluator() = default;
 
-void Evaluator::set_meaning(Meaning meaning) { state_->meaning = std::move(meaning); }
+void Evaluator::set_meaning(Meaning meaning) {
+    state_->meaning = std::move(meaning);
+    state_->meaning.value = [this, value = std::move(state_->meaning.value),
+                             spline =
+                                 state_->names.find("spline")](std::span<const Element> elements) {
+        const bool splines = elements.size() == 1 && elements[0].word == spline;
+        return splines ? read_spline(*this, elements[0]) : value(elements);
+    };
+}
 void Evaluator::set_limits(const Limits& limits) { state_->limits = limits; }
 void Evaluator::declare(std::string_view name, Value value) {
     state_->scope.declare(state_->names.intern(name), std::move(value));

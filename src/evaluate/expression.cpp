@@ -123,8 +123,13 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Array>:
             return array(tree, *std::get_if<node::Array>(&content), id);
         case kind<node::Function>:
-            // Libraries declare many; only the call of one is an error.
-            return Absence::uninitialised;
+            return function(tree, *std::get_if<node::Function>(&content), id);
+        case kind<node::Apply>: {
+            const auto& apply = *std::get_if<node::Apply>(&content);
+            const Value called = evaluate(tree, apply.function);
+            const NameId name = tree.get<node::Index>(apply.function).name;
+            return call_value(tree, called, name, apply.arguments, tree.span(id));
+        }
         case kind<node::Tuple>:
             return broken(Fault::wrong_count, tree.span(id), "one value is wanted here");
         case kind<node::Broken>:
@@ -136,6 +141,11 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
 
 std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
                                                NameId word) {
+    if (const auto* name = tree.get_if<node::Name>(id)) {
+        const Value* found = scope.find(name->name);
+        const Numbers* known = found ? found->numbers() : nullptr;
+        if (known && known->is_scalar()) return known->at[0];
+    }
     Numbers numbers;
     const bool computed = compute(tree, id, numbers);
     if (computed && numbers.is_scalar()) return numbers.at[0];
@@ -279,7 +289,8 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
             return false;
         };
         const auto* call = tree.get_if<node::Call>(id);
-        if ((call && !names.reserved(call->name)) || tree.get_if<node::If>(id)) {
+        if ((call && !names.reserved(call->name) && !is_function(call->name)) ||
+            tree.get_if<node::If>(id)) {
             // A macro or a branch may give several components.
             bool good = true;
             const auto take = [&](const Element& element) {

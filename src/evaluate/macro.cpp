@@ -138,12 +138,11 @@ const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Ca
     return found->macro();
 }
 
-Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, NodeId id,
-                                  const Sink& take) {
-    if (!room(tree, id)) return Flow::stopped;
+const MacroData* Evaluator::State::enter_macro(const Tree& tree, const node::Call& node,
+                                               NodeId id) {
     const MacroData* macro = called_macro(tree, node, id);
-    if (macro && too_many_steps(tree, id)) return Flow::stopped;
-    if (macro && frames.depth() >= limits.call_depth) {
+    if (!macro || too_many_steps(tree, id)) return nullptr;
+    if (frames.depth() >= limits.call_depth) {
         if (!stopped_)
             report(error(Fault::recursion_limit, tree.span(id),
                          message("macros call each other ", limits.call_depth,
@@ -151,13 +150,10 @@ Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, Node
                        .with_help("a recursion needs an #if that ends it; --limit-depth raises the "
                                   "limit"));
         stopped_ = true;
-        return Flow::stopped;
+        return nullptr;
     }
     const std::size_t base = arguments.size();
-    if (!macro || !pass_arguments(tree, node, id, *macro)) {
-        take.value(Absence::broken, tree, id);
-        return stopped_ ? Flow::stopped : Flow::end;
-    }
+    if (!pass_arguments(tree, node, id, *macro)) return nullptr;
     scope.enter();
     for (std::size_t i = base; i < arguments.size(); ++i) {
         const Argument& argument = arguments[i];
@@ -169,9 +165,25 @@ Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, Node
     }
     arguments.resize(base);
     frames.push({Frame::macro, macro->name, no_source, tree.span(id)});
-    const Flow flow = walk(*macro->body.tree, macro->body.first, take);
+    return macro;
+}
+
+void Evaluator::State::leave_macro() {
     frames.pop();
     scope.leave();
+}
+
+Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, NodeId id,
+                                  const Sink& take) {
+    if (!room(tree, id)) return Flow::stopped;
+    const MacroData* macro = enter_macro(tree, node, id);
+    if (!macro) {
+        if (stopped_) return Flow::stopped;
+        take.value(Absence::broken, tree, id);
+        return stopped_ ? Flow::stopped : Flow::end;
+    }
+    const Flow flow = walk(*macro->body.tree, macro->body.first, take);
+    leave_macro();
     return flow == Flow::stopped ? Flow::stopped
                                  : Flow::end;  // a #break outside loops ends the macro
 }

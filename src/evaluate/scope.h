@@ -44,6 +44,10 @@ public:
         return cell && cell->text() ? cell : nullptr;
     }
 
+    /// Whether the newest binding is of the current frame.
+    bool is_local(NameId name) const {
+        return find(name) && slots_[static_cast<std::size_t>(name)].frame == frames_.size();
+    }
     /// The place behind a name, for passing it on; its cell is null when the name is not declared.
     Reference reference(NameId name) const;
 
@@ -63,6 +67,12 @@ public:
         // Numbers hold nothing that must be freed now, and the next value often is numbers.
         if (!fresh->numbers()) *fresh = Absence::nothing;
         free_cells_.push_back(fresh);
+    }
+    /// `#local` of numbers for a name without a binding in this frame.
+    void declare_fresh_local(NameId name, const Numbers& numbers) {
+        Value* const cell = fresh_cell();
+        *cell = numbers;
+        bind(name, cell, Kind::own);
     }
     /// A parameter by reference: another name for what is there. The frame must be fresh.
     void alias(NameId name, Reference);

@@ -43,6 +43,7 @@ struct Indices {
 /// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
 int component_of(std::string_view member);
 inline constexpr int grey_component = 5;
+inline constexpr auto grey_weights = std::array{0.297, 0.589, 0.114};
 
 struct Evaluator::State {
     State(Evaluator&, SourceStore&, const Loader&, Names&, Diagnostics&, const RunFacts&);
@@ -131,9 +132,30 @@ struct Evaluator::State {
     bool defined(const Tree&, NodeId target);
     void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
 
+    /// Whether the name, where it is called, is a function or a spline and not a macro.
+    bool is_function(NameId) const;
+    /// A call of a function or a spline; `name` is for messages.
+    Value call_value(const Tree&, const Value& called, NameId name, NodeId first, Span);
+
+    // ---- user_function.cpp
+    struct FunctionCompiler;
+    Value function(const Tree&, const node::Function&, NodeId);
+    std::optional<std::vector<NameId>> parameters(const Tree&, const node::Function&, NodeId);
+    Handle<Formula> written_function(const Tree&, const node::Function&, NodeId);
+    Handle<Formula> named_function(const Tree&, const node::Function&, NodeId);
+    Handle<Formula> block_function(const Tree&, NodeId body, NodeId);
+    bool check_count(NameId function, std::size_t count, const Formula&, Span);
+    Value call_formula(const Tree&, Handle<Formula>, NameId, NodeId first, Span);
+    Value call_spline(const Tree&, Handle<Spline>, NameId, NodeId first, Span);
+
     // ---- texts.cpp
     /// Whether it is a call that append_text() can build.
-    bool builds_text(const Tree&, NodeId) const;
+    bool builds_text(const Tree& tree, NodeId id) const {
+        const auto* call = tree.get_if<node::Call>(id);
+        return call && (call->name == concat || call->name == str) &&
+               has_plain_arguments(tree, *call);
+    }
+    bool has_plain_arguments(const Tree&, const node::Call&) const;
     /// The text of an argument of the function is appended; false when reported.
     bool append_text(const Tree&, NodeId, std::string& text, NameId function);
     bool append_texts(const Tree&, NodeId first, std::string& text, NameId function);
@@ -143,6 +165,10 @@ struct Evaluator::State {
 
     // ---- macro.cpp
     void define_macro(const Tree&, const node::Macro&, NodeId);
+    /// Opens a call: its parameters have their values until leave_macro(). Null, and nothing to
+    /// leave, when reported.
+    const MacroData* enter_macro(const Tree&, const node::Call&, NodeId);
+    void leave_macro();
     /// Runs a macro; its elements go to `take`.
     Flow call_macro(const Tree&, const node::Call&, NodeId, const Sink& take);
     /// The macro that is called, or null when it has been reported that there is none.
@@ -170,6 +196,8 @@ struct Evaluator::State {
     std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
     std::optional<double> counter(NameId, Span);
     Flow branch(const Tree&, const node::If&, const Sink& take);
+    /// The branch whose condition holds, or null.
+    const node::Branch* taken_branch(const Tree&, const node::If&);
     Flow loop_while(const Tree&, const node::While&, const Sink& take);
     Flow loop_for(const Tree&, const node::For&, NodeId, const Sink& take);
     Flow choose(const Tree&, const node::Switch&, const Sink& take);
@@ -177,6 +205,7 @@ struct Evaluator::State {
     void declare(const Tree&, const node::Declare&, NodeId);
     void declare_tuple(const Tree&, const node::Declare&, NodeId);
     void check_semicolon(const Tree&, const node::Declare&);
+    void declare_numbers(const Tree&, const node::Declare&, const Numbers&);
     void assign(const Tree&, NodeId target, Value&& value, bool local);
     void assign_element(const Tree&, const node::Index&, NodeId target, Value&& value);
     /// A string built by concat() for a name, in place where that is possible. False: it is

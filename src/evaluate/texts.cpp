@@ -5,13 +5,12 @@
 #include "evaluate/string_functions.h"
 #include "text/message.h"
 
-bool Evaluator::State::builds_text(const Tree& tree, NodeId id) const {
-    const auto* call = tree.get_if<node::Call>(id);
-    if (!call || (call->name != concat && call->name != str)) return false;
+/// Whether concat() or str() is called with as many arguments as it needs, and no directives.
+bool Evaluator::State::has_plain_arguments(const Tree& tree, const node::Call& call) const {
     int count = 0;
-    for (NodeId at = call->arguments; at != no_node; at = tree[at].next, ++count)
+    for (NodeId at = call.arguments; at != no_node; at = tree[at].next, ++count)
         if (is_directive(tree, at)) return false;
-    return call->name == concat ? count > 0 : count == 3;
+    return call.name == concat ? count > 0 : count == 3;
 }
 
 bool Evaluator::State::append_texts(const Tree& tree, NodeId first, std::string& text,

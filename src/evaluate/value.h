@@ -28,6 +28,7 @@ struct MacroData;
 struct Object;
 struct Pigment;
 struct PlacedLight;
+class Spline;
 struct Texture;
 class Transform;
 
@@ -73,7 +74,7 @@ struct SharedKinds {
 };
 using ValueKinds =
     SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
-                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile>;
+                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile, Spline>;
 
 /// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {
@@ -127,6 +128,9 @@ public:
     ArrayData& edit_array();
     const MacroData* macro() const { return kind_ == macro_kind ? macro_ : nullptr; }
     const Formula* formula() const { return shared<Formula>(); }
+    /// Where what is shared lies, to tell whether it is still the same; null for what is not
+    /// shared.
+    const void* shared_place() const { return kind_ >= first_shared ? shared_.get() : nullptr; }
     /// The shared part of a scene, or null when the value is something else.
     template <class T>
     Handle<T> handle() const {

@@ -60,7 +60,8 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
             return body_element(Element::Kind::braces, std::get_if<node::Braces>(&content)->body);
         case kind<node::Call>: {
             const auto& call = *std::get_if<node::Call>(&content);
-            if (!names.reserved(call.name)) return call_macro(tree, call, id, take);
+            if (!names.reserved(call.name) && !is_function(call.name))
+                return call_macro(tree, call, id, take);
             take.value(evaluate(tree, id), tree, id);
             return Flow::end;
         }

@@ -67,12 +67,12 @@ const double* ProgramBuilder::known(Operand value) const {
 ProgramBuilder::Operand ProgramBuilder::fresh(std::size_t count) {
     std::size_t first = 0, run = 0;
     for (std::size_t i = 0; i < used_.size() && run < count; ++i) {
-        run = used_[i] ? 0 : run + 1;
+        run = used_[i] != Use::none ? 0 : run + 1;
         first = i + 1 - run;
     }
     if (run == 0) first = used_.size();
     if (used_.size() < first + count) used_.resize(first + count);
-    for (std::size_t i = first; i < first + count; ++i) used_[i] = true;
+    for (std::size_t i = first; i < first + count; ++i) used_[i] = Use::once;
     return operand(computed_kind, first);
 }
 
@@ -132,9 +132,64 @@ void ProgramBuilder::assign(Operand variable, Operand value) {
     code_.push_back({Operation::copy, bits(variable), bits(value), 0});
 }
 
+void ProgramBuilder::update(Operation operation, Operand variable, Operand value) {
+    code_.push_back({operation, bits(variable), bits(variable), bits(value)});
+}
+
 void ProgramBuilder::release(Operand value) {
-    if (value != none && (bits(value) & kind_bits) == computed_kind)
-        used_[bits(value) & 0x3FFF] = false;
+    if (value == none || (bits(value) & kind_bits) != computed_kind) return;
+    Use& use = used_[bits(value) & 0x3FFF];
+    if (use == Use::once) use = Use::none;
+}
+
+void ProgramBuilder::pin(Operand value) { used_[bits(value) & 0x3FFF] = Use::pinned; }
+void ProgramBuilder::unpin(Operand value) { used_[bits(value) & 0x3FFF] = Use::none; }
+
+ProgramBuilder::Operand ProgramBuilder::fold(Operation operation, std::span<const Operand> values) {
+    Operand result = values[0];
+    for (const Operand value : values.subspan(1)) {
+        const Operand next = emit(operation, result, value);
+        release(result);
+        release(value);
+        result = next;
+    }
+    return result;
+}
+
+ProgramBuilder::Operand ProgramBuilder::select(std::span<const Operand> values) {
+    const Operand result = variable();
+    std::vector<std::size_t> to_end;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        const Operand here =
+            emit(i == 1 ? Operation::less : Operation::equal, values[0], constant(0));
+        const std::size_t other = jump_unless(here);
+        release(here);
+        assign(result, values[i]);
+        to_end.push_back(jump());
+        land(other);
+    }
+    assign(result, values.back());
+    for (const std::size_t jump : to_end) land(jump);
+    for (const Operand value : values) release(value);
+    return result;
+}
+
+ProgramBuilder::Operand ProgramBuilder::whole_power(Operand base, int exponent) {
+    if (exponent == 0) return constant(1);
+    if (exponent == 1) return base;
+    const Operand square = emit(Operation::multiply, base, base);
+    Operand even = square;
+    if (exponent >= 4) even = emit(Operation::multiply, square, square);
+    if (exponent >= 6) {
+        const Operand next = emit(Operation::multiply, even, exponent == 8 ? even : square);
+        release(even);
+        even = next;
+    }
+    if (even != square) release(square);
+    if (exponent % 2 == 0) return even;
+    const Operand odd = emit(Operation::multiply, even, base);
+    release(even);
+    return odd;
 }
 
 std::size_t ProgramBuilder::jump() {

@@ -32,12 +32,26 @@ public:
     /// The register behind another, of results of a call.
     static Operand following(Operand first, std::size_t steps);
 
-    /// A register to be written by assign().
+    // These take a list of values that nothing reads afterwards.
+    /// The operation with the first two, with the result and the third, and so on. Not empty.
+    Operand fold(Operation, std::span<const Operand>);
+    /// v, a, b[, c] of select(). Three or four.
+    Operand select(std::span<const Operand>);
+
+    /// By repeated squaring, for exponents 0 to 8, as POV-Ray's functions do it.
+    Operand whole_power(Operand base, int exponent);
+
+    /// A register to be written by assign() and update().
     Operand variable();
     void assign(Operand variable, Operand value);
+    /// variable = variable operation value
+    void update(Operation, Operand variable, Operand value);
 
     /// A value is not read any more: its register may be used for others.
     void release(Operand);
+    /// release() has no effect on the register until it is unpinned, which releases it.
+    void pin(Operand);
+    void unpin(Operand);
 
     /// Where the next instruction will be.
     std::size_t here() const { return code_.size(); }
@@ -59,6 +73,7 @@ private:
     std::vector<Instruction> code_;  ///< with operands instead of registers
     std::vector<double> constants_;
     std::vector<Handle<Formula>> calls_;
-    std::vector<bool> used_;  ///< by register of something computed
+    enum class Use : std::uint8_t { none, once, pinned };
+    std::vector<Use> used_;  ///< by register of something computed
     std::size_t inputs_ = 0;
 };

@@ -47,6 +47,14 @@ std::optional<std::uint16_t> function_number(std::string_view name) {
     return std::nullopt;
 }
 
+std::optional<Operation> operation_of_two(std::string_view name) {
+    if (name == "atan2") return Operation::arc_tangent;
+    if (name == "div") return Operation::whole_quotient;
+    if (name == "mod") return Operation::remainder;
+    if (name == "pow") return Operation::power;
+    return std::nullopt;
+}
+
 double apply_function(std::uint16_t number, double x) { return functions[number].code(x); }
 
 std::int32_t to_int32(double value) {

@@ -58,6 +58,9 @@ constexpr bool only_computes(Operation operation) { return operation < Operation
 /// gives anything but its value: where there is none (sqrt(-1)), that is not a number.
 std::optional<std::uint16_t> function_number(std::string_view name);
 
+/// The operation that a function of two arguments is: atan2, div, mod, pow.
+std::optional<Operation> operation_of_two(std::string_view name);
+
 /// The function with this number. Precondition: function_number() gave it.
 double apply_function(std::uint16_t number, double x);
 

@@ -51,6 +51,9 @@ struct Describe {
     Description operator()(const node::Call& n) const {
         return {message("call ", spell(n.name)), {{"with", n.arguments}}};
     }
+    Description operator()(const node::Apply& n) const {
+        return {"apply", {{"function", n.function}, {"with", n.arguments}}};
+    }
     Description operator()(const node::Unary& n) const {
         return {message("unary ", spelling(n.sign)), {{"", n.operand}}};
     }

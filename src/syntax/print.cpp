@@ -81,6 +81,9 @@ struct Print {
     Pieces operator()(const node::Call& n) const {
         return {say(message(spell(n.name), "(")), commas(n.arguments), say(")")};
     }
+    Pieces operator()(const node::Apply& n) const {
+        return {one(n.function), say("("), commas(n.arguments), say(")")};
+    }
     Pieces operator()(const node::Unary& n) const {
         return {say(std::string(spelling(n.sign))), one(n.operand)};
     }

@@ -80,6 +80,9 @@ struct Call {
     NameId name;
     NodeId arguments;
 };  ///< a function's (a reserved word) or a macro's
+struct Apply {
+    NodeId function, arguments;
+};  ///< `A[i](x, y, z)`; function: an Index
 struct Unary {
     Operator sign;
     NodeId operand;
@@ -212,13 +215,14 @@ struct Write {
 
 using NodeContent =
     std::variant<node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word,
-                 node::Constant, node::Index, node::Member, node::Call, node::Unary, node::Binary,
-                 node::Choice, node::Group, node::Tuple, node::Vector, node::Prefixed, node::Colour,
-                 node::Channel, node::Array, node::Function, node::Block, node::Layers, node::Entry,
-                 node::Braces, node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
-                 node::Defined, node::While, node::For, node::Switch, node::Case, node::Break,
-                 node::Macro, node::Parameter, node::Include, node::Default, node::Message,
-                 node::Version, node::Open, node::Close, node::Read, node::Write>;
+                 node::Constant, node::Index, node::Member, node::Call, node::Apply, node::Unary,
+                 node::Binary, node::Choice, node::Group, node::Tuple, node::Vector, node::Prefixed,
+                 node::Colour, node::Channel, node::Array, node::Function, node::Block,
+                 node::Layers, node::Entry, node::Braces, node::Declare, node::Deprecated,
+                 node::Undef, node::If, node::Branch, node::Defined, node::While, node::For,
+                 node::Switch, node::Case, node::Break, node::Macro, node::Parameter, node::Include,
+                 node::Default, node::Message, node::Version, node::Open, node::Close, node::Read,
+                 node::Write>;
 
 struct Node {
     std::uint32_t first = 0;  ///< bytes of the tree's source

@@ -58,7 +58,8 @@ TEST_CASE("a wrong call gets one message", "[evaluate]") {
          "error: the argument of `sin` must be a number, but it is a vector of 3\n"},
         {"#declare a = vlength(\"s\");",
          "error: `vlength` takes numbers here, but this is a string\n"},
-        {"#declare a = trace(1, 2, 3);", "error: `trace` takes a declared object here, but this is a number\n"},
+        {"#declare a = trace(1, 2, 3);",
+         "error: `trace` takes a declared object here, but this is a number\n"},
     }));
     INFO(script);
     CHECK(printed(script) == result);

@@ -23,7 +23,8 @@ Said said(const Folder& folder, const std::string& script, const Limits& limits 
     EvaluateOptions options;
     options.limits = limits;
     options.print = [&](std::string_view text) { result.printed += text; };
-    const std::string whole = "#version 3.7; #macro P(vv) #debug concat(str(vv, 0, 0), \" \") #end\n";
+    const std::string whole =
+        "#version 3.7; #macro P(vv) #debug concat(str(vv, 0, 0), \" \") #end\n";
     evaluate(sources, loader, sources.add(here + "/main.pov", whole + script), options,
              diagnostics);
     for (const Diagnostic& each : diagnostics.all())

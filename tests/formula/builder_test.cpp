@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using Operand = ProgramBuilder::Operand;
 
 TEST_CASE("a program is built from operands", "[formula]") {
@@ -90,4 +92,43 @@ TEST_CASE("a program that is too long is not made", "[formula]") {
         sum = next;
     }
     CHECK_FALSE(builder.fits());
+}
+
+TEST_CASE("lists of values are folded and chosen from", "[formula]") {
+    const auto value = [](auto emit, std::vector<double> arguments) {
+        ProgramBuilder builder;
+        std::vector<Operand> inputs;
+        for (std::size_t i = 0; i < arguments.size(); ++i) inputs.push_back(builder.input());
+        const Operand result = emit(builder, inputs);
+        return Formula(builder.finish({&result, 1})).value(arguments);
+    };
+    const auto least = [](ProgramBuilder& builder, const auto& inputs) {
+        return builder.fold(Operation::least, inputs);
+    };
+    const auto select = [](ProgramBuilder& builder, const auto& inputs) {
+        return builder.select(inputs);
+    };
+    CHECK(value(least, {3, 1, 2}) == 1);
+    CHECK(value(least, {3}) == 3);
+    CHECK(value(select, {-1, 5, 6}) == 5);
+    CHECK(value(select, {0, 5, 6}) == 6);
+    CHECK(value(select, {-1, 5, 6, 7}) == 5);
+    CHECK(value(select, {0, 5, 6, 7}) == 6);
+    CHECK(value(select, {1, 5, 6, 7}) == 7);
+    for (int exponent = 0; exponent <= 8; ++exponent) {
+        const auto power = [&](ProgramBuilder& builder, const auto& inputs) {
+            return builder.whole_power(inputs[0], exponent);
+        };
+        CHECK(value(power, {-3}) == std::pow(-3, exponent));
+    }
+}
+
+TEST_CASE("a pinned register is not used for others", "[formula]") {
+    ProgramBuilder builder;
+    const Operand counter = builder.variable();
+    builder.pin(counter);
+    builder.release(counter);
+    CHECK(builder.variable() != counter);
+    builder.unpin(counter);
+    CHECK(builder.variable() == counter);
 }

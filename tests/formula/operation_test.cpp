@@ -14,6 +14,8 @@ TEST_CASE("functions of one argument have numbers", "[formula]") {
     CHECK(std::isnan(apply_function(*function_number("sqrt"), -1)));
     CHECK_FALSE(function_number("vlength"));
     CHECK_FALSE(function_number("rand"));
+    CHECK(operation_of_two("pow") == Operation::power);
+    CHECK_FALSE(operation_of_two("min"));
 }
 
 TEST_CASE("whole numbers have 32 bits", "[formula]") {

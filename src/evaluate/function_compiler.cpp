@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/function_compiler.h"
+
+#include "text/message.h"
+
+#include <algorithm>
+#include <numbers>
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::wrong(
+    Span span, std::string message) {
+    state.broken(Fault::wrong_type, span, std::move(message));
+    return std::nullopt;
+}
+
+/// Runs the directives of a list and compiles its expressions; what cannot be compiled is reported
+/// and counts as an expression.
+void Evaluator::State::FunctionCompiler::list(const Tree& tree, NodeId first,
+                                              std::vector<Operand>& values) {
+    for (NodeId id = first; id != no_node && !state.stopped_; id = tree[id].next) {
+        if (const auto* branches = tree.get_if<node::If>(id)) {
+            if (const auto* taken = state.taken_branch(tree, *branches))
+                list(tree, taken->body, values);
+        } else if (is_directive(tree, id)) {
+            state.walk_one(tree, id, [&](const Element& element) {
+                wrong(element.span, "only #if can choose between expressions in a function");
+                values.push_back(ProgramBuilder::none);
+            });
+        } else {
+            values.push_back(expression(tree, id).value_or(ProgramBuilder::none));
+        }
+    }
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::body(const Tree& tree,
+                                                                                NodeId first,
+                                                                                Span span) {
+    std::vector<Operand> values;
+    list(tree, first, values);
+    if (state.stopped_) return std::nullopt;
+    if (std::find(values.begin(), values.end(), ProgramBuilder::none) != values.end())
+        return std::nullopt;
+    if (values.size() == 1) return values[0];
+    state.broken(values.empty() ? Fault::missing : Fault::wrong_count, span,
+                 message("a function is one expression, but here ",
+                         values.empty() ? "is none" : message("are ", values.size())));
+    return std::nullopt;
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expression(
+    const Tree& tree, NodeId id) {
+    if (!state.room(tree, id)) return std::nullopt;
+    const NodeContent& content = tree[id].content;
+    switch (content.index()) {
+        case kind<node::Number>:
+            return builder.constant(tree.numbers[std::get_if<node::Number>(&content)->number]);
+        case kind<node::Name>:
+            return name(std::get_if<node::Name>(&content)->name, tree.span(id));
+        case kind<node::Constant>:
+            return name(std::get_if<node::Constant>(&content)->word, tree.span(id));
+        case kind<node::Index>: {
+            const Value value = state.index_value(tree, *std::get_if<node::Index>(&content), id);
+            return constant(value, "this element", tree.span(id));
+        }
+        case kind<node::Group>:
+            return body(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
+        case kind<node::Unary>:
+            return unary(tree, *std::get_if<node::Unary>(&content), id);
+        case kind<node::Binary>:
+            return binary(tree, *std::get_if<node::Binary>(&content), id);
+        case kind<node::Member>:
+            return member(tree, *std::get_if<node::Member>(&content), id);
+        case kind<node::Call>:
+            return call(tree, *std::get_if<node::Call>(&content), id);
+        case kind<node::Choice>:
+            return wrong(tree.span(id),
+                         "there is no `? :` in functions; select(v, a, b) gives a where v < 0");
+        case kind<node::Broken>:
+            return std::nullopt;
+        default:
+            return wrong(tree.span(id), "a function computes with single numbers only");
+    }
+}
+
+/// What has a value now has it for ever.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::constant(
+    const Value& value, std::string_view what, Span span) {
+    if (value.broken()) return std::nullopt;
+    if (const Numbers* numbers = value.numbers(); numbers && numbers->is_scalar())
+        return builder.constant(numbers->at[0]);
+    return wrong(span, message("a function computes with single numbers only, and ", what, " is ",
+                               kind_name(value)));
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::name(NameId name,
+                                                                                Span span) {
+    for (auto local = locals.rbegin(); local != locals.rend(); ++local)
+        if (local->first == name) return local->second;
+    const std::string_view spelling = state.names.spelling(name);
+    if (!state.names.reserved(name))
+        return constant(state.name_value(name, span), message("`", spelling, "`"), span);
+    if (spelling == "pi" || spelling == "clock")
+        return builder.constant(state.constant(name).numbers()->at[0]);
+    Diagnostic problem = error(Fault::unknown_name, span,
+                               message("`", spelling, "` is no parameter of this function"));
+    if (spelling == "true" || spelling == "yes" || spelling == "on")
+        problem.with_help("write 1");
+    else if (spelling == "false" || spelling == "no" || spelling == "off")
+        problem.with_help("write 0");
+    else
+        problem.with_help("function (x, y, z) { ... } names the parameters");
+    state.report(problem);
+    return std::nullopt;
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary(
+    const Tree& tree, const node::Unary& node, NodeId id) {
+    if (node.sign == Operator::no)
+        return wrong(tree.span(id), "there is no `!` in functions; x = 0 says the same");
+    const Result operand = expression(tree, node.operand);
+    if (!operand || node.sign == Operator::plus) return operand;
+    const Operand result = builder.emit(Operation::negate, *operand);
+    builder.release(*operand);
+    return result;
+}
+
+namespace {
+
+/// In functions, numbers are equal only if they are the same.
+Operation exact_operation(Operator sign) {
+    switch (sign) {
+        case Operator::add:
+            return Operation::add;
+        case Operator::subtract:
+            return Operation::subtract;
+        case Operator::multiply:
+            return Operation::multiply;
+        case Operator::less:
+            return Operation::less;
+        case Operator::less_equal:
+            return Operation::less_equal;
+        case Operator::equal:
+            return Operation::equal;
+        case Operator::not_equal:
+            return Operation::not_equal;
+        case Operator::greater_equal:
+            return Operation::greater_equal;
+        default:
+            return Operation::greater;
+    }
+}
+
+bool is_logical(Operator sign) { return sign == Operator::both || sign == Operator::either; }
+
+}  // namespace
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binary(
+    const Tree& tree, const node::Binary& node, NodeId id) {
+    if (is_logical(node.sign)) return logical(tree, id);
+    const Result a = expression(tree, node.left);
+    const Result b = expression(tree, node.right);
+    if (!a || !b) return std::nullopt;
+    const Result result = node.sign == Operator::divide
+                              ? division(tree, *a, *b, node.right)
+                              : builder.emit(exact_operation(node.sign), *a, *b);
+    builder.release(*a);
+    builder.release(*b);
+    return result;
+}
+
+/// Division by a constant is multiplication by its reciprocal, as in POV-Ray.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::division(
+    const Tree& tree, Operand a, Operand b, NodeId divisor) {
+    NodeId at = divisor;
+    while (const auto* group = tree.get_if<node::Group>(at)) at = group->content;
+    const double* known = builder.known(b);
+    const bool plain = tree.get_if<node::Number>(at) || tree.get_if<node::Name>(at) ||
+                       tree.get_if<node::Index>(at);
+    if (!known || !plain) return builder.emit(Operation::divide, a, b);
+    if (*known == 0) {
+        state.broken(Fault::division_by_zero, tree.span(divisor),
+                     "this function always divides by zero");
+        return std::nullopt;
+    }
+    return builder.emit(Operation::multiply, a, builder.constant(1 / *known));
+}
+
+/// In functions `&` binds closer than `|`; in other expressions, as which this one was parsed, both
+/// are the same and group from the left.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::logical(const Tree& tree,
+                                                                                   NodeId id) {
+    std::vector<std::pair<Operator, NodeId>> parts;  // each with the sign before it
+    const auto* node = tree.get_if<node::Binary>(id);
+    NodeId first = id;
+    for (; node && is_logical(node->sign); node = tree.get_if<node::Binary>(first)) {
+        parts.push_back({node->sign, node->right});
+        first = node->left;
+    }
+    parts.push_back({Operator::either, first});
+    std::reverse(parts.begin(), parts.end());
+
+    const auto joined = [&](Operation operation, Operand a, Operand b) {
+        const Operand result = builder.emit(operation, a, b);
+        builder.release(a);
+        builder.release(b);
+        return result;
+    };
+    std::vector<Operand> alternatives;
+    for (const auto& [sign, part] : parts) {
+        const Result value = expression(tree, part);
+        if (!value) return std::nullopt;
+        if (sign == Operator::both)
+            alternatives.back() = joined(Operation::both, alternatives.back(), *value);
+        else
+            alternatives.push_back(*value);
+    }
+    Operand result = alternatives[0];
+    for (std::size_t i = 1; i < alternatives.size(); ++i)
+        result = joined(Operation::either, result, alternatives[i]);
+    return result;
+}
