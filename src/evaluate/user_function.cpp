@@ -4,6 +4,7 @@
 #include "evaluate/function_compiler.h"
 #include "evaluate/splines.h"
 #include "formula/internal.h"
+#include "scene/scene.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -82,16 +83,26 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
     return block_function(tree, node.body, id);
 }
 
+namespace {
+
+/// red, green, blue, filter, transmit
+Handle<Formula> pigment_formula(Handle<Pigment> pigment) {
+    return make_handle<Formula>(3, 5, [pigment](const double* in, double* out) {
+        const Colour colour = evaluate(*pigment, Vec3(in[0], in[1], in[2]));
+        for (int i = 0; i < 3; ++i) out[i] = colour.rgb[i];
+        out[3] = colour.filter;
+        out[4] = colour.transmit;
+        return true;
+    });
+}
+
+}  // namespace
+
 /// `function { transform { ... } }` and its like.
 Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
     const auto* block = tree.get_if<node::Block>(body);
     const std::string_view word = block ? names.spelling(block->word) : std::string_view();
-    if (word == "pattern" || word == "pigment") {
-        broken(Fault::not_implemented, tree.span(body),
-               message("`function { ", word, " { ... } }` is known but not implemented"));
-        return nullptr;
-    }
-    if (word != "transform" && word != "spline") {
+    if (word != "transform" && word != "spline" && word != "pigment") {
         broken(
             Fault::wrong_type, tree.span(block ? body : id),
             "a function is an expression, or one of transform, spline, pattern, pigment, internal");
@@ -100,6 +111,7 @@ Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, 
     const Element element = block_element(tree, body);
     const Value value = meaning.value({&element, 1});
     if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
+    if (const auto pigment = value.handle<Pigment>()) return pigment_formula(pigment);
     const auto transform = value.handle<Transform>();
     if (!transform) return nullptr;
     return make_handle<Formula>(3, 3, [transform](const double* in, double* out) {
@@ -137,7 +149,10 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
 }
 
 Value Evaluator::State::function(const Tree& tree, const node::Function& node, NodeId id) {
-    const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body);
+    const auto* block = tree.get_if<node::Block>(node.body);
+    // Libraries declare many of these; only the call of one is an error.
+    if (block && names.spelling(block->word) == "pattern") return Absence::uninitialised;
+    const bool named = block || tree.get_if<node::Word>(node.body);
     Handle<Formula> made =
         named ? named_function(tree, node, id) : written_function(tree, node, id);
     return made ? Value(std::move(made)) : Value(Absence::broken);

@@ -51,12 +51,13 @@ private:
         return group && group->children.empty();
     }
 
-    /// What is inverse is, as De Morgan says, the other combination of inverse parts.
+    /// What is inverse is, as De Morgan says, the other combination of inverse parts; that of what
+    /// cuts has no surface within either, as it had none outside of the others.
     PartRef group(const Union& group, const Handle<Transform>& transform, bool inverse) {
         const bool cuts = group.csg == Csg::intersection || group.csg == Csg::difference;
-        const Combination how = cuts != inverse           ? Combination::common
-                                : group.csg == Csg::merge ? Combination::merged
-                                                          : Combination::together;
+        const Combination how = cuts != inverse                   ? Combination::common
+                                : cuts || group.csg == Csg::merge ? Combination::merged
+                                                                  : Combination::together;
         std::vector<PartRef> parts;
         for (const ObjectHandle& child : group.children) {
             if (is_nothing(*child)) continue;

@@ -7,12 +7,6 @@
 
 namespace {
 
-bool opens_directive(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
-           kind == hash_switch || kind == hash_macro;
-}
-
 bool opens(TokenKind kind) {
     using enum TokenKind;
     return kind == open_brace || kind == open_parenthesis || kind == open_bracket ||
@@ -23,12 +17,6 @@ bool closes(TokenKind kind) {
     using enum TokenKind;
     return kind == close_brace || kind == close_parenthesis || kind == close_bracket ||
            kind == hash_end;
-}
-
-/// Splits an open directive into parts: #else, #elseif, #case, #range.
-bool divides(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
 }
 
 bool is_directive(TokenKind kind) {
@@ -69,13 +57,13 @@ Token Brackets::take() {
 /// are in pending_ with it.
 Token Brackets::match() {
     for (;;) {
-        const Token token = lexer_.next();
+        const Token token = tokens_.next();
         bool fits = true;
         if (opens(token.kind)) {
             open_.push_back({token});
         } else if (closes(token.kind)) {
             fits = accept_closer(token);
-        } else if (divides(token.kind)) {
+        } else if (divides_directive(token.kind)) {
             fits = accept_else(token);
         } else if (token.kind == TokenKind::end_of_file && !open_.empty()) {
             end_of_file(token);
@@ -130,8 +118,10 @@ bool Brackets::accept_else(const Token& divider) {
                           in_switch ? "`#switch`" : "`#if`", " and its `#end`, and none is open")));
         return false;
     }
+    if (continue_in_branches(depth, divider)) return false;
     close_until(depth, divider);
     Open& opener = open_.back();
+    opener.divided = true;
     if (opener.closed_to_else) {
         diagnostics_.add(error(Fault::misplaced, span(divider),
                                message("`", spelling(divider), "` cannot follow `#else`"))
@@ -140,6 +130,21 @@ bool Brackets::accept_else(const Token& divider) {
     }
     opener.closed_to_else = divider.kind == TokenKind::hash_else;
     return true;
+}
+
+/// Where the first branch of a condition leaves braces open that are closed behind its #end.
+bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
+    Open& opener = open_[depth - 1];
+    const auto above = open_.begin() + static_cast<std::ptrdiff_t>(depth);
+    const bool conditional =
+        opener.token.kind == TokenKind::hash_if || opener.token.kind == TokenKind::hash_ifdef;
+    if (!conditional || opener.divided || above == open_.end() ||
+        !std::all_of(above, open_.end(), [](const Open& o) {
+            return o.token.kind == TokenKind::open_brace && !o.blamed;
+        }))
+        return false;
+    opener.divided = true;
+    return tokens_.copy_rest_into_branches(divider, static_cast<int>(open_.end() - above));
 }
 
 /// Closes what is open above the given depth, in front of the closer.
@@ -164,7 +169,7 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
         return;
     const Token& opener = open_.back().token;
     const bool branch = opener.kind == TokenKind::open_brace &&
-                        (closer.kind == TokenKind::hash_end || divides(closer.kind));
+                        (closer.kind == TokenKind::hash_end || divides_directive(closer.kind));
     const std::string_view opened = spelling(opener);
     Diagnostic problem =
         branch
@@ -248,7 +253,7 @@ bool Brackets::boundary(const Token& token, std::size_t depth) const {
                              open_[depth - 1].token.kind == TokenKind::open_brace ||
                              opens_directive(open_[depth - 1].token.kind);
     if (closes(token.kind)) return open_.size() < depth;
-    if (divides(token.kind)) return open_.size() <= depth;
+    if (divides_directive(token.kind)) return open_.size() <= depth;
     if (!in_elements || !is_directive(token.kind)) return false;
     return open_.size() == depth + (opens(token.kind) ? 1 : 0);
 }

@@ -2,10 +2,11 @@
 // Stands between lexer and parser and sees to it that brackets and the words of directives match:
 // `{ }`, `( )`, `[ ]`, and #if, #while, #for, #switch, #macro with #end. What does not match is
 // reported once, with both places, and mended by closing what is open or by dropping what closes
-// nothing; the parser never sees it.
+// nothing; the parser never sees it. Only where each branch of a condition opens the same number of
+// braces, what follows its #end is part of every branch, up to where these are closed.
 #pragma once
 
-#include "syntax/lexer.h"
+#include "syntax/token_stream.h"
 
 #include <optional>
 #include <string_view>
@@ -14,7 +15,7 @@
 class Brackets {
 public:
     Brackets(Lexer& lexer, SourceId source, std::string_view text, Diagnostics& diagnostics)
-        : lexer_(lexer), source_(source), text_(text), diagnostics_(diagnostics) {}
+        : tokens_(lexer), source_(source), text_(text), diagnostics_(diagnostics) {}
 
     Token next();
 
@@ -30,6 +31,7 @@ public:
 private:
     struct Open {
         Token token;
+        bool divided = false;         ///< its first part is over
         bool closed_to_else = false;  ///< an #else was there
         bool blamed = false;          ///< something in it has been reported
     };
@@ -38,6 +40,7 @@ private:
     Token match();
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
+    bool continue_in_branches(std::size_t depth, const Token& divider);
     bool close_until(std::size_t depth, const Token& closer);
     void end_of_file(const Token&);
     void report_unclosed(const Token& closer, std::size_t depth);
@@ -49,7 +52,7 @@ private:
         return text_.substr(token.first, token.last - token.first);
     }
 
-    Lexer& lexer_;
+    TokenStream tokens_;
     SourceId source_;
     std::string_view text_;
     Diagnostics& diagnostics_;

@@ -3,8 +3,6 @@
 #version 3.7;
 #if (1)
     union {
-#else
-    merge {
 #end
     sphere { 0, 1 }
 }

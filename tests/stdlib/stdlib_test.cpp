@@ -2,10 +2,13 @@
 // Each file of the standard library can be included alone and twice, says nothing, and declares
 // what it documents.
 #include "support/scripts.h"
+#include "support/vectors.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -80,4 +83,22 @@ TEST_CASE("a light array that cannot be meant says the rule", "[stdlib]") {
         "#version 3.7; #include \"light_arrays.inc\" object { Light_Ring(sphere { 0, 1 }, 0, 3) }");
     CHECK(result.failed);
     CHECK(result.diagnostics.find("must be a whole number from 1") != std::string::npos);
+}
+
+TEST_CASE("library macros and functions give what POV-Ray 3.7's give", "[stdlib]") {
+    CHECK(check_scripts("stdlib/vectors") > 250);
+}
+
+TEST_CASE("the library declares every name of POV-Ray's file of the same name", "[stdlib]") {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/stdlib/names.json");
+    const auto files = nlohmann::json::parse(file);
+    for (const auto& [include, names] : files.items()) {
+        if (!fs::exists(std::string(CANDELABRA_SOURCE_DIR "/stdlib/") + include)) continue;
+        std::string script = "#include \"" + include + "\"\n";
+        for (const auto& name : names)
+            script += "#ifndef (" + name.get<std::string>() + ") #debug \"" +
+                      name.get<std::string>() + " \" #end\n";
+        INFO(include);
+        CHECK(evaluated(script).printed == "");
+    }
 }

@@ -22,9 +22,8 @@ TEST_CASE("what does not match is reported once", "[syntax]") {
         // A branch that opens a brace which another closes.
         {"#if (1) union { #end sphere { 0, 1 } #if (1) } #end",
          "1:15 error: this `{` is not closed before `#end`\n"},
-        {"#if (a) union { #else merge { #end 1 }",
-         "1:15 error: this `{` is not closed before `#else`\n1:29 error: this `{` is not closed "
-         "before `#end`\n"},
+        {"#if (a) union { #else merge { } #end 1 }",
+         "1:15 error: this `{` is not closed before `#else`\n"},
     }));
     INFO(text);
     CHECK(Parsed(text).messages() == messages);
