@@ -146,6 +146,10 @@ private:
         statistics_.parse = time_now() - statistics_.parse;
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
+        if (is_check() && options_.stats_file.empty()) {
+            review(scene, survey(scene, diagnostics_), diagnostics_);
+            return say("");
+        }
         statistics_.compile = time_now();
         const World world =
             compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);

@@ -94,7 +94,8 @@ constexpr auto rows = std::to_array<OptionRow>({
            "text (the default) or json: an object on a line for each message, and nothing else on "
            "the error stream"),
     option("", "", "check", maybe_value, "syntax", store::check,
-           "everything but rendering; =syntax: reads the scene, but does not evaluate it"),
+           "evaluates the scene and says what is wrong, without rendering; with --stats it also "
+           "builds what rays need; =syntax: reads the scene, but does not evaluate it"),
     option("", "", "dump", value, "stage", store::dump,
            "prints what the scene is at a stage: tokens, tree, scene or world"),
     option("", "", "stats", value, "file", store::stats,

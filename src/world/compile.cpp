@@ -57,18 +57,26 @@ std::vector<Plane> world_planes(const World& world) {
     return planes;
 }
 
-}  // namespace
-
-World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     World world;
     world.settings = scene.settings;
-    if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
     world.background = scene.background;
     for (const PlacedLight& placed : scene.lights) world.lights.push_back(placed.light);
-    flatten(scene, world, diagnostics);
+    flatten(scene, world, diagnostics, what);
+    return world;
+}
 
+}  // namespace
+
+World survey(const Scene& scene, Diagnostics& diagnostics) {
+    return flattened(scene, Flatten::luminaires, diagnostics);
+}
+
+World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world = flattened(scene, Flatten::everything, diagnostics);
+    if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
     std::vector<Box> boxes(world.leaves_begin() + world.composites.size());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = item_bounds(world, item);

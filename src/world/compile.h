@@ -16,3 +16,7 @@ struct CompileOptions {
 /// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is
 /// complete all the same.
 World compile(const Scene&, const CompileOptions&, Diagnostics&);
+
+/// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
+/// its materials and luminaires, but no ray can ask it.
+World survey(const Scene&, Diagnostics&);

@@ -7,15 +7,35 @@
 #include "text/message.h"
 
 #include <map>
+#include <optional>
+#include <unordered_map>
 
 namespace {
 
-/// What an object has from the unions around it.
+/// What an object has from the unions around it. Handles are referred to where they are: counting
+/// their holders for each of a million objects takes longer than all else.
 struct Inherited {
-    Handle<Transform> transform;  ///< null: none
-    Handle<Texture> texture;      ///< in world space
-    Handle<Interior> interior;
+    Handle<Transform> transform;               ///< null: none
+    const Handle<Texture>* texture = nullptr;  ///< in world space
+    const Handle<Interior>* interior = nullptr;
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+};
+
+/// What primitives of one material have in common.
+struct MaterialKey {
+    const Texture* texture;
+    const Interior* interior;
+    bool no_shadow, no_image, no_reflection, double_illuminate;
+
+    friend bool operator==(const MaterialKey&, const MaterialKey&) = default;
+};
+struct MaterialHash {
+    std::size_t operator()(const MaterialKey& key) const {
+        const std::hash<const void*> of;
+        const int switches =
+            key.no_shadow | key.no_image << 1 | key.no_reflection << 2 | key.double_illuminate << 3;
+        return of(key.texture) * 31 + of(key.interior) * 16 + static_cast<std::size_t>(switches);
+    }
 };
 
 /// Whether an object is one solid that cannot be taken apart into primitives of their own.
@@ -26,19 +46,26 @@ bool is_composite(const Object& object) {
 
 class Flattener {
 public:
-    Flattener(World& world, Diagnostics& diagnostics) : world_(world), diagnostics_(diagnostics) {}
+    Flattener(World& world, Diagnostics& diagnostics, Flatten what)
+        : world_(world), diagnostics_(diagnostics), all_(what == Flatten::everything) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known.
     void add(const Object& object, const Inherited& outer) {
-        if (is_composite(object)) return add_composite(object, outer);
+        if (is_composite(object)) {
+            ++world_.objects;
+            if (all_ || glows(object, outer)) add_composite(object, outer);
+            return;
+        }
         const Inherited here = inherit(object, outer);
         if (const Union* group = std::get_if<Union>(&object.form)) {
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
         ++world_.objects;
-        place(std::get<Shape>(object.form), here, material_index(here), object.span);
+        const std::uint32_t material = material_index(here);
+        if (all_ || glows_[material])
+            place(std::get<Shape>(object.form), here, material, object.span);
     }
 
     void finish() {
@@ -68,14 +95,13 @@ private:
         std::uint32_t index;
         Span span;
     };
-    using MaterialKey = std::tuple<const Texture*, const Interior*, bool, bool, bool, bool>;
     using TextureKey = std::pair<const Texture*, const Transform*>;
 
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
         here.transform = combined(object.transform, outer.transform);
-        if (object.texture) here.texture = world_texture(object.texture, outer.transform);
-        if (object.interior) here.interior = object.interior;
+        if (object.texture) here.texture = &world_texture(object.texture, outer.transform);
+        if (object.interior) here.interior = &object.interior;
         here.no_shadow |= object.no_shadow;
         here.no_image |= object.no_image;
         here.no_reflection |= object.no_reflection;
@@ -83,10 +109,23 @@ private:
         return here;
     }
 
+    /// Whether any part does.
+    bool glows(const Object& object, const Inherited& outer) {
+        const Inherited here = inherit(object, outer);
+        bool any = false;
+        if (const Union* group = std::get_if<Union>(&object.form))
+            for (const ObjectHandle& child : group->children) any |= glows(*child, here);
+        else
+            any = glows_[material_index(here)];
+        if (object.confines)
+            for (const ObjectHandle& clip : object.confines->clips) any |= glows(*clip, here);
+        return any;
+    }
+
     /// A texture moves with the unions around its object. Plain colours look the same everywhere
     /// and are not copied.
-    Handle<Texture> world_texture(const Handle<Texture>& texture,
-                                  const Handle<Transform>& transform) {
+    const Handle<Texture>& world_texture(const Handle<Texture>& texture,
+                                         const Handle<Transform>& transform) {
         if (!transform || !texture->pigment.pattern) return texture;
         auto& known = textures_[TextureKey(texture.get(), transform.get())];
         if (!known) {
@@ -97,18 +136,28 @@ private:
     }
 
     std::uint32_t material_index(const Inherited& look) {
-        const MaterialKey key(look.texture.get(), look.interior.get(), look.no_shadow,
-                              look.no_image, look.no_reflection, look.double_illuminate);
-        const auto next = static_cast<std::uint32_t>(world_.materials.size());
-        const auto [found, added] = material_indices_.try_emplace(key, next);
-        if (added) {
-            const bool clear = transparent(look.texture->pigment);
-            world_.materials.push_back({look.texture, look.interior, clear, look.no_shadow,
-                                        look.no_image, look.no_reflection, look.double_illuminate});
-            world_.any_transparent |= clear;
-            world_.any_left_out |= look.no_image || look.no_reflection;
+        const Interior* interior = look.interior ? look.interior->get() : nullptr;
+        const MaterialKey key{look.texture->get(), interior,           look.no_shadow,
+                              look.no_image,       look.no_reflection, look.double_illuminate};
+        if (last_key_ != key) {
+            last_key_ = key;
+            const auto next = static_cast<std::uint32_t>(world_.materials.size());
+            const auto [found, added] = material_indices_.try_emplace(key, next);
+            if (added) add_material(look);
+            last_material_ = found->second;
         }
-        return found->second;
+        return last_material_;
+    }
+
+    void add_material(const Inherited& look) {
+        const Texture& texture = **look.texture;
+        const bool clear = transparent(texture.pigment);
+        world_.materials.push_back(
+            {*look.texture, look.interior ? *look.interior : Handle<Interior>(), clear,
+             look.no_shadow, look.no_image, look.no_reflection, look.double_illuminate});
+        world_.any_transparent |= clear;
+        world_.any_left_out |= look.no_image || look.no_reflection;
+        glows_.push_back(greatest_emission(texture) != Vec3(0));
     }
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
@@ -129,6 +178,7 @@ private:
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
             world_.materials.push_back(world_.materials[material]);
+            glows_.push_back(glows_[material]);
             add_mesh(**mesh, here.transform.get(),
                      static_cast<std::uint32_t>(world_.materials.size() - 1), span);
         } else {
@@ -199,7 +249,6 @@ private:
     };
 
     void add_composite(const Object& object, const Inherited& outer) {
-        ++world_.objects;
         const std::size_t first = leaf_materials_.size();
         CompositeBuilder builder;
         LeafVisitor visitor{*this, {outer}};
@@ -221,15 +270,14 @@ private:
     void note(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span,
               bool bounded) {
         if (bounded) return note_luminaire(kind, index, material, span);
-        if (greatest_emission(*world_.materials[material].texture) == Vec3(0)) return;
+        if (!glows_[material]) return;
         diagnostics_.add(
             warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
     void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
-        if (greatest_emission(*world_.materials[material].texture) != Vec3(0))
-            glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
+        if (glows_[material]) glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
     }
 
     /// `first` is the number of the first primitive of each kind.
@@ -280,7 +328,11 @@ private:
         leaf_materials_;
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
-    std::map<MaterialKey, std::uint32_t> material_indices_;
+    bool all_;
+    std::vector<bool> glows_;  ///< by material
+    std::unordered_map<MaterialKey, std::uint32_t, MaterialHash> material_indices_;
+    std::optional<MaterialKey> last_key_;
+    std::uint32_t last_material_ = 0;  ///< of that key
     std::map<TextureKey, Handle<Texture>> textures_;
     std::vector<Handle<Transform>>
         kept_transforms_;  ///< so that no address in textures_ is used twice
@@ -288,8 +340,8 @@ private:
 
 }  // namespace
 
-void flatten(const Scene& scene, World& world, Diagnostics& diagnostics) {
-    Flattener flattener(world, diagnostics);
+void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what) {
+    Flattener flattener(world, diagnostics, what);
     for (const ObjectHandle& object : scene.objects) flattener.add(*object, {});
     flattener.finish();
 }

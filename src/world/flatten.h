@@ -6,5 +6,10 @@
 #include "text/diagnostic.h"
 #include "world/world.h"
 
+enum class Flatten {
+    everything,
+    luminaires,  ///< of other objects only their number and their materials
+};
+
 /// Fills the world's primitives, materials and luminaires.
-void flatten(const Scene&, World&, Diagnostics&);
+void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything);

@@ -39,3 +39,21 @@ TEST_CASE("an empty scene has a world", "[world]") {
     Hit hit;
     CHECK_FALSE(world.first_hit({Vec3(0), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
 }
+
+TEST_CASE("a survey finds the materials and luminaires that a world has, and no other primitives") {
+    const std::string script = R"(
+        sphere { 0, 1 pigment { rgb 1 } }
+        sphere { 3, 1 pigment { rgb 1 } finish { emission 1 } }
+        union { box { 5, 6 } difference { box { 5, 6 } sphere { 5, 1 } } pigment { rgb 0.5 } }
+        difference { box { 7, 8 } sphere { 8, 1 finish { emission 2 } pigment { rgb 1 } } }
+    )";
+    Diagnostics diagnostics;
+    const Scene scene = scene_of(script);
+    const World world = compile(scene, {}, diagnostics), seen = survey(scene, diagnostics);
+    CHECK(seen.objects == world.objects);
+    CHECK(seen.materials.size() == world.materials.size());
+    CHECK(seen.luminaires.size() == world.luminaires.size());
+    CHECK(seen.spheres.size() == 1);
+    CHECK(seen.shapes.empty());
+    CHECK(seen.composites.size() == 1);
+}

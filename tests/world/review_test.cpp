@@ -8,10 +8,11 @@
 
 namespace {
 
-std::string said_about(const std::string& script) {
+std::string said_about(const std::string& script, bool surveyed) {
     Diagnostics diagnostics;
     const Scene scene = scene_of(script);
-    review(scene, compile(scene, {}, diagnostics), diagnostics);
+    const World world = surveyed ? survey(scene, diagnostics) : compile(scene, {}, diagnostics);
+    review(scene, world, diagnostics);
     std::string said;
     for (const Diagnostic& each : diagnostics.all()) said += std::string(name(each.fault)) + ' ';
     return said;
@@ -32,8 +33,19 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"camera { location -z } sphere { 0, 1 finish { emission 1 } pigment { rgb 1 } }", ""},
         {"camera { location -z } sphere { 0, 1 finish { ambient 1 } }", ""},
         {"camera { location -z } sphere { 0, 1 } background { rgb 1 }", ""},
+        {"camera { location -z } difference { sphere { 0, 1 } box { 0, 1 } }", "no-light "},
+        {"camera { location -z } difference { sphere { 0, 1 } box { 0, 1 pigment { rgb 1 } "
+         "finish { emission 1 } } }",
+         ""},
+        {"camera { location -z } light_source { 0, 1 } plane { y, 0 pigment { rgb 1 } finish { "
+         "emission 1 } }",
+         "degenerate "},
+        {"camera { location -z } light_source { 0, 1 } union { triangle { 0, x, 2*x } pigment { "
+         "rgb 1 } finish { emission 1 } }",
+         "no-object "},
         {"#default { camera { location -z } } plane { y, 0 } light_source { 0, 1 }", "no-camera "},
     }));
     INFO(script);
-    CHECK(said_about(script) == said);
+    CHECK(said_about(script, false) == said);
+    CHECK(said_about(script, true) == said);
 }
