@@ -85,6 +85,8 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
     }
     std::vector<Value> values;
     std::vector<Span> places;
+    values.reserve(4);
+    places.reserve(4);
     bool good = true;
     walk_arguments(tree, node.arguments, [&](Value value, Span place) {
         good = good && !value.broken();

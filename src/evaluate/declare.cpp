@@ -22,7 +22,12 @@ void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& no
     const std::string text = "a `;` is missing after this value";
     Diagnostic problem =
         version >= 3.5 ? error(Fault::semicolon, end, text) : warning(Fault::semicolon, end, text);
-    report(problem.with_help("#declare and #local of numbers, vectors and colours end in `;`"));
+    const std::string_view rest = sources.text(tree.source).substr(end.last);
+    const bool decimal_comma = tree.get_if<node::Number>(node.value) && rest.size() > 1 &&
+                               rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
+    report(problem.with_help(
+        decimal_comma ? "a number is written with a point: 1.5, not 1,5"
+                      : "#declare and #local of numbers, vectors and colours end in `;`"));
 }
 
 /// Numbers for a name or element that does not hold numbers yet.

@@ -201,8 +201,18 @@ Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, const 
 
 Flow Evaluator::State::include(const Tree& tree, const node::Include& node, NodeId id,
                                const Sink& take) {
-    const Value file = evaluate(tree, node.file);
     const Span span = tree.span(node.file);
+    const auto* member = tree.get_if<node::Member>(node.file);
+    const auto* bare = tree.get_if<node::Name>(member ? member->operand : node.file);
+    if (bare && !scope.find(bare->name)) {
+        // Everything that the file would have declared is missing from here on.
+        broken(Fault::wrong_type, span,
+               message("the name of a file stands in quotes: #include \"",
+                       sources.text(span.source).substr(span.first, span.last - span.first), "\""));
+        stopped_ = true;
+        return Flow::stopped;
+    }
+    const Value file = evaluate(tree, node.file);
     if (!file.text()) {
         if (!file.broken())
             broken(Fault::wrong_type, span,

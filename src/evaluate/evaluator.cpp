@@ -146,7 +146,11 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     std::vector<std::string_view> known = evaluator.declared_names();
     for (const Word& word : reserved_words())
         if (word.word_class == WordClass::constant) known.push_back(word.spelling);
-    if (const std::string guess = nearest(names.spelling(name), known); !guess.empty())
+    const std::string library = loader.library_file_declaring(names.spelling(name));
+    if (!library.empty())
+        problem.with_help(message("`", names.spelling(name), "` is declared in ", library,
+                                  ": #include \"", library, "\""));
+    else if (const std::string guess = nearest(names.spelling(name), known); !guess.empty())
         problem.with_help(message("did you mean `", guess, "`?"));
     else
         problem.with_help(message("declare it first: #declare ", names.spelling(name), " = ...;"));

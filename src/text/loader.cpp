@@ -4,6 +4,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -155,4 +156,39 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
     if (const std::string near = similar_file(name, folders, lister_); !near.empty())
         result.with_help(message("did you mean `", near, "`?"));
     return result;
+}
+
+namespace {
+
+/// Whether a `#declare` or `#macro` of the text makes the name.
+bool declares(std::string_view text, std::string_view name) {
+    const auto part_of_name = [](char c) {
+        return c == '_' || std::isalnum(static_cast<unsigned char>(c));
+    };
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const std::size_t end = at + name.size();
+        if (end < text.size() && part_of_name(text[end])) continue;
+        const std::string_view before = text.substr(0, at);
+        const std::size_t word_end = before.find_last_not_of(" \t");
+        if (word_end == before.npos || word_end + 1 == at) continue;
+        const std::string_view line = before.substr(0, word_end + 1);
+        if (line.ends_with("#declare") || line.ends_with("#macro")) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string Loader::library_file_declaring(std::string_view name) const {
+    if (!lister_) return {};
+    for (const std::string& folder : library_paths_) {
+        std::vector<std::string> files = lister_(folder);
+        std::ranges::sort(files);
+        for (const std::string& file : files) {
+            if (!file.ends_with(".inc")) continue;
+            const std::optional<std::string> text = reader_(folder + "/" + file);
+            if (text && declares(*text, name)) return file;
+        }
+    }
+    return {};
 }

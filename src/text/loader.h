@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The text behind a path, or nothing if there is none that can be read.
@@ -59,6 +60,9 @@ public:
     /// Whether there is such a file, but the scene may not read it.
     bool refused(const std::string& name, const std::string& including_directory = {},
                  FileKind kind = FileKind::include) const;
+
+    /// The first file of the library that declares the name, or "". For messages.
+    std::string library_file_declaring(std::string_view name) const;
 
     const Door& door() const { return door_; }
     /// The scene has written the file at this destination of the door: its text is found under this

@@ -7,6 +7,7 @@
 #include "text/diagnostic.h"
 #include "world/world.h"
 
-/// Warns of a scene without a camera, without objects, or that nothing lights. The world is the
+/// Warns of a scene without a camera, without objects, or that nothing lights, and of a camera that
+/// is in an object. The world is the
 /// scene's.
 void review(const Scene&, const World&, Diagnostics&);

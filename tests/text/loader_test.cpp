@@ -155,3 +155,20 @@ TEST_CASE("the disk reader reads files byte for byte and nothing else") {
     CHECK_FALSE(read("/dev/zero"));
     std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("the library's file that declares a name is known", "[text]") {
+    const Reader reader = [](const std::string& path) -> std::optional<std::string> {
+        if (path == "lib/b.inc") return "#declare Redder = 1; #macro M(a) #end\n#declare  Red=2;";
+        if (path == "lib/a.inc") return "// Red\n#declare X = Red; #ifndef (Red) #end";
+        return {};
+    };
+    const Lister lister = [](const std::string&) {
+        return std::vector<std::string>{"b.inc", "c.txt", "a.inc"};
+    };
+    const Loader loader(reader, "scenes", {"lib"}, {}, lister);
+    CHECK(loader.library_file_declaring("Red") == "b.inc");
+    CHECK(loader.library_file_declaring("M") == "b.inc");
+    CHECK(loader.library_file_declaring("X") == "a.inc");
+    CHECK(loader.library_file_declaring("Re").empty());
+    CHECK(Loader(reader, "scenes", {"lib"}).library_file_declaring("Red").empty());
+}

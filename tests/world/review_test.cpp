@@ -37,13 +37,23 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"camera { location -z } difference { sphere { 0, 1 } box { 0, 1 pigment { rgb 1 } "
          "finish { emission 1 } } }",
          ""},
-        {"camera { location -z } light_source { 0, 1 } plane { y, 0 pigment { rgb 1 } finish { "
+        {"camera { location y } light_source { 0, 1 } plane { y, 0 pigment { rgb 1 } finish { "
          "emission 1 } }",
          "degenerate "},
         {"camera { location -z } light_source { 0, 1 } union { triangle { 0, x, 2*x } pigment { "
          "rgb 1 } finish { emission 1 } }",
          "no-object "},
-        {"#default { camera { location -z } } plane { y, 0 } light_source { 0, 1 }", "no-camera "},
+        {"light_source { 0, 1 } sphere { 0, 2 } camera { location z look_at 0 }", "camera-inside "},
+        {"light_source { 0, 1 } sphere { 0, 2 hollow } camera { location z look_at 0 }", ""},
+        {"light_source { 0, 1 } difference { sphere { 0, 3 } sphere { 0, 2 } } camera { location z "
+         "look_at 0 }",
+         ""},
+        {"light_source { 0, 1 } box { 0, 1 rotate y translate z } camera { location "
+         "<.6, .5, 1.2> }",
+         "camera-inside "},
+        {"light_source { 0, 1 } box { 3, 4 inverse } camera { location z look_at 0 }",
+         "camera-inside "},
+        {"#default { camera { location -z } } plane { y, -1 } light_source { 0, 1 }", "no-camera "},
     }));
     INFO(script);
     CHECK(said_about(script, false) == said);
