@@ -26,7 +26,7 @@ Vec3 vector_noise(const Vec3& point);
 struct Octaves {
     static constexpr int most = 10;
 
-    int count = 6;  ///< used as 1 to `most`
+    int count = 6;      ///< used as 1 to `most`
     float omega = 0.5;  ///< this and lambda in single precision, as POV-Ray keeps them
     float lambda = 2;
     friend bool operator==(const Octaves&, const Octaves&) = default;

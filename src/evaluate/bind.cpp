@@ -47,14 +47,13 @@ bool ItemReader::required_missing() const {
 }
 
 void ItemReader::add_words(WordList& words) const {
-    for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        if (info_->fields[i].place != Placement::following) words.push_back(info_->fields[i].name);
+    for (const FieldInfo& field : info_->fields)
+        if (field.is_word()) words.push_back(field.name);
 }
 
 int ItemReader::find(std::string_view word) const {
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        if (info_->fields[i].name == word && info_->fields[i].place != Placement::following)
-            return static_cast<int>(i);
+        if (info_->fields[i].name == word && info_->fields[i].is_word()) return static_cast<int>(i);
     return -1;
 }
 
@@ -62,8 +61,7 @@ int ItemReader::find(NameId word) const {
     if (word == no_name) return -1;
     if (!block_.binder.evaluator.names().reserved(word)) return find(block_.spelling(word));
     for (std::size_t i = positional_; i < info_->fields.size(); ++i)
-        if (info_->fields[i].word == word && info_->fields[i].place != Placement::following)
-            return static_cast<int>(i);
+        if (info_->fields[i].word == word && info_->fields[i].is_word()) return static_cast<int>(i);
     return -1;
 }
 
@@ -117,9 +115,7 @@ bool ItemReader::take_value(const Element& element) {
         return true;
     }
     if (word_ >= 0) {
-        const int field = std::exchange(word_, -1);
-        store(field, element);
-        if (follows(field + 1)) word_ = field + 1;
+        store_and_go_on(std::exchange(word_, -1), element);
         return true;
     }
     // A name that the scene has declared, and that is a word here: the word is meant, because no
@@ -133,7 +129,7 @@ bool ItemReader::take_value(const Element& element) {
         }
     }
     if (switch_ >= 0 && scalar && !required_missing()) {
-        store(std::exchange(switch_, -1), element);
+        store_and_go_on(std::exchange(switch_, -1), element);
         return true;
     }
     end_switch();
@@ -281,6 +277,13 @@ void ItemReader::begin(int field, Span word) {
     }
     set(field, 1.0, word);
     switch_ = field;
+}
+
+/// Stores the value of a word, or one that follows it; another may follow.
+void ItemReader::store_and_go_on(int field, const Element& element) {
+    store(field, element);
+    if (follows(field + 1))
+        (info_->fields[field + 1].may_be_left_out ? switch_ : word_) = field + 1;
 }
 
 void ItemReader::store(int field, const Element& element) {

@@ -34,6 +34,8 @@ public:
     int stored() const { return stored_; }
     /// How many values without a word have come.
     int positional_given() const { return next_; }
+    /// Whether the word is one of the vocabulary's.
+    bool knows(NameId word) const { return find(word) >= 0; }
     /// Whether the block has given the field.
     bool given(std::string_view field) const;
 
@@ -50,6 +52,7 @@ private:
     void take_entry(const Element&);
     bool counting() const { return entries_left_ >= 0; }
     void begin_entries(int count);
+    void store_and_go_on(int field, const Element&);
     void store(int field, const Element&);
     void set(int field, const FieldValue&, Span);
     void end_switch() { switch_ = -1; }
@@ -68,7 +71,7 @@ private:
     int positional_ = 0;  ///< how many fields come without a word; they are the first ones
     int next_ = 0;        ///< the positional field that the next value is for
     int word_ = -1;       ///< the field whose word came last and whose value has not
-    int switch_ = -1;     ///< the switch whose word came last: a number may follow
+    int switch_ = -1;     ///< the switch whose word came last, or what may follow the last value
     int stored_ = -1;
     int alone_ = -1;
     double alone_value_ = 0;

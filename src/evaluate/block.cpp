@@ -28,6 +28,7 @@ constexpr auto structure = std::array{
     Structure{"background", ""},
     Structure{"texture", "object"},
     Structure{"pigment", "texture"},
+    Structure{"normal", "texture"},
     Structure{"finish", "texture"},
     Structure{"interior", "object"},
     Structure{"reflection", "finish"},
@@ -39,6 +40,10 @@ constexpr auto structure = std::array{
     Structure{"inverse", "object"},
     Structure{"color_map", "pigment"},
     Structure{"colour_map", "pigment"},
+    Structure{"pigment_map", "pigment"},
+    Structure{"normal_map", "normal"},
+    Structure{"slope_map", "normal"},
+    Structure{"warp", "pigment"},
     Structure{"no_shadow", "object"},
     Structure{"no_image", "object"},
     Structure{"no_reflection", "object"},
@@ -86,7 +91,7 @@ std::vector<std::string_view> homes(std::string_view word) {
         for (const ItemInfo* item : group.items) {
             const std::string_view home = group.block.empty() ? item->name : group.block;
             const auto is_word = [&](const FieldInfo& field) {
-                return !field.unnamed() && field.name == word;
+                return field.is_word() && field.name == word;
             };
             if (std::ranges::any_of(item->fields, is_word)) add(home);
             if (item->name == word) add(group.block);
@@ -216,6 +221,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
     const bool elsewhere = std::ranges::none_of(
         unavailable_here, [&](const Elsewhere& e) { return e.block == name && e.word == word; });
     if (elsewhere && available(word)) {
+        if (told_unavailable_) return;  // it may belong to what is not available
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", quoted()));
         std::string places;

@@ -2,11 +2,15 @@
 #include "evaluate/evaluate.h"
 
 #include "evaluate/cameras.h"
+#include "evaluate/colour_maps.h"
 #include "evaluate/lights.h"
+#include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/objects.h"
 #include "evaluate/settings.h"
 #include "evaluate/transforms.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
 #include "text/message.h"
 
 namespace {
@@ -48,6 +52,8 @@ public:
             good = read_texture(binder_, element, draft);
         else if (word == "pigment"_word)
             good = read_pigment(binder_, element, draft.edit().pigment);
+        else if (word == "normal"_word)
+            good = read_normal(binder_, element, draft.edit().normal);
         else if (word == "finish"_word)
             good = read_finish(binder_, element, draft.edit().finish);
         else
@@ -58,7 +64,9 @@ public:
     /// After the last element.
     void finish(bool version_given) {
         scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
-        scene_.gamma_handling = gamma_given_ || scene_.language_version >= 3.7;
+        if (!given_.noise_generator && scene_.language_version < 3.5)
+            scene_.settings.noise_generator = 1;
+        scene_.gamma_handling = given_.gamma || scene_.language_version >= 3.7;
         if (!scene_.camera_given) scene_.camera = binder_.default_camera;
     }
 
@@ -75,7 +83,7 @@ private:
         } else if (element.word == "background"_word) {
             read_background(binder_, element, scene_.background);
         } else if (element.word == "global_settings"_word) {
-            read_global_settings(binder_, element, scene_.settings, gamma_given_);
+            read_global_settings(binder_, element, scene_.settings, given_);
         } else {
             stray(element);
         }
@@ -126,19 +134,25 @@ private:
         if (word == "transform"_word) return handle(read_transform(binder_, element));
         if (word == "pigment"_word)
             return read_part(element, binder_.default_texture->pigment, read_pigment);
+        if (word == "normal"_word)
+            return read_part(element, binder_.default_texture->normal, read_normal);
         if (word == "finish"_word)
             return read_part(element, binder_.default_texture->finish, read_finish);
         if (word == "interior"_word) return read_part(element, Interior{}, read_interior);
         if (word == "color_map"_word || word == "colour_map"_word)
             return read_part(element, ColourMap{}, read_colour_map);
+        if (word == "pigment_map"_word) return read_part(element, PigmentMap{}, read_pigment_map);
+        if (word == "normal_map"_word) return read_part(element, NormalMap{}, read_normal_map);
+        if (word == "slope_map"_word) return read_part(element, SlopeMap{}, read_slope_map);
         if (word == "camera"_word) {
             DeclaredCamera declared{binder_.default_camera};
             return read_camera(binder_, element, declared.camera) ? handle(std::optional(declared))
                                                                   : Value(Absence::broken);
         }
         OpenBlock block(binder_, {}, element.word_span);
-        block.refuse(element, {"sphere", "union", "object", "texture", "pigment", "finish",
-                               "interior", "transform", "camera", "color_map", "light_source"});
+        block.refuse(element,
+                     {"sphere", "union", "object", "texture", "pigment", "normal", "finish",
+                      "interior", "transform", "camera", "color_map", "light_source"});
         return Absence::broken;
     }
 
@@ -164,14 +178,14 @@ private:
 
     void stray_default(const Element& element) {
         OpenBlock block(binder_, "#default", element.word_span);
-        block.form = "{ texture { ... } }, or pigment, finish, camera";
-        block.refuse(element, {"texture", "pigment", "finish", "camera"});
+        block.form = "{ texture { ... } }, or pigment, normal, finish, camera";
+        block.refuse(element, {"texture", "pigment", "normal", "finish", "camera"});
     }
 
     Binder binder_;
     Scene& scene_;
     OpenBlock top_{binder_, {}, {}};
-    bool gamma_given_ = false;
+    GivenSettings given_;
 };
 
 }  // namespace

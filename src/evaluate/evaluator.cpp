@@ -45,6 +45,14 @@ std::string_view Evaluator::spelling(NameId name) const { return state_->names.s
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
 
+std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+    const std::string directory = directory_of(state_->sources.name(span.source));
+    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
+    if (found) return std::move(found->text);
+    report(state_->loader.problem(name, span, FileKind::data, directory));
+    return std::nullopt;
+}
+
 std::vector<std::string_view> Evaluator::declared_names() const {
     std::vector<std::string_view> result;
     for (const NameId name : state_->scope.names()) result.push_back(state_->names.spelling(name));

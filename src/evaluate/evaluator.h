@@ -104,6 +104,9 @@ public:
     /// Whether `#version` has occurred.
     bool version_given() const;
 
+    /// A file of data that the scene names; nothing after a report.
+    std::optional<std::string> load_data(const std::string& name, Span);
+
     /// Adds the frames that lead here.
     void report(Diagnostic);
     /// After #error or too many errors nothing more is evaluated; walk() returns early.

@@ -3,6 +3,7 @@
 
 #include "evaluate/confines.h"
 #include "evaluate/lights.h"
+#include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
@@ -16,7 +17,7 @@ constexpr int deepest_nesting = 4000;
 constexpr std::string_view effectless_words =
     "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
 
-/// texture, pigment, finish and interior of an object.
+/// texture, pigment, normal, finish and interior of an object.
 class LookReader : public SimpleReader {
 public:
     LookReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
@@ -27,6 +28,10 @@ public:
         if (element.word == "pigment"_word)
             good = change(element, [&](TextureDraft& draft) {
                 return read_pigment(block_.binder, element, draft.edit().pigment);
+            });
+        else if (element.word == "normal"_word)
+            good = change(element, [&](TextureDraft& draft) {
+                return read_normal(block_.binder, element, draft.edit().normal);
             });
         else if (element.word == "finish"_word)
             good = change(element, [&](TextureDraft& draft) {
@@ -44,7 +49,7 @@ public:
     }
 
     void add_words(WordList& words) const {
-        words.insert(words.end(), {"texture", "pigment", "finish", "interior"});
+        words.insert(words.end(), {"texture", "pigment", "normal", "finish", "interior"});
     }
 
 private:

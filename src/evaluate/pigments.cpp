@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/colour_maps.h"
+#include "evaluate/patterns.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
+#include "surface/default_maps.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
 #include "text/message.h"
 
 namespace {
@@ -8,172 +13,177 @@ namespace {
 constexpr std::string_view pigment_form =
     "{ rgb <r, g, b> }, or pigment { pattern [color_map { [0 rgb ...] [1 rgb ...] }] }";
 
-/// The values of an entry of a colour map: [v colour], or [v1, v2 colour colour].
-class EntryReader : public SimpleReader {
-public:
-    EntryReader(OpenBlock& block, ColourMap& map) : block_(block), map_(map) {}
-
-    bool wants() const { return true; }
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::value) return false;
-        if (element.value.broken())
-            block_.broken = true;
-        else if (colours_ == 0 && values_ < 2 && element.value.numbers() &&
-                 element.value.numbers()->is_scalar())
-            at_[values_++] = element.value.numbers()->at[0];
-        else
-            take_colour(element);
-        return true;
+/// A pigment while it is read.
+struct PigmentDraft {
+    explicit PigmentDraft(const Pigment& pigment) : colour(pigment.colour) {
+        if (!pigment.pattern) return;
+        pattern = PatternDraft(pigment.pattern->use, pigment.transform);
+        map = pigment.pattern->map;
     }
-
-    void finish() {
-        if (block_.broken || (values_ > 0 && colours_ == values_)) return;
-        block_.report(error(Fault::missing, block_.span,
-                            values_ == 0 ? "an entry of `color_map` begins with a number"
-                                         : "an entry of `color_map` needs a colour")
-                          .with_help(block_.help()));
+    Pigment made() const {
+        if (!pattern.pattern || !map) return {colour, nullptr, {}};
+        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform};
     }
+    void clear() { *this = PigmentDraft(Pigment()); }
 
-private:
-    void take_colour(const Element& element) {
-        if (colours_ >= std::max(values_, 1)) {
-            if (!block_.broken)
-                block_.report(error(Fault::wrong_count, element.span,
-                                    "an entry of `color_map` has one colour for each number")
-                                  .with_help(block_.help()));
-            return;
-        }
-        const std::optional<Colour> colour = plain_colour(block_, element);
-        if (colour) map_.push_back({at_[static_cast<std::size_t>(colours_)], *colour});
-        ++colours_;
-    }
-
-    OpenBlock& block_;
-    ColourMap& map_;
-    std::array<double, 2> at_{};
-    int values_ = 0;
-    int colours_ = 0;
-};
-
-class MapReader : public SimpleReader {
-public:
-    MapReader(OpenBlock& block, ColourMap& map) : block_(block), map_(map) {}
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::entry) return false;
-        OpenBlock entry(block_.binder, block_.name, element.span);
-        entry.form = block_.form;
-        EntryReader values(entry, map_);
-        entry.read(element.body, values);
-        block_.broken |= entry.broken;
-        return true;
-    }
-
-private:
-    OpenBlock& block_;
-    ColourMap& map_;
+    Colour colour;
+    PatternDraft pattern;
+    std::optional<PatternedPigment::Map> map;
 };
 
 /// A colour or a pattern, with what the pattern needs.
 class ColouringReader {
 public:
-    ColouringReader(OpenBlock& block, Pigment& pigment)
-        : block_(block), pigment_(pigment), fields_(block, Checker::vocabulary, nullptr) {}
+    ColouringReader(OpenBlock& block, PigmentDraft& draft)
+        : block_(block), draft_(draft), pattern_(block, draft.pattern) {}
 
-    bool waiting() const { return chosen_ && fields_.waiting(); }
-    bool wants() const { return block_.taken == 0 || (chosen_ && fields_.wants()); }
+    bool waiting() const { return pattern_.waiting(); }
+    bool wants() const { return block_.taken == 0 || pattern_.wants(); }
 
     bool take(const Element& element) {
-        switch (element.kind) {
-            case Element::Kind::value:
-                return take_value(element);
-            case Element::Kind::word:
-                return take_word(element);
-            case Element::Kind::block:
-                return take_block(element);
-            case Element::Kind::list:
-            case Element::Kind::entry:
-            case Element::Kind::braces:
-                break;
+        if (pattern_.names_pattern(element)) {
+            if (already_coloured(element.span)) return true;
+            take_pattern(element);
+            return true;
         }
-        return false;
+        if (pattern_.take(element)) return true;
+        if (element.kind == Element::Kind::value) return take_colour(element);
+        return element.kind == Element::Kind::block && take_block(element);
     }
 
     void finish() {
-        if (chosen_) fields_.finish();
-        if (block_.broken || !pigment_.pattern) return;
-        if (pigment_.map.empty()) pigment_.map = default_map(*pigment_.pattern);
+        pattern_.finish();
+        if (block_.broken || !draft_.pattern.pattern) return;
+        if (std::holds_alternative<Facets>(*draft_.pattern.pattern))
+            block_.report(error(Fault::misplaced, block_.span, "`facets` is for normals only"));
+        if (block_.broken || draft_.map) return;
+        if (std::holds_alternative<Average>(*draft_.pattern.pattern))
+            block_.report(error(Fault::missing, block_.span, "`average` needs a `pigment_map`")
+                              .with_help("pigment { average pigment_map { [1 ...] [2 ...] } }"));
+        else
+            draft_.map = default_map(*draft_.pattern.pattern);
     }
 
     void add_words(WordList& words) const {
-        for (const ItemInfo* pattern : Kinds<Pattern>::infos) words.push_back(pattern->name);
-        words.insert(words.end(), {"color_map", "colour_map"});
+        pattern_.add_words(words);
+        words.insert(words.end(), {"color_map", "colour_map", "pigment_map"});
     }
 
 private:
-    bool take_value(const Element& element) {
-        if (chosen_ && fields_.take(element)) return true;
-        if (!element.value.numbers()) return false;
-        if (chosen_ && std::holds_alternative<Checker>(*pigment_.pattern))
-            return take_list_colour(element);
-        if (already_coloured(element.span)) return true;
-        coloured_ = true;
-        pigment_.pattern.reset();
-        pigment_.map.clear();
-        if (const std::optional<Colour> colour = plain_colour(block_, element))
-            pigment_.colour = *colour;
-        return true;
+    void take_pattern(const Element& element) {
+        const std::optional<Pattern>& now = draft_.pattern.pattern;
+        const std::size_t before = now ? now->index() : std::variant_npos;
+        pattern_.take(element);
+        if (!now || now->index() != before) draft_.map.reset();
     }
 
-    bool take_word(const Element& element) {
-        if (chosen_ && fields_.take(element)) return true;
-        const std::size_t kind = Kinds<Pattern>::find(element.word);
-        if (kind == Kinds<Pattern>::count) return false;
+    bool take_colour(const Element& element) {
+        if (!element.value.numbers()) return false;
+        if (pattern_.named() && choices(*draft_.pattern.pattern) > 0) {
+            list_entry<ColourMap>(element, [&](ColourStop& stop) {
+                if (const auto colour = plain_colour(block_, element)) stop.colour = *colour;
+            });
+            return true;
+        }
         if (already_coloured(element.span)) return true;
-        if (!pigment_.pattern || pigment_.pattern->index() != kind) pigment_.map.clear();
-        pigment_.pattern = Kinds<Pattern>::make(kind);
-        fields_.rebind(*Kinds<Pattern>::infos[kind], Kinds<Pattern>::address(*pigment_.pattern));
-        chosen_ = true;
+        coloured_ = true;
+        draft_.clear();
+        if (const std::optional<Colour> colour = plain_colour(block_, element))
+            draft_.colour = *colour;
         return true;
     }
 
     bool take_block(const Element& element) {
-        if (chosen_ && fields_.take(element)) return true;
-        if (element.word != "color_map"_word && element.word != "colour_map"_word) return false;
-        ColourMap map;
-        if (!read_colour_map(block_.binder, element, map)) {
-            block_.broken = true;
-        } else if (block_.broken) {
-            return true;
-        } else if (!pigment_.pattern || std::holds_alternative<Checker>(*pigment_.pattern)) {
-            block_.report(error(Fault::misplaced, element.word_span,
-                                pigment_.pattern ? "`checker` takes two colours, not a `color_map`"
-                                                 : "`color_map` needs a pattern before it")
-                              .with_help(block_.help()));
+        const NameId word = element.word;
+        if (word == "color_map"_word || word == "colour_map"_word) {
+            take_map<ColourMap>(element, read_colour_map);
+        } else if (word == "pigment_map"_word) {
+            take_map<PigmentMap>(element, read_pigment_map);
+        } else if (word == "pigment"_word && pattern_.named() &&
+                   choices(*draft_.pattern.pattern) > 0) {
+            list_entry<PigmentMap>(element, [&](PigmentStop& stop) {
+                block_.broken |= !read_pigment(block_.binder, element, stop.pigment);
+            });
         } else {
-            pigment_.map = std::move(map);
+            return false;
         }
         return true;
     }
 
-    bool take_list_colour(const Element& element) {
-        if (listed_ == 0) pigment_.map = default_map(*pigment_.pattern);
-        if (listed_ == static_cast<int>(pigment_.map.size())) {
-            if (!block_.broken)
-                block_.report(
-                    error(Fault::wrong_count, element.span,
-                          message("`checker` takes ", listed_, " colours, but here is one more")));
+    template <class Map>
+    void take_map(const Element& element, bool (*read)(Binder&, const Element&, Map&)) {
+        Map map;
+        if (!read(block_.binder, element, map)) block_.broken = true;
+        if (block_.broken || !fits(element, map)) return;
+        draft_.map = std::move(map);
+    }
+
+    bool fits(const Element& element, const ColourMap&) {
+        const std::string_view word = block_.spelling(element.word);
+        const std::optional<Pattern>& pattern = draft_.pattern.pattern;
+        std::string why;
+        if (!pattern)
+            why = message('`', word, "` needs a pattern before it");
+        else if (choices(*pattern) > 0)
+            why = message('`', name(), "` takes ", number_word(choices(*pattern)),
+                          " colours, not a `", word, "`");
+        else if (std::holds_alternative<Average>(*pattern))
+            why = message("`average` takes a `pigment_map`, not a `", word, "`");
+        else
             return true;
+        block_.report(
+            error(Fault::misplaced, element.word_span, std::move(why)).with_help(block_.help()));
+        return false;
+    }
+
+    bool fits(const Element& element, const PigmentMap& map) {
+        if (!draft_.pattern.pattern)
+            block_.report(error(Fault::misplaced, element.word_span,
+                                "`pigment_map` needs a pattern before it")
+                              .with_help(block_.help()));
+        else if (std::holds_alternative<Average>(*draft_.pattern.pattern))
+            check_weights(block_, element.word_span, map);
+        return !block_.broken;
+    }
+
+    /// The next entry of a list behind checker and its kin; what is missing at its end stays what
+    /// it is by default.
+    template <class Map, class Read>
+    void list_entry(const Element& element, Read read) {
+        if (listed_ == 0) draft_.map = default_list(Map());
+        auto* map = std::get_if<Map>(&*draft_.map);
+        const bool full = listed_ == static_cast<std::size_t>(choices(*draft_.pattern.pattern));
+        if (map && !full) {
+            read((*map)[listed_++]);
+        } else if (!block_.broken) {
+            block_.report(error(
+                map ? Fault::wrong_count : Fault::misplaced, element.span,
+                map ? message('`', name(), "` takes ", listed_, " colours, but here is one more")
+                    : "the entries of a list are all colours or all pigments"));
         }
-        if (const std::optional<Colour> colour = plain_colour(block_, element))
-            pigment_.map[static_cast<std::size_t>(listed_)].colour = *colour;
-        ++listed_;
-        return true;
+    }
+
+    PatternedPigment::Map default_list(const ColourMap&) const {
+        return default_map(*draft_.pattern.pattern);
+    }
+    PatternedPigment::Map default_list(const PigmentMap&) const {
+        PigmentMap map;
+        for (int i = 0; i < choices(*draft_.pattern.pattern); ++i)
+            map.push_back({static_cast<double>(i), block_.binder.default_texture->pigment});
+        return map;
+    }
+
+    std::string_view name() const {
+        return Kinds<Pattern>::infos[draft_.pattern.pattern->index()]->name;
+    }
+
+    static std::string_view number_word(int number) {
+        constexpr auto words = std::array{"two", "three", "four", "five", "six"};
+        return words[static_cast<std::size_t>(number - 2)];
     }
 
     bool already_coloured(Span span) {
-        if (!coloured_ && !chosen_) return false;
+        if (!coloured_ && !pattern_.named()) return false;
         if (!block_.broken)
             block_.report(error(Fault::misplaced, span,
                                 "a pigment has one colour or one pattern, and this is a second")
@@ -182,38 +192,53 @@ private:
     }
 
     OpenBlock& block_;
-    Pigment& pigment_;
-    ItemReader fields_;
-    bool chosen_ = false;    ///< this block has named the pattern
+    PigmentDraft& draft_;
+    PatternReader pattern_;
     bool coloured_ = false;  ///< this block has given the colour
-    int listed_ = 0;
+    std::size_t listed_ = 0;
 };
+
+/// What stands in the braces of a pigment, or behind the number of an entry.
+template <class... First>
+void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first) {
+    block.effectless = "quick_color quick_colour";
+    PigmentDraft draft(pigment);
+    auto declared = named<Pigment>(block, [&](const Handle<Pigment>& other) {
+        if (!block.broken) draft = PigmentDraft(*other);
+    });
+    ColouringReader colouring(block, draft);
+    const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
+    TransformReader moves(block, apply);
+    block.read(body, first..., declared, colouring, moves);
+    if (block.broken) return;
+    pigment = draft.made();
+    if (nesting(pigment).too_deep())
+        block.report(error(Fault::recursion_limit, block.span,
+                           "too many pigments are nested here: each level can double the work"));
+}
 
 }  // namespace
 
-bool read_colour_map(Binder& binder, const Element& element, ColourMap& map) {
-    OpenBlock block(binder, "color_map", element.word_span);
-    block.form = "{ [0 rgb <r, g, b>] [1 rgb <r, g, b>] }";
-    auto declared = named<std::vector<ColourStop>>(
-        block, [&](const Handle<ColourMap>& other) { map = *other; });
-    MapReader entries(block, map);
+bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
+    OpenBlock block(binder, "pigment_map", element.word_span);
+    block.form = "{ [0 pattern ...] [1 rgb <r, g, b>] }";
+    auto declared =
+        named<PigmentMap>(block, [&](const Handle<PigmentMap>& other) { map = *other; });
+    const auto read_entry = [&](OpenBlock& entry, Body body) {
+        EntryNumber number(entry);
+        Pigment pigment = binder.default_texture->pigment;
+        read_content(entry, body, pigment, number);
+        if (!entry.broken) map.push_back({*number.value, std::move(pigment)});
+    };
+    MapEntries entries(block, read_entry);
     block.read(element.body, declared, entries);
-    if (!block.broken && map.empty())
-        block.report(error(Fault::missing, element.word_span, "`color_map` has no entries")
-                         .with_help(block.help()));
+    report_empty(block, map.size());
     return !block.broken;
 }
 
 bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
-    OpenBlock block(binder, "pigment", element.word_span);
+    OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
-    block.effectless = "quick_color quick_colour";
-    auto declared = named<Pigment>(block, [&](const Handle<Pigment>& other) { pigment = *other; });
-    ColouringReader colouring(block, pigment);
-    const auto apply = [&](const Transform& transform) {
-        pigment.transform = pigment.transform.then(transform);
-    };
-    TransformReader moves(block, apply);
-    block.read(element.body, declared, colouring, moves);
+    read_content(block, element.body, pigment);
     return !block.broken;
 }

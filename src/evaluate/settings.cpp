@@ -108,24 +108,25 @@ private:
 }  // namespace
 
 void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
-                          bool& gamma_given) {
+                          GivenSettings& before) {
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
     block.effectless =
-        "charset utf8 ascii sys hf_gray_16 max_intersections number_of_waves noise_generator "
+        "charset utf8 ascii sys hf_gray_16 max_intersections "
         "irid_wavelength mm_per_unit "
         "radiosity photons subsurface";
     const double gamma = settings.assumed_gamma;
     ItemReader fields(block, *block.item, &settings);
     SamplerBlock sampler(block, settings.light_sampler);
     block.read(element.body, fields, sampler);
+    before.noise_generator |= fields.given("noise_generator");
     if (!fields.given("assumed_gamma")) return;
-    if (gamma_given) {
+    if (before.gamma) {
         block.report(warning(Fault::duplicate, element.word_span,
                              "`assumed_gamma` has been given before; the first one counts"));
         settings.assumed_gamma = gamma;
     }
-    gamma_given = true;
+    before.gamma = true;
 }
 
 void read_background(Binder& binder, const Element& element, Background& background) {

@@ -5,7 +5,12 @@
 #include "evaluate/bind.h"
 #include "scene/scene.h"
 
-/// What the block says is added to the settings. `gamma_given`: whether a block has said
-/// assumed_gamma.
-void read_global_settings(Binder&, const Element& block, GlobalSettings&, bool& gamma_given);
+/// What any block of settings has said: other things depend on it.
+struct GivenSettings {
+    bool gamma = false;
+    bool noise_generator = false;
+};
+
+/// What the block says is added to the settings.
+void read_global_settings(Binder&, const Element& block, GlobalSettings&, GivenSettings& before);
 void read_background(Binder&, const Element& block, Background&);

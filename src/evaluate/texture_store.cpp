@@ -30,7 +30,7 @@ bool equal_plain(const Texture& a, const Texture& b) {
 }  // namespace
 
 Handle<Texture> TextureStore::share(Handle<Texture> texture) {
-    if (texture->pigment.pattern || !texture->pigment.map.empty()) return texture;
+    if (!texture->plain()) return texture;
     if (2 * (count_ + 1) > slots_.size()) grow();
     Handle<Texture>& place = slot(*texture);
     if (!place) {

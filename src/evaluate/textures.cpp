@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/textures.h"
 
+#include "evaluate/normals.h"
 #include "evaluate/transforms.h"
 #include "vocabulary/manual.h"
 
@@ -18,6 +19,8 @@ public:
         if (element.kind != Element::Kind::block) return false;
         if (element.word == "pigment"_word)
             block_.broken |= !read_pigment(block_.binder, element, draft_.edit().pigment);
+        else if (element.word == "normal"_word)
+            block_.broken |= !read_normal(block_.binder, element, draft_.edit().normal);
         else if (element.word == "finish"_word)
             block_.broken |= !read_finish(block_.binder, element, draft_.edit().finish);
         else
@@ -25,12 +28,16 @@ public:
         return true;
     }
 
-    void add_words(WordList& words) const { words.insert(words.end(), {"pigment", "finish"}); }
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"pigment", "normal", "finish"});
+    }
 
 private:
     bool take_declared(const Value& value) {
         if (const auto pigment = value.handle<Pigment>())
             draft_.edit().pigment = *pigment;
+        else if (const auto normal = value.handle<Bump>())
+            draft_.edit().normal = *normal;
         else if (const auto finish = value.handle<Finish>())
             draft_.edit().finish = *finish;
         else
@@ -111,7 +118,7 @@ private:
 
 bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
     OpenBlock block(binder, "texture", element.word_span);
-    block.form = "{ [Name] pigment { ... } finish { ... } [transformations] }";
+    block.form = "{ [Name] pigment { ... } normal { ... } finish { ... } [transformations] }";
     auto declared =
         named<Texture>(block, [&](const Handle<Texture>& texture) { draft.replace(texture); });
     PartReader parts(block, draft);

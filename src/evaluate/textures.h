@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// texture, pigment, finish, color_map and interior blocks. Each starts from what is there before:
+// texture, pigment, pigment_map, finish and interior blocks. Each starts from what is there before:
 // the default texture, or what the object has already. Called by the readers of objects, of
 // #declare and of #default.
 #pragma once
@@ -23,7 +23,7 @@ public:
         edited_ = false;
     }
     /// Plain colours look the same wherever they are moved to.
-    bool movable() const { return now().pigment.pattern.has_value(); }
+    bool movable() const { return !now().plain(); }
     void move(const Transform& transform) {
         if (movable()) edit() = transformed(now(), transform);
     }
@@ -43,7 +43,7 @@ private:
 bool read_texture(Binder&, const Element& block, TextureDraft&);
 bool read_pigment(Binder&, const Element& block, Pigment&);
 bool read_finish(Binder&, const Element& block, Finish&);
-bool read_colour_map(Binder&, const Element& block, ColourMap&);
+bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 bool read_interior(Binder&, const Element& block, Interior&);
 
 /// Puts a texture over another. Layers are not available, so it has to hide what is below; false

@@ -22,9 +22,10 @@ std::string_view kind_name(const Value& value) {
     constexpr auto numbers = std::array<std::string_view, 5>{
         "a number", "a vector of 2", "a vector of 3", "a vector of 4", "a colour"};
     constexpr auto shared = std::array<std::string_view, ValueKinds::count>{
-        "a string",       "an array",     "a function",   "an object",   "a texture",
-        "a pigment",      "a finish",     "an interior",  "a transform", "a camera",
-        "a light source", "a colour map", "an open file", "a spline"};
+        "a string",       "an array",     "a function",   "an object",     "a texture",
+        "a pigment",      "a finish",     "an interior",  "a transform",   "a camera",
+        "a light source", "a colour map", "an open file", "a pigment map", "a normal",
+        "a normal map",   "a slope map",  "a spline"};
     if (const Numbers* found = value.numbers())
         return numbers[static_cast<std::size_t>(found->count) - 1];
     if (value.absent()) return "nothing";

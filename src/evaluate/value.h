@@ -19,15 +19,19 @@
 
 class ArrayData;
 class Formula;
+struct Bump;
 struct ColourStop;
 struct DataFile;
 struct DeclaredCamera;
 struct Finish;
 struct Interior;
 struct MacroData;
+struct NormalStop;
 struct Object;
 struct Pigment;
+struct PigmentStop;
 struct PlacedLight;
+struct SlopeStop;
 class Spline;
 struct Texture;
 class Transform;
@@ -72,9 +76,10 @@ struct SharedKinds {
         return at;
     }
 };
-using ValueKinds =
-    SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
-                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile, Spline>;
+using ValueKinds = SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish,
+                               Interior, Transform, DeclaredCamera, PlacedLight,
+                               std::vector<ColourStop>, DataFile, std::vector<PigmentStop>, Bump,
+                               std::vector<NormalStop>, std::vector<SlopeStop>, Spline>;
 
 /// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {

@@ -1,21 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every pattern there is: a function from a point to a number in 0..1, or to a small whole number
-// that picks from a list.
+// Every pattern there is: a function from a point to a number, mostly in 0..1, or to a small whole
+// number that picks from a list. The type list is the registry; what makes a kind differ from the
+// others (a wave of its own, a list, no displacement) is stated in the kind.
 #pragma once
 
-#include "pattern/checker.h"
-#include "pattern/gradient.h"
-#include "vocabulary/kinds.h"
+#include "pattern/bands.h"
+#include "pattern/borrowed.h"
+#include "pattern/cellular.h"
+#include "pattern/density_file.h"
+#include "pattern/falloff.h"
+#include "pattern/fractal.h"
+#include "pattern/noise_patterns.h"
+#include "pattern/quilted.h"
+#include "pattern/ripples.h"
+#include "pattern/slope.h"
+#include "pattern/tiles.h"
+#include "pattern/tiling.h"
+#include "pattern/waveform.h"
 
-#include <concepts>
+using Pattern =
+    std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle,
+                 CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, Gradient, Granite,
+                 Hexagon, JuliaPattern, Leopard, Magnet, Mandel, Marble, Onion, PigmentGrey,
+                 PlanarPattern, Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2,
+                 Spotted, Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
 
-using Pattern = std::variant<Checker, Gradient>;
+/// The value before any wave.
+double evaluate(const Pattern&, const PatternPoint&);
 
-template <class T>
-concept PatternKind = requires(const T& pattern, const Vec3& point) {
-    { evaluate(pattern, point) } -> std::same_as<double>;
-};
+/// How many colours or pigments may follow the name as a list; 0: it takes a map.
+int choices(const Pattern&);
 
-inline double evaluate(const Pattern& pattern, const Vec3& point) {
-    return std::visit([&](const auto& p) { return evaluate(p, point); }, pattern);
-}
+/// Whether turbulence displaces the point; otherwise the pattern does something else with it.
+bool displaced(const Pattern&);
+
+/// What naming the pattern sets in its statement. What it does not set stays as it was, as in
+/// POV-Ray 3.7.
+void name_pattern(const Pattern&, PatternModifiers&, Waveform&);

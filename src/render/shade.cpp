@@ -39,11 +39,16 @@ Shading shading_at(const World& world, const Ray& ray, const Hit& hit) {
     Shading s;
     s.position = hit.position;
     s.view = ray.direction;
-    s.normal = facing(hit.smooth_normal);
     s.true_normal = facing(hit.normal);
     s.tolerance = hit.tolerance;
     s.finish = &material.texture->finish;
-    s.colour = evaluate(material.texture->pigment, hit.position);
+    SurfaceView view{s.position, facing(hit.smooth_normal), s.view};
+    PatternScene scene = world.pattern_scene();
+    scene.view = &view;
+    if (material.texture->normal.pattern)
+        view.normal = bumped(material.texture->normal, view.normal, s.position, scene);
+    s.normal = view.normal;
+    s.colour = evaluate(material.texture->pigment, hit.position, scene);
     s.opacity = world.opacity(s.colour);
     s.both_sides = material.double_illuminate;
     return s;

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/catalogue.h"
 
+#include "pattern/use.h"
 #include "scene/scene.h"
+#include "surface/normal_map.h"
 
 #include <array>
 
 namespace {
 
-constexpr auto surface =
-    std::array{&Finish::vocabulary, &Reflection::vocabulary, &Interior::vocabulary};
+constexpr auto surface = std::array{&BumpSettings::vocabulary, &Finish::vocabulary,
+                                    &Reflection::vocabulary, &Interior::vocabulary};
+constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary};
 
 constexpr auto groups = std::array{
@@ -24,6 +27,12 @@ constexpr auto groups = std::array{
         "Patterns",
         "What varies over a surface: the first word in pigment { }, usually with a color_map.",
         Kinds<Pattern>::infos, "pigment"},
+    ItemGroup{"Pattern modifiers", "What may follow any pattern, beside transformations.",
+              modifiers, "pigment"},
+    ItemGroup{"Waves", "How a pattern's value runs through its map, again and again.",
+              Kinds<Waveform>::infos, "pigment"},
+    ItemGroup{"Warps", "What moves points before a pattern, in the order of the text.",
+              Kinds<Warp>::infos, "warp"},
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
     ItemGroup{"Light samplers",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump.h"
 
+#include "scene/dump_texture.h"
 #include "text/message.h"
 #include "vocabulary/written.h"
 
@@ -28,46 +29,10 @@ constexpr auto object_flags = std::array{
     ObjectFlag{"double_illuminate", &Object::double_illuminate},
 };
 
-/// The item in an alternative of a variant as "name fields".
-template <class Variant>
-std::string item_text(Variant alternative) {
-    const ItemInfo& info = *Kinds<Variant>::infos[alternative.index()];
-    const std::string fields = written_fields(info, Kinds<Variant>::address(alternative));
-    return message(info.name, fields.empty() ? "" : " ", fields);
-}
-
 template <class T>
 std::string block_text(const T& item) {
     const std::string fields = written_fields(T::vocabulary, &item);
     return message(T::vocabulary.name, " { ", fields, fields.empty() ? "" : " ", "}");
-}
-
-std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
-
-std::string matrix_text(const Transform& transform) {
-    if (transform == Transform()) return {};
-    const Affine& map = transform.forward();
-    std::string text = " matrix <";
-    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
-    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
-}
-
-std::string map_text(const Pigment& pigment) {
-    std::string text;
-    if (std::holds_alternative<Checker>(*pigment.pattern)) {
-        for (const ColourStop& stop : pigment.map)
-            text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
-        return text;
-    }
-    for (const ColourStop& stop : pigment.map)
-        text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
-    return message(" color_map { ", text, "}");
-}
-
-std::string pigment_text(const Pigment& pigment) {
-    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
-    return message("pigment { ", item_text(*pigment.pattern), map_text(pigment),
-                   matrix_text(pigment.transform), " }");
 }
 
 std::string reflection_text(const Reflection& reflection) {
@@ -132,8 +97,9 @@ std::vector<std::string> modifiers(const Object& object) {
         if (object.*flag.member) result.emplace_back(flag.name);
     if (object.interior) result.push_back(block_text(*object.interior));
     if (object.texture)
-        result.push_back(message("texture { ", pigment_text(object.texture->pigment),
-                                 finish_text(object.texture->finish), " }"));
+        result.push_back(message("texture { ", dump(object.texture->pigment),
+                                 dump(object.texture->normal), finish_text(object.texture->finish),
+                                 " }"));
     return result;
 }
 

@@ -13,6 +13,12 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
           "power by which the scene's colours become linear light; 1: they are", above(0)},
         F{"max_trace_level", &GlobalSettings::max_trace_level, item,
           "how many reflections and refractions are followed", between(1, 256)},
+        F{"noise_generator", &GlobalSettings::noise_generator, item,
+          "noise of patterns that choose none: 1 and 2 differ in range, 3 is Perlin's; before "
+          "language version 3.5 the default is 1",
+          between(1, 3)},
+        F{"number_of_waves", &GlobalSettings::number_of_waves, item,
+          "how many points ripples and waves run out from", between(1, 1000)},
         F{"adc_bailout", &GlobalSettings::adc_bailout, item,
           "rays that can change the pixel by less than this are dropped", at_least(0)});
 });

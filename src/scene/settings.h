@@ -13,6 +13,8 @@ struct GlobalSettings {
     Vec3 ambient_light = Vec3(1);
     double assumed_gamma = 1;
     int max_trace_level = 5;
+    int noise_generator = 2;
+    int number_of_waves = 10;
     double adc_bailout = 1.0 / 255;
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads

@@ -16,6 +16,8 @@ struct ColourStop {
 /// Stops in the order of the text. Never empty where it is looked up.
 using ColourMap = std::vector<ColourStop>;
 
-/// Linear between the stops around the value; the first stop below them, the last above. Where
-/// stops share a value, the first counts at the value itself and the last just above it.
+/// The colour at a value, by the rules of map_place.h.
 Colour look_up(const ColourMap&, double value);
+
+/// From one colour to another, all components linearly.
+Colour mixed(const Colour& from, const Colour& to, double share);

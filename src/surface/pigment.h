@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The colour of a surface: plain, or a pattern looked up in a colour map.
+// The colour of a surface: plain, or a pattern that chooses from colours or from other pigments.
 #pragma once
 
+#include "base/handle.h"
 #include "base/transform.h"
-#include "pattern/pattern.h"
+#include "pattern/modifiers.h"
 #include "surface/colour_map.h"
+#include "surface/nesting.h"
 
-#include <optional>
+struct PatternedPigment;  // this and the entries of maps: pigment_map.h
+struct PigmentStop;
+using PigmentMap = std::vector<PigmentStop>;
+struct PigmentGrey;  // pattern/borrowed.h
 
 /// Colour as a function of a point. Default: opaque black, as in POV-Ray 3.7.
 struct Pigment {
-    Colour colour;  ///< where there is no pattern
-    std::optional<Pattern> pattern;
-    ColourMap map;        ///< never empty when there is a pattern
-    Transform transform;  ///< from the pattern's space to the object's
+    Colour colour;                     ///< where there is no pattern
+    Handle<PatternedPigment> pattern;  ///< null: one colour everywhere
+    Transform transform;               ///< after all steps of the pattern: to the object's space
 };
 
-/// The map that a pattern has when the text gives none.
-ColourMap default_map(const Pattern&);
+Nesting nesting(const Pigment&);
 
 /// The colour at a point in the space that the pigment's transform leads to.
-Colour evaluate(const Pigment&, const Vec3& point);
+Colour evaluate(const Pigment&, const Vec3& point, const PatternScene& = {});
 
-/// The greatest value of each channel anywhere: what a luminaire of this pigment can emit at most.
+/// No channel is greater anywhere: what a luminaire of this pigment can emit at most.
 Vec3 brightest(const Pigment&);
 
 /// Whether light can pass through it anywhere.
 bool transparent(const Pigment&);
+
+/// The brightness of the pigment as a function of the point, for pigment_pattern.
+PigmentGrey grey_of(Pigment);

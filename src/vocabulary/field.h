@@ -13,9 +13,9 @@ struct NoMember {};
 template <class T>
 using Member =
     std::variant<double T::*, int T::*, bool T::*, Vec2 T::*, Vec3 T::*, Vec4 T::*, Colour T::*,
-                 std::string T::*, std::optional<double> T::*, std::optional<Vec3> T::*,
-                 std::vector<double> T::*, std::vector<Vec2> T::*, std::vector<Vec3> T::*,
-                 std::vector<Ball> T::*, std::vector<Face> T::*, NoMember>;
+                 std::string T::*, std::optional<double> T::*, std::optional<Vec2> T::*,
+                 std::optional<Vec3> T::*, std::vector<double> T::*, std::vector<Vec2> T::*,
+                 std::vector<Vec3> T::*, std::vector<Ball> T::*, std::vector<Face> T::*, NoMember>;
 
 /// One parameter of the item T.
 template <class T>
@@ -28,7 +28,7 @@ struct Field {
     bool colour = false;  ///< a Vec3 that means red, green, blue: any colour is taken, filter and
                           ///< transmit are dropped
     bool may_be_left_out =
-        false;          ///< a positional field that the text may omit (the hole of a disc)
+        false;          ///< a value without a word that the text may omit (the hole of a disc)
     double chosen = 0;  ///< what the word of a choice stands for
     int entries = 0;    ///< of a counted field that has always so many; 0: the text says how many
     const PartsInfo* parts = nullptr;  ///< see parts.h

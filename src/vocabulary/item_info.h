@@ -25,7 +25,8 @@ enum class Placement {
     list,        ///< the word, then { count, value, value, ... }
     counted,     ///< a count, then so many entries, without a word, after the positional fields
     choice,      ///< the word alone, one of several that set the same member to a number
-    following,   ///< a value right after that of the field before it, an item
+    following,   ///< a value right after that of the field before it, an item; may be omitted when
+                 ///< the field says so
     parts,       ///< the word, then a block; any number of them
     loose_part,  ///< the word, then the values of a part without a block; any number of them
 };
@@ -102,6 +103,8 @@ struct FieldInfo {
     constexpr bool unnamed() const {
         return place == Placement::positional || place == Placement::counted;
     }
+    /// Whether the field's name is a word of the language.
+    constexpr bool is_word() const { return !unnamed() && place != Placement::following; }
 };
 
 /// One item's vocabulary, without its type. All instances are constants.

@@ -45,7 +45,7 @@ constexpr FieldType type_of(bool colour) {
         return FieldType::integer;
     else if constexpr (std::is_same_v<V, bool>)
         return FieldType::boolean;
-    else if constexpr (std::is_same_v<V, Vec2>)
+    else if constexpr (std::is_same_v<V, Vec2> || std::is_same_v<V, std::optional<Vec2>>)
         return FieldType::vector2;
     else if constexpr (std::is_same_v<V, Vec3> || std::is_same_v<V, std::optional<Vec3>>)
         return colour ? FieldType::rgb : FieldType::vector3;
@@ -71,7 +71,8 @@ constexpr FieldType type_of(bool colour) {
 
 template <class V>
 constexpr bool is_optional =
-    std::is_same_v<V, std::optional<double>> || std::is_same_v<V, std::optional<Vec3>>;
+    std::is_same_v<V, std::optional<double>> || std::is_same_v<V, std::optional<Vec2>> ||
+    std::is_same_v<V, std::optional<Vec3>>;
 
 template <class T>
 constexpr FieldInfo describe(const Field<T>& field) {
@@ -100,6 +101,8 @@ void store(V& to, const FieldValue& value) {
         to = std::get<double>(value) > 0;
     else if constexpr (std::is_same_v<V, std::optional<double>>)
         to = std::get<double>(value);
+    else if constexpr (std::is_same_v<V, std::optional<Vec2>>)
+        to = std::get<Vec2>(value);
     else if constexpr (std::is_same_v<V, std::optional<Vec3>>)
         to = std::get<Vec3>(value);
     else

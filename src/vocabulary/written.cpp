@@ -98,6 +98,7 @@ std::string item_values(const ItemInfo& item, const void* object, std::size_t fi
         const FieldInfo& field = item.fields[i];
         if (i > first && field.place != Placement::following) break;
         const std::string value = written(item.get(object, i), field.type);
+        if (value.empty()) return {};
         changed = changed || value != written(item.default_value(i), field.type);
         text += (i > first ? ", " : "") + value;
     }
@@ -132,10 +133,13 @@ std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
 
 std::string written_fields(const ItemInfo& item, const void* object) {
     std::string choices, positional, others;
+    bool unset = false;
     for (std::size_t i = 0; i < item.fields.size(); ++i) {
         const FieldInfo& field = item.fields[i];
         if (field.unnamed()) {
             std::string value = written(item.get(object, i), field.type);
+            if (value.empty()) unset = true;  // an optional value: those after it were not given
+            if (unset) continue;
             if (field.entries > 0) value.erase(0, value.find(' ') + 1);
             positional += message(positional.empty() ? "" : ", ", value);
             continue;

@@ -126,7 +126,7 @@ private:
     /// and are not copied.
     const Handle<Texture>& world_texture(const Handle<Texture>& texture,
                                          const Handle<Transform>& transform) {
-        if (!transform || !texture->pigment.pattern) return texture;
+        if (!transform || texture->plain()) return texture;
         auto& known = textures_[TextureKey(texture.get(), transform.get())];
         if (!known) {
             known = make_handle<Texture>(transformed(*texture, *transform));
@@ -288,7 +288,7 @@ private:
             luminaire.primitive = first[glow.kind] + glow.index;
             const Texture& texture = *world_.material(luminaire.primitive).texture;
             luminaire.radiance = greatest_emission(texture);
-            luminaire.varying = texture.pigment.pattern.has_value();
+            luminaire.varying = texture.pigment.pattern != nullptr;
             if (emitting_area(luminaire.emitter) > 0)
                 world_.luminaires.push_back(std::move(luminaire));
             else

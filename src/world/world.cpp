@@ -191,7 +191,9 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         found.clear();
         collect(item, ray, range, found);
         for (const Passage& each : found)
-            passed *= evaluate(material(each.primitive).texture->pigment, ray.at(each.t)).passing();
+            passed *=
+                evaluate(material(each.primitive).texture->pigment, ray.at(each.t), pattern_scene())
+                    .passing();
     }
     return passed;
 }
@@ -221,7 +223,7 @@ std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
 
 Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
     const Texture& texture = *material(primitive).texture;
-    const Colour colour = evaluate(texture.pigment, point);
+    const Colour colour = evaluate(texture.pigment, point, pattern_scene());
     return colour.rgb * texture.finish.emission * opacity(colour);
 }
 

@@ -94,6 +94,11 @@ public:
     /// version.
     double opacity(const Colour&) const;
 
+    /// What all patterns of the scene have in common, for a point that is on no surface.
+    PatternScene pattern_scene() const {
+        return {noise_generator(settings.noise_generator), settings.number_of_waves, nullptr};
+    }
+
     /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
     /// leaves of a composite.
     std::uint32_t solid(PrimitiveIndex primitive) const {

@@ -2,6 +2,8 @@
 #include "evaluate/textures.h"
 
 #include "evaluate/script.h"
+#include "surface/default_maps.h"
+#include "surface/pigment_map.h"
 
 #include <catch2/catch.hpp>
 
@@ -10,12 +12,16 @@ namespace {
 Pigment pigment_of(const std::string& text) {
     const Script done =
         run("#version 3.7; #declare Red = rgb x; #declare M = color_map { [0 rgb 0] [1 rgb 1] } "
-            "#declare P = pigment { gradient x color_map { [0 Red] [1 rgb 1] } } sphere { 0, 1 "
-            "pigment { " +
+            "#declare P = pigment { gradient x color_map { [0 Red] [1 rgb 1] } } #declare Q = "
+            "pigment_map { [0 P] [1 rgb 1] } sphere { 0, 1 pigment { " +
             text + " } }");
     INFO(done.text);
     REQUIRE(done.text.empty());
     return done.texture().pigment;
+}
+
+const ColourMap& colours_of(const Pigment& pigment) {
+    return std::get<ColourMap>(pigment.pattern->map);
 }
 
 std::string wrong(const std::string& text) {
@@ -36,20 +42,55 @@ TEST_CASE("a pigment is one colour", "[evaluate]") {
 
 TEST_CASE("a pigment is a pattern with its colours", "[evaluate]") {
     const Pigment checker = pigment_of("checker rgb 1, Red scale 2");
-    CHECK(std::holds_alternative<Checker>(*checker.pattern));
-    CHECK(checker.map == ColourMap{{0, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
+    CHECK(std::holds_alternative<Checker>(checker.pattern->use.pattern));
+    CHECK(colours_of(checker) == ColourMap{{0, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
     CHECK(checker.transform.point(Vec3(1)) == Vec3(2));
-    CHECK(pigment_of("checker").map == default_map(Checker{}));
+    CHECK(colours_of(pigment_of("checker")) == default_map(Checker{}));
+    CHECK(colours_of(pigment_of("checker Red"))[1] == default_map(Checker{})[1]);
+    CHECK(colours_of(pigment_of("hexagon Red Red Red")).size() == 3);
 
     const Pigment gradient = pigment_of("gradient y color_map { [0.25 rgb 1] [1, Red] }");
-    CHECK(std::get<Gradient>(*gradient.pattern).direction == Vec3(0, 1, 0));
-    CHECK(gradient.map == ColourMap{{0.25, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
-    CHECK(pigment_of("gradient y").map == default_map(Gradient{}));
-    CHECK(pigment_of("gradient y colour_map { M }").map ==
+    CHECK(std::get<Gradient>(gradient.pattern->use.pattern).direction == Vec3(0, 1, 0));
+    CHECK(colours_of(gradient) == ColourMap{{0.25, {Vec3(1)}}, {1, {Vec3(1, 0, 0)}}});
+    CHECK(colours_of(pigment_of("gradient y")) == default_map(Gradient{}));
+    CHECK(colours_of(pigment_of("gradient y colour_map { M }")) ==
           ColourMap{{0, {Vec3(0)}}, {1, {Vec3(1)}}});
-    CHECK(pigment_of("gradient y color_map { [0, 0.5 rgb 1 color Red] }").map ==
+    CHECK(colours_of(pigment_of("gradient y color_map { [0, 0.5 rgb 1 color Red] }")) ==
           ColourMap{{0, {Vec3(1)}}, {0.5, {Vec3(1, 0, 0)}}});
-    CHECK(pigment_of("P gradient y").map == ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(1)}}});
+    CHECK(colours_of(pigment_of("P gradient y")) ==
+          ColourMap{{0, {Vec3(1, 0, 0)}}, {1, {Vec3(1)}}});
+    CHECK(colours_of(pigment_of("P bozo")) == default_map(Bozo{}));
+}
+
+TEST_CASE("what is declared can be changed on", "[evaluate]") {
+    const Pigment changed = pigment_of("P frequency 3 warp { turbulence 1 } scale 2");
+    CHECK(changed.pattern->use.modifiers.frequency == 3);
+    CHECK(changed.pattern->use.steps.size() == 1);
+    CHECK(changed.transform.point(Vec3(1)) == Vec3(2));
+    CHECK(colours_of(changed).size() == 2);
+    const Pigment again = pigment_of("P translate x warp { turbulence 1 } scale 2");
+    CHECK(again.pattern->use.steps.size() == 2);
+}
+
+TEST_CASE("a pigment map holds pigments", "[evaluate]") {
+    const Pigment pigment =
+        pigment_of("wood pigment_map { [0.3 P scale 2] [0.5, checker Red Red] [1 rgb 0.5] }");
+    const auto& map = std::get<PigmentMap>(pigment.pattern->map);
+    REQUIRE(map.size() == 3);
+    CHECK(map[0].value == static_cast<double>(0.3f));
+    CHECK(map[0].pigment.transform.point(Vec3(1)) == Vec3(2));
+    CHECK(colours_of(map[1].pigment)[1].colour == Colour{Vec3(1, 0, 0)});
+    CHECK(map[2].pigment.colour == Colour{Vec3(0.5)});
+    CHECK(std::get<PigmentMap>(pigment_of("wood pigment_map { Q }").pattern->map).size() == 2);
+}
+
+TEST_CASE("a scene has a noise generator and a number of waves", "[evaluate]") {
+    CHECK(run("#version 3.7;").scene.settings.noise_generator == 2);
+    CHECK(run("#version 3.1;").scene.settings.noise_generator == 1);
+    const GlobalSettings settings =
+        run("#version 3.1; global_settings { noise_generator 3 number_of_waves 5 }").scene.settings;
+    CHECK(settings.noise_generator == 3);
+    CHECK(settings.number_of_waves == 5);
 }
 
 TEST_CASE("wrong pigments are told of once", "[evaluate]") {
@@ -68,6 +109,18 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
           "error misplaced: `checker` takes two colours, not a `color_map`");
     CHECK(wrong("checker rgb 1, rgb 0, rgb 1") ==
           "error wrong-count: `checker` takes 2 colours, but here is one more");
+    CHECK(wrong("checker rgb 1 pigment { rgb 1 }") ==
+          "error misplaced: the entries of a list are all colours or all pigments");
+    CHECK(wrong("average color_map { [0 rgb 1] }") ==
+          "error misplaced: `average` takes a `pigment_map`, not a `color_map`");
+    CHECK(wrong("average") == "error missing: `average` needs a `pigment_map`");
+    CHECK(wrong("average pigment_map { [0 rgb 1] }") ==
+          "error out-of-range: the weights of `average` must be at least 0, and not all be 0");
+    CHECK(wrong("pigment_map { [0 rgb 1] }") ==
+          "error misplaced: `pigment_map` needs a pattern before it");
+    CHECK(wrong("bozo pigment_map { [rgb 1] }") ==
+          "error missing: an entry of `pigment_map` begins with a number");
+    CHECK(wrong("bozo pigment_map { }") == "error missing: `pigment_map` has no entries");
     CHECK(wrong("gradient") == "error missing: `pigment` needs `direction`");
     CHECK(wrong("gradient x color_map { }") == "error missing: `color_map` has no entries");
     CHECK(wrong("gradient x color_map { [rgb 1] }") ==
@@ -80,4 +133,13 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
     CHECK(wrong("quick_color rgb 1") ==
           "warning no-effect: `quick_color` has no effect in this version");
+}
+
+TEST_CASE("pigments within pigments without end are refused", "[evaluate]") {
+    CHECK(complaint("#declare P = pigment { rgb 1 } #for (I, 1, 16) #declare P = pigment { bozo "
+                    "pigment_map { [0 P] [1 P] } } #end") == "nothing");
+    CHECK(complaint("#declare P = pigment { rgb 1 } #for (I, 1, 17) #declare P = pigment { bozo "
+                    "pigment_map { [0 P] [1 P] } } #end") ==
+          "error recursion-limit: too many pigments are nested here: each level can double the "
+          "work");
 }

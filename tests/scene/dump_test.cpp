@@ -72,27 +72,6 @@ TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
           "finish { ambient rgb 0 reflection { rgb 0.25, rgb 0.5 fresnel } } } }\n");
 }
 
-TEST_CASE("patterns are written with their colours") {
-    Object floor;
-    floor.form = Plane();
-    Texture texture;
-    texture.pigment.pattern = Checker();
-    texture.pigment.map = {{0, {Vec3(0)}}, {1, {Vec3(1, 0, 0)}}};
-    texture.pigment.transform = Transform::scaling(Vec3(2));
-    floor.texture = make_handle<Texture>(texture);
-    const std::string checkered = body({make_handle<Object>(floor)});
-    CHECK(checkered.find("texture { pigment { checker rgb 0, rgb <1, 0, 0> matrix <2, 0, 0, 0, 2, "
-                         "0, 0, 0, 2, 0, 0, 0> } }") != std::string::npos);
-
-    texture.pigment = {};
-    texture.pigment.pattern = Gradient{Vec3(1, 0, 0)};
-    texture.pigment.map = {{0, {Vec3(0)}}, {0.5, {Vec3(1), 0, 1}}};
-    floor.texture = make_handle<Texture>(texture);
-    const std::string graded = body({make_handle<Object>(floor)});
-    CHECK(graded.find("texture { pigment { gradient <1, 0, 0> color_map { [0 rgb 0] [0.5 rgbft <1, "
-                      "1, 1, 0, 1>] } } }") != std::string::npos);
-}
-
 TEST_CASE("settings, background, camera and lights stand before the objects") {
     Scene scene;
     scene.language_version = 3.6;

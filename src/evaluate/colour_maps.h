@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// color_map { [0 rgb ...] [1 rgb ...] }, and what the entries of all maps have in common. Called by
+// the readers of pigments and of #declare.
+#pragma once
+
+#include "evaluate/binder.h"
+#include "evaluate/block.h"
+
+/// The blocks change the last argument. False: the block was wrong, and has been reported.
+bool read_colour_map(Binder&, const Element& block, ColourMap&);
+
+/// The number that an entry of a map begins with; what follows is for other readers.
+class EntryNumber : public SimpleReader {
+public:
+    explicit EntryNumber(OpenBlock& block) : block_(block) {}
+
+    bool wants() const { return !value; }
+    bool take(const Element&);
+    void finish();
+
+    std::optional<double> value;  ///< in single precision, as POV-Ray keeps it
+
+private:
+    OpenBlock& block_;
+};
+
+/// The entries of a map in brackets, each read by a function that is given a block of its own.
+class MapEntries : public SimpleReader {
+public:
+    using Read = FunctionRef<void(OpenBlock& entry, Body)>;
+
+    MapEntries(OpenBlock& block, Read read) : block_(block), read_(read) {}
+
+    bool take(const Element&);
+
+private:
+    OpenBlock& block_;
+    Read read_;
+};
+
+/// After the last entry of a map.
+void report_empty(OpenBlock&, std::size_t entries);
+
+/// Reports values that are no weights for `average`.
+template <class Entry>
+void check_weights(OpenBlock& block, Span span, const std::vector<Entry>& map) {
+    double total = 0, least = 0;
+    for (const Entry& entry : map) {
+        total += entry.value;
+        least = std::fmin(least, entry.value);
+    }
+    if (least < 0 || !(total > 0))
+        block.report(error(Fault::out_of_range, span,
+                           "the weights of `average` must be at least 0, and not all be 0"));
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/normals.h"
+
+#include "evaluate/colour_maps.h"
+#include "evaluate/patterns.h"
+#include "evaluate/transforms.h"
+#include "surface/normal_map.h"
+#include "text/message.h"
+
+namespace {
+
+/// A normal while it is read.
+struct BumpDraft {
+    explicit BumpDraft(const Bump& bump) {
+        if (!bump.pattern) return;
+        pattern = PatternDraft(bump.pattern->use, bump.transform);
+        settings = bump.pattern->settings;
+        map = bump.pattern->map;
+    }
+    Bump made() const {
+        if (!pattern.pattern) return {};
+        return {make_handle<PatternedBump>(pattern.use(), settings, map), pattern.transform};
+    }
+
+    PatternDraft pattern;
+    BumpSettings settings;
+    PatternedBump::Map map;
+};
+
+/// A pattern, how strong it is, and a map.
+class BumpReader {
+public:
+    BumpReader(OpenBlock& block, BumpDraft& draft)
+        : block_(block),
+          draft_(draft),
+          pattern_(block, draft.pattern),
+          settings_(block, BumpSettings::vocabulary, &draft.settings) {}
+
+    bool waiting() const { return pattern_.waiting() || settings_.waiting(); }
+    bool wants() const { return block_.taken == 0 || pattern_.wants() || settings_.wants(); }
+
+    bool take(const Element& element) {
+        if (settings_.waiting() && settings_.take(element)) return true;
+        if (pattern_.names_pattern(element)) {
+            if (pattern_.named())
+                refuse(element, "a normal has one pattern, and this is a second");
+            else
+                draft_.map = {};
+        }
+        if (pattern_.take(element) || settings_.take(element)) return true;
+        return element.kind == Element::Kind::block && take_block(element);
+    }
+
+    void finish() {
+        pattern_.finish();
+        settings_.finish();
+        const bool average =
+            draft_.pattern.pattern && std::holds_alternative<Average>(*draft_.pattern.pattern);
+        if (average && !block_.broken && !std::holds_alternative<NormalMap>(draft_.map))
+            block_.report(error(Fault::missing, block_.span, "`average` needs a `normal_map`")
+                              .with_help("normal { average normal_map { [1 ...] [2 ...] } }"));
+    }
+
+    void add_words(WordList& words) const {
+        pattern_.add_words(words);
+        settings_.add_words(words);
+        words.insert(words.end(), {"slope_map", "normal_map"});
+    }
+
+private:
+    bool take_block(const Element& element) {
+        if (element.word == "slope_map"_word)
+            take_map<SlopeMap>(element, read_slope_map);
+        else if (element.word == "normal_map"_word)
+            take_map<NormalMap>(element, read_normal_map);
+        else if (element.word == "normal"_word && pattern_.named() &&
+                 choices(*draft_.pattern.pattern) > 0)
+            take_list_entry(element);
+        else
+            return false;
+        return true;
+    }
+
+    template <class Map>
+    void take_map(const Element& element, bool (*read)(Binder&, const Element&, Map&)) {
+        Map map;
+        if (!read(block_.binder, element, map)) block_.broken = true;
+        if (block_.broken) return;
+        if (!draft_.pattern.pattern)
+            return refuse(element, message('`', block_.spelling(element.word),
+                                           "` needs a pattern before it"));
+        if constexpr (std::is_same_v<Map, NormalMap>)
+            if (std::holds_alternative<Average>(*draft_.pattern.pattern))
+                check_weights(block_, element.word_span, map);
+        draft_.map = std::move(map);
+    }
+
+    /// The next normal behind checker and its kin; those that are missing are the default
+    /// texture's.
+    void take_list_entry(const Element& element) {
+        const auto count = static_cast<std::size_t>(choices(*draft_.pattern.pattern));
+        if (listed_ == count)
+            return refuse(element,
+                          message("this pattern takes ", count, " normals, but here is one more"));
+        if (listed_ == 0) {
+            NormalMap map;
+            for (std::size_t i = 0; i < count; ++i)
+                map.push_back({static_cast<double>(i), block_.binder.default_texture->normal});
+            draft_.map = std::move(map);
+        }
+        auto& map = std::get<NormalMap>(draft_.map);
+        block_.broken |= !read_normal(block_.binder, element, map[listed_++].bump);
+    }
+
+    void refuse(const Element& element, std::string why) {
+        if (!block_.broken)
+            block_.report(error(Fault::misplaced, element.word_span, std::move(why))
+                              .with_help(block_.help()));
+    }
+
+    OpenBlock& block_;
+    BumpDraft& draft_;
+    PatternReader pattern_;
+    ItemReader settings_;
+    std::size_t listed_ = 0;
+};
+
+/// What stands in the braces of a normal, or behind the number of an entry.
+template <class... First>
+void read_content(OpenBlock& block, Body body, Bump& bump, First&... first) {
+    BumpDraft draft(bump);
+    auto declared = named<Bump>(block, [&](const Handle<Bump>& other) {
+        if (!block.broken) draft = BumpDraft(*other);
+    });
+    BumpReader reader(block, draft);
+    const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
+    TransformReader moves(block, apply);
+    block.read(body, first..., declared, reader, moves);
+    if (block.broken) return;
+    bump = draft.made();
+    if (nesting(bump).too_deep())
+        block.report(error(Fault::recursion_limit, block.span,
+                           "too many normals are nested here: each level can double the work"));
+}
+
+/// [value <height, slope>]
+void read_slope_entry(OpenBlock& entry, Body body, SlopeMap& map) {
+    struct Point : SimpleReader {
+        explicit Point(OpenBlock& block) : block(block) {}
+        bool wants() const { return !pair; }
+        bool take(const Element& element) {
+            if (pair || element.kind != Element::Kind::value) return false;
+            pair = Vec2(0);
+            const auto value = converted(block, element, FieldType::vector2,
+                                         {[] { return std::string("an entry of `slope_map`"); },
+                                          [&] { return block.help(); }});
+            if (value) pair = std::get<Vec2>(*value);
+            return true;
+        }
+        void finish() {
+            if (!pair && !block.broken)
+                block.report(error(Fault::missing, block.span,
+                                   "an entry of `slope_map` needs a height and a slope")
+                                 .with_help(block.help()));
+        }
+        OpenBlock& block;
+        std::optional<Vec2> pair;
+    };
+    EntryNumber number(entry);
+    Point point(entry);
+    entry.read(body, number, point);
+    if (!entry.broken) map.push_back({*number.value, point.pair->x, point.pair->y});
+}
+
+}  // namespace
+
+bool read_normal(Binder& binder, const Element& element, Bump& bump) {
+    OpenBlock block(binder, "normal", element.word_span);
+    block.item = &BumpSettings::vocabulary;
+    block.form = "{ pattern [amount] [slope_map { ... }] }";
+    read_content(block, element.body, bump);
+    return !block.broken;
+}
+
+bool read_normal_map(Binder& binder, const Element& element, NormalMap& map) {
+    OpenBlock block(binder, "normal_map", element.word_span);
+    block.form = "{ [0 pattern amount ...] [1 pattern amount ...] }";
+    auto declared = named<NormalMap>(block, [&](const Handle<NormalMap>& other) { map = *other; });
+    const auto read_entry = [&](OpenBlock& entry, Body body) {
+        EntryNumber number(entry);
+        Bump bump = binder.default_texture->normal;
+        read_content(entry, body, bump, number);
+        if (!entry.broken) map.push_back({*number.value, std::move(bump)});
+    };
+    MapEntries entries(block, read_entry);
+    block.read(element.body, declared, entries);
+    report_empty(block, map.size());
+    return !block.broken;
+}
+
+bool read_slope_map(Binder& binder, const Element& element, SlopeMap& map) {
+    OpenBlock block(binder, "slope_map", element.word_span);
+    block.form = "{ [0 <height, slope>] [1 <height, slope>] }";
+    auto declared = named<SlopeMap>(block, [&](const Handle<SlopeMap>& other) { map = *other; });
+    const auto read_entry = [&](OpenBlock& entry, Body body) {
+        read_slope_entry(entry, body, map);
+    };
+    MapEntries entries(block, read_entry);
+    block.read(element.body, declared, entries);
+    report_empty(block, map.size());
+    return !block.broken;
+}

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// normal, normal_map and slope_map blocks. Called by the readers of textures and of #declare.
+#pragma once
+
+#include "evaluate/binder.h"
+
+/// All change the last argument to what the block makes of it. False: the block was wrong, and has
+/// been reported.
+bool read_normal(Binder&, const Element& block, Bump&);
+bool read_normal_map(Binder&, const Element& block, NormalMap&);
+bool read_slope_map(Binder&, const Element& block, SlopeMap&);

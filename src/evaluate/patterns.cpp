@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/patterns.h"
+
+#include "evaluate/textures.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
+#include "text/message.h"
+#include "vocabulary/manual.h"
+
+namespace {
+
+using Patterns = Kinds<Pattern>;
+using Waveforms = Kinds<Waveform>;
+using Warps = Kinds<Warp>;
+
+constexpr std::string_view warp_form =
+    "{ turbulence v }, or one of: repeat, black_hole, cylindrical, spherical, toroidal, planar, "
+    "cubic";
+
+/// The kind of a warp as the first word, then its values.
+class WarpReader {
+public:
+    WarpReader(OpenBlock& block, Warp& warp)
+        : block_(block), warp_(warp), fields_(block, TurbulenceWarp::vocabulary, nullptr) {}
+
+    bool waiting() const { return named_ && fields_.waiting(); }
+    bool wants() const { return !named_ || fields_.wants(); }
+
+    bool take(const Element& element) {
+        if (named_) return fields_.take(element);
+        if (element.kind != Element::Kind::word) return false;
+        const std::size_t kind = Warps::find(element.word);
+        if (kind == Warps::count) return false;
+        warp_ = Warps::make(kind);
+        fields_.rebind(*Warps::infos[kind], Warps::address(warp_));
+        block_.form = {};
+        block_.item = Warps::infos[kind];
+        named_ = true;
+        return true;
+    }
+
+    void finish() {
+        if (named_) fields_.finish();
+        if (block_.broken) return;
+        const auto* repeat = std::get_if<RepeatWarp>(&warp_);
+        const auto axes =
+            repeat ? (repeat->width.x != 0) + (repeat->width.y != 0) + (repeat->width.z != 0) : 1;
+        if (!named_)
+            block_.report(error(Fault::missing, block_.span, "`warp` needs the name of a kind")
+                              .with_help(block_.help()));
+        else if (axes != 1)
+            block_.report(error(Fault::out_of_range, block_.span,
+                                "`width` of `repeat` must lie along one axis, and not be 0")
+                              .with_help("warp { repeat 2*x }"));
+    }
+
+    void add_words(WordList& words) const {
+        if (named_) return fields_.add_words(words);
+        for (const ItemInfo* info : Warps::infos) words.push_back(info->name);
+    }
+
+private:
+    OpenBlock& block_;
+    Warp& warp_;
+    ItemReader fields_;
+    bool named_ = false;
+};
+
+void load_density(OpenBlock& block, Span span, DensityFile& file) {
+    if (file.df3.empty()) {
+        block.report(error(Fault::missing, span, "`density_file` needs the name of a file")
+                         .with_help("density_file df3 \"cloud.df3\""));
+        return;
+    }
+    const std::optional<std::string> content = block.binder.evaluator.load_data(file.df3, span);
+    std::optional<DensityGrid> grid =
+        content ? read_density_grid(*content) : std::optional<DensityGrid>();
+    if (content && !grid)
+        block.report(
+            error(Fault::file_access, span, message("`", file.df3, "` is no file of format df3"))
+                .with_help("it has three sizes of two bytes, then all values of 1, 2 or 4 bytes "
+                           "each, high byte first"));
+    block.broken |= !grid;
+    if (grid) file.grid = make_handle<DensityGrid>(std::move(*grid));
+}
+
+}  // namespace
+
+PatternDraft::PatternDraft(const PatternUse& use, const Transform& outside)
+    : pattern(use.pattern),
+      modifiers(use.modifiers),
+      wave(use.wave),
+      steps(use.steps),
+      transform(outside) {}
+
+void PatternDraft::add(Warp warp) {
+    if (!(transform == Transform())) steps.emplace_back(std::exchange(transform, {}));
+    if (auto* hole = std::get_if<BlackHole>(&warp)) fit_blocks(*hole);
+    steps.emplace_back(std::move(warp));
+}
+
+PatternReader::PatternReader(OpenBlock& block, PatternDraft& draft)
+    : block_(block),
+      draft_(draft),
+      fields_(block, Bozo::vocabulary, nullptr),
+      modifiers_(block, PatternModifiers::vocabulary, &draft.modifiers),
+      wave_(block, RampWave::vocabulary, nullptr) {}
+
+bool PatternReader::waiting() const {
+    return fields_.waiting() || modifiers_.waiting() || wave_.waiting();
+}
+
+void PatternReader::add_words(WordList& words) const {
+    for (const ItemInfo* info : Patterns::infos) words.push_back(info->name);
+    for (const ItemInfo* info : Waveforms::infos) words.push_back(info->name);
+    fields_.add_words(words);
+    modifiers_.add_words(words);
+    words.push_back("warp");
+}
+
+bool PatternReader::names_pattern(const Element& element) const {
+    const bool named = element.kind == Element::Kind::word || element.kind == Element::Kind::block;
+    if (!named || fields_.knows(element.word)) return false;
+    return Patterns::find(element.word) != Patterns::count;
+}
+
+bool PatternReader::take(const Element& element) {
+    switch (element.kind) {
+        case Element::Kind::value:
+            return take_value(element);
+        case Element::Kind::word:
+            return take_word(element);
+        case Element::Kind::block:
+            return take_block(element);
+        case Element::Kind::list:
+            return last_ && last_->take(element);
+        case Element::Kind::entry:
+        case Element::Kind::braces:
+            break;
+    }
+    return false;
+}
+
+bool PatternReader::take_value(const Element& element) {
+    // A declared name may be a word of the pattern as well.
+    if (!(last_ && last_->take(element)) && !(last_ != &fields_ && fields_.take(element)))
+        return false;
+    // The range of a slope stands in braces only: here a number is something else.
+    if (last_ == &fields_ && std::holds_alternative<Slope>(*draft_.pattern)) fields_.complete();
+    return true;
+}
+
+bool PatternReader::take_word(const Element& element) {
+    // Each is told, so that one which waits for a value can say that there is none.
+    for (ItemReader* reader : {&fields_, &modifiers_, &wave_})
+        if (reader->take(element)) {
+            last_ = reader;
+            return true;
+        }
+    if (const std::size_t kind = Waveforms::find(element.word); kind != Waveforms::count) {
+        wave_.finish();
+        draft_.wave = Waveforms::make(kind);
+        wave_.rebind(*Waveforms::infos[kind], Waveforms::address(draft_.wave));
+        last_ = &wave_;
+        return true;
+    }
+    const std::size_t kind = Patterns::find(element.word);
+    if (kind == Patterns::count) return false;
+    name(kind);
+    name_span_ = element.span;
+    return true;
+}
+
+void PatternReader::name(std::size_t kind) {
+    draft_.pattern = Patterns::make(kind);
+    fields_.rebind(*Patterns::infos[kind], Patterns::address(*draft_.pattern));
+    name_pattern(*draft_.pattern, draft_.modifiers, draft_.wave);
+    last_ = &fields_;
+    named_ = true;
+}
+
+bool PatternReader::take_block(const Element& element) {
+    for (ItemReader* reader : {&fields_, &modifiers_, &wave_})
+        if (reader->take(element)) return true;
+    if (element.word == "warp"_word) {
+        read_warp(element);
+        return true;
+    }
+    return read_in_braces(element);
+}
+
+/// Patterns whose values stand in braces.
+bool PatternReader::read_in_braces(const Element& element) {
+    const std::size_t kind = Patterns::find(element.word);
+    if (kind == Patterns::count) return false;
+    Pattern made = Patterns::make(kind);
+    OpenBlock inner(block_.binder, Patterns::infos[kind]->name, element.word_span);
+    if (auto* slope = std::get_if<Slope>(&made)) {
+        inner.item = Patterns::infos[kind];
+        ItemReader fields(inner, *inner.item, slope);
+        inner.read(element.body, fields);
+    } else if (std::holds_alternative<PigmentGrey>(made)) {
+        Pigment pigment = block_.binder.default_texture->pigment;
+        inner.broken = !read_pigment(block_.binder, element, pigment);
+        made = grey_of(std::move(pigment));
+    } else {
+        return false;
+    }
+    block_.broken |= inner.broken;
+    name(kind);
+    draft_.pattern = std::move(made);
+    fields_.rebind(*Patterns::infos[kind], Patterns::address(*draft_.pattern));
+    fields_.complete();
+    name_span_ = element.word_span;
+    return true;
+}
+
+void PatternReader::read_warp(const Element& element) {
+    OpenBlock inner(block_.binder, "warp", element.word_span);
+    inner.form = warp_form;
+    Warp warp;
+    WarpReader reader(inner, warp);
+    inner.read(element.body, reader);
+    block_.broken |= inner.broken;
+    if (!inner.broken) draft_.add(std::move(warp));
+}
+
+void PatternReader::finish() {
+    fields_.finish();
+    modifiers_.finish();
+    wave_.finish();
+    if (!named_ || block_.broken) return;
+    if (auto* file = std::get_if<DensityFile>(&*draft_.pattern))
+        load_density(block_, name_span_, *file);
+    const auto* slope = std::get_if<Slope>(&*draft_.pattern);
+    const bool empty_slope = slope && !slope->direction && !slope->point_at;
+    const auto* grey = std::get_if<PigmentGrey>(&*draft_.pattern);
+    if (empty_slope || (grey && !grey->grey.code))
+        block_.report(error(Fault::missing, name_span_,
+                            empty_slope ? "`slope` needs a direction, or `point_at`"
+                                        : "`pigment_pattern` needs a pigment in braces")
+                          .with_help(empty_slope ? "slope { y }"
+                                                 : "pigment_pattern { bozo color_map { ... } }"));
+}

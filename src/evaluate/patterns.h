@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pattern and what may follow it, in whatever block it stands: its values, modifiers, wave, and
+// warps. Called by the readers of pigments and of whatever else is patterned.
+#pragma once
+
+#include "evaluate/bind.h"
+#include "pattern/use.h"
+
+/// A pattern while it is read; PatternUse when it is done.
+struct PatternDraft {
+    std::optional<Pattern> pattern;
+    PatternModifiers modifiers;
+    Waveform wave;
+    std::vector<WarpStep> steps;
+    Transform transform;  ///< after all steps
+
+    PatternDraft() = default;
+    PatternDraft(const PatternUse&, const Transform&);
+    void move(const Transform& next) { transform = transform.then(next); }
+    void add(Warp);
+    /// Precondition: it has a pattern.
+    PatternUse use() const { return {*pattern, modifiers, wave, steps}; }
+};
+
+class PatternReader {
+public:
+    /// Both outlive the reader.
+    PatternReader(OpenBlock&, PatternDraft&);
+
+    bool waiting() const;
+    bool wants() const { return fields_.wants() || modifiers_.wants() || wave_.wants(); }
+    bool take(const Element&);
+    void finish();
+    void add_words(WordList&) const;
+
+    /// Whether the element is the name of a pattern, and nothing that the reader waits for.
+    bool names_pattern(const Element&) const;
+    /// Whether the block has named its pattern, and not only taken over a declared one.
+    bool named() const { return named_; }
+
+private:
+    bool take_value(const Element&);
+    bool take_word(const Element&);
+    bool take_block(const Element&);
+    bool read_in_braces(const Element&);
+    void name(std::size_t kind);
+    void read_warp(const Element&);
+
+    OpenBlock& block_;
+    PatternDraft& draft_;
+    ItemReader fields_;  ///< of the pattern; of no use before it is named
+    ItemReader modifiers_;
+    ItemReader wave_;             ///< of no use before a wave is named
+    ItemReader* last_ = nullptr;  ///< took the last word: values are for it
+    Span name_span_;
+    bool named_ = false;
+};

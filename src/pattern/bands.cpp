@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/bands.h"
+
+#include "vocabulary/schema.h"
+
+#include <numbers>
+
+const ItemInfo Gradient::vocabulary = described<Gradient>([] {
+    using F = Field<Gradient>;
+    return schema<Gradient>(
+        "gradient", "A value that grows along a direction and starts again at each whole step.",
+        F{"direction", &Gradient::direction, positional,
+          "direction of growth; only its direction counts"});
+});
+
+const ItemInfo Marble::vocabulary = described<Marble>(
+    [] { return schema<Marble>("marble", "Layers across the x axis, disturbed by turbulence."); });
+
+const ItemInfo Wood::vocabulary = described<Wood>(
+    [] { return schema<Wood>("wood", "Rings around the z axis, disturbed by turbulence."); });
+
+const ItemInfo Onion::vocabulary = described<Onion>(
+    [] { return schema<Onion>("onion", "Spheres within spheres, each of thickness 1."); });
+
+const ItemInfo Leopard::vocabulary =
+    described<Leopard>([] { return schema<Leopard>("leopard", "Regular round spots."); });
+
+const ItemInfo Radial::vocabulary = described<Radial>(
+    [] { return schema<Radial>("radial", "A value that grows once around the y axis."); });
+
+const ItemInfo Spiral1::vocabulary = described<Spiral1>([] {
+    using F = Field<Spiral1>;
+    return schema<Spiral1>(
+        "spiral1", "A spiral around the z axis.",
+        F{"arms", &Spiral1::arms, positional, "number of arms", between(-32768, 32767)});
+});
+
+const ItemInfo Spiral2::vocabulary = described<Spiral2>([] {
+    using F = Field<Spiral2>;
+    return schema<Spiral2>(
+        "spiral2", "A spiral around the z axis, laid over rings.",
+        F{"arms", &Spiral2::arms, positional, "number of arms", between(-32768, 32767)});
+});
+
+namespace {
+
+using std::numbers::pi;
+
+/// What a statement's turbulence adds to a value; its x component is how much.
+double added_turbulence(const PatternPoint& at) {
+    const double amount = at.modifiers.turbulence.x;
+    if (amount == 0) return 0;
+    return amount *
+           scalar_turbulence(at.position, at.modifiers.noise_octaves(), at.noise_generator());
+}
+
+/// Along z, outwards, and around the z axis once for each arm.
+double spiral(int arms, const PatternPoint& at) {
+    const Vec3& p = at.position;
+    const double away = std::sqrt(p.x * p.x + p.y * p.y);
+    double angle = 0;
+    if (away != 0) {
+        const double rise = std::asin(p.y / away);
+        angle = p.x < 0 ? 1.5 * pi - rise : 0.5 * pi + rise;
+    }
+    return p.z + away + arms * angle / (2 * pi) + added_turbulence(at);
+}
+
+}  // namespace
+
+double evaluate(const Gradient& gradient, const Vec3& point) {
+    const double along = dot(point, unit(gradient.direction));
+    return along > 1 ? std::fmod(along, 1) : along;
+}
+
+double evaluate(const Marble&, const PatternPoint& at) {
+    return at.position.x + added_turbulence(at);
+}
+
+double evaluate(const Wood&, const PatternPoint& at) {
+    double x = at.position.x, y = at.position.y;
+    const Vec3& amount = at.modifiers.turbulence;
+    if (amount != Vec3(0)) {
+        const Vec3 moved = turbulence(at.position, at.modifiers.noise_octaves());
+        x += cycle((x + moved.x) * amount.x);
+        y += cycle((y + moved.y) * amount.y);
+    }
+    return std::sqrt(x * x + y * y);
+}
+
+double evaluate(const Onion&, const Vec3& point) { return std::fmod(length(point), 1); }
+
+double evaluate(const Leopard&, const Vec3& point) {
+    const double mean = (std::sin(point.x) + std::sin(point.y) + std::sin(point.z)) / 3;
+    return mean * mean;
+}
+
+double evaluate(const Radial&, const Vec3& point) {
+    constexpr double axis = 0.001;  // half the width of the square around the axis
+    if (std::abs(point.x) < axis && std::abs(point.z) < axis) return 0.25;
+    return 0.25 + (std::atan2(point.x, point.z) + pi) / (2 * pi);
+}
+
+double evaluate(const Spiral1& kind, const PatternPoint& at) { return spiral(kind.arms, at); }
+
+double evaluate(const Spiral2& kind, const PatternPoint& at) {
+    const Vec3& p = at.position;
+    return triangle(std::sqrt(p.x * p.x + p.y * p.y)) + triangle(spiral(kind.arms, at));
+}

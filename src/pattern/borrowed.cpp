@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/borrowed.h"
+
+#include "vocabulary/schema.h"
+
+const ItemInfo PigmentGrey::vocabulary = described<PigmentGrey>([] {
+    return schema<PigmentGrey>("pigment_pattern", "The brightness of a pigment, in braces.");
+});
+
+const ItemInfo Average::vocabulary = described<Average>([] {
+    return schema<Average>("average", "All entries of a map at once, mixed by their numbers.");
+});

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patterns whose values come from parts of a scene that are defined after the patterns: the grey of
+// a pigment. The evaluator ties the two together.
+#pragma once
+
+#include "pattern/modifiers.h"
+
+#include <memory>
+
+/// A number for each point, by code that knows what the data is.
+struct PointFunction {
+    std::shared_ptr<const void> data;
+    double (*code)(const void* data, const Vec3& point, const PatternScene&) = nullptr;
+
+    double operator()(const Vec3& point, const PatternScene& scene) const {
+        return code ? code(data.get(), point, scene) : 0;
+    }
+};
+
+struct PigmentGrey {
+    PointFunction grey;
+    int depth = 0;       ///< of maps and pigment patterns in the pigment
+    double entries = 0;  ///< of all maps in it
+
+    static const ItemInfo vocabulary;
+};
+
+inline double evaluate(const PigmentGrey& kind, const PatternPoint& at) {
+    return kind.grey(at.position, at.scene);
+}
+
+/// Has no value: the entries of its map are all mixed by their weights.
+struct Average {
+    static const ItemInfo vocabulary;
+};
+
+inline double evaluate(const Average&, const Vec3&) { return 0; }

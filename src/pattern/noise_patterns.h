@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Patterns that are noise, or sums of it: bozo and its kin, granite, wrinkles, agate.
+#pragma once
+
+#include "pattern/modifiers.h"
+
+struct Bozo {
+    static const ItemInfo vocabulary;
+};
+
+struct Spotted {
+    static const ItemInfo vocabulary;
+};
+
+struct Bumps {
+    static const ItemInfo vocabulary;
+};
+
+struct Dents {
+    static const ItemInfo vocabulary;
+};
+
+struct Wrinkles {
+    static const ItemInfo vocabulary;
+};
+
+struct Granite {
+    static const ItemInfo vocabulary;
+};
+
+struct Agate {
+    double agate_turb = 1;
+
+    static const ItemInfo vocabulary;
+};
+
+double evaluate(const Bozo&, const PatternPoint&);
+double evaluate(const Spotted&, const PatternPoint&);
+double evaluate(const Bumps&, const PatternPoint&);
+double evaluate(const Dents&, const PatternPoint&);
+double evaluate(const Wrinkles&, const PatternPoint&);
+/// May exceed 1.
+double evaluate(const Granite&, const PatternPoint&);
+double evaluate(const Agate&, const PatternPoint&);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/pattern.h"
+
+#include <concepts>
+
+namespace {
+
+/// Depends on the point alone.
+template <class T>
+concept PlainPattern = requires(const T& pattern, const Vec3& point) {
+    { evaluate(pattern, point) } -> std::same_as<double>;
+};
+
+/// Depends on what surrounds the point as well.
+template <class T>
+concept PatternKind = PlainPattern<T> || requires(const T& pattern, const PatternPoint& point) {
+    { evaluate(pattern, point) } -> std::same_as<double>;
+};
+
+}  // namespace
+
+double evaluate(const Pattern& pattern, const PatternPoint& at) {
+    return std::visit(
+        [&]<PatternKind T>(const T& kind) {
+            if constexpr (PlainPattern<T>)
+                return evaluate(kind, at.position);
+            else
+                return evaluate(kind, at);
+        },
+        pattern);
+}
+
+int choices(const Pattern& pattern) {
+    return std::visit(
+        []<class T>(const T&) {
+            if constexpr (requires { T::choices; })
+                return T::choices;
+            else
+                return 0;
+        },
+        pattern);
+}
+
+bool displaced(const Pattern& pattern) {
+    return std::visit(
+        []<class T>(const T&) {
+            return !requires { T::displaced; };
+        },
+        pattern);
+}
+
+void name_pattern(const Pattern& pattern, PatternModifiers& modifiers, Waveform& wave) {
+    std::visit(
+        [&]<class T>(const T&) {
+            if constexpr (requires { typename T::Wave; }) wave = typename T::Wave{};
+            if constexpr (
+                requires { T::choices; } || requires { T::frequency; })
+                modifiers.frequency = 0;
+        },
+        pattern);
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A quilt: a cushion in each unit cube.
+#pragma once
+
+#include "pattern/modifiers.h"
+
+struct Quilted {
+    static constexpr double frequency = 0;
+    double control0 = 1;
+    double control1 = 1;
+
+    static const ItemInfo vocabulary;
+};
+
+double evaluate(const Quilted&, const Vec3& point);
+
+/// The offset from the middle of the point's cube, times the height of the cushion there: how a
+/// normal is tilted.
+Vec3 quilted_tilt(const Quilted&, const Vec3& point);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tilings of the plane y = 0 by polygons: the value tells kinds of tiles apart and falls towards
+// their borders.
+#pragma once
+
+#include "vocabulary/item_info.h"
+
+struct Tiling {
+    int type = 1;
+
+    static const ItemInfo vocabulary;
+};
+
+double evaluate(const Tiling&, const Vec3& point);

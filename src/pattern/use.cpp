@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/use.h"
+
+Vec3 PatternUse::place(const Vec3& point) const {
+    const Vec3 p = warped(steps, point);
+    if (modifiers.turbulence == Vec3(0) || !displaced(pattern)) return p;
+    return within_reach(p + modifiers.turbulence * turbulence(p, modifiers.noise_octaves()));
+}
+
+double PatternUse::value(const Vec3& place, const PatternScene& scene) const {
+    return waved(wave, modifiers, evaluate(pattern, {place, modifiers, scene}));
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A pattern as a statement has it: with its modifiers, its wave, and the warps and transformations
+// in the order of the text. What pigments, normals and functions are made of.
+#pragma once
+
+#include "pattern/pattern.h"
+#include "pattern/warp.h"
+
+struct PatternUse {
+    Pattern pattern;
+    PatternModifiers modifiers;
+    Waveform wave;
+    std::vector<WarpStep> steps;  ///< from the pattern's space outwards
+
+    /// The point in the pattern's space: back through the steps, then displaced by the turbulence.
+    Vec3 place(const Vec3& point) const;
+    /// The value at such a place.
+    double value(const Vec3& place, const PatternScene&) const;
+};

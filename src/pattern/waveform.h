@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a pattern's value runs through a map: once upwards, up and down, along a sine ... Used by
+// PatternUse as the last step.
+#pragma once
+
+#include "pattern/modifiers.h"
+#include "vocabulary/kinds.h"
+
+struct RampWave {
+    static const ItemInfo vocabulary;
+};
+
+struct TriangleWave {
+    static const ItemInfo vocabulary;
+};
+
+struct SineWave {
+    static const ItemInfo vocabulary;
+};
+
+struct ScallopWave {
+    static const ItemInfo vocabulary;
+};
+
+struct CubicWave {
+    static const ItemInfo vocabulary;
+};
+
+struct PolyWave {
+    double exponent = 1;
+
+    static const ItemInfo vocabulary;
+};
+
+using Waveform = std::variant<RampWave, TriangleWave, SineWave, ScallopWave, CubicWave, PolyWave>;
+
+/// The value after frequency, phase and wave. Values outside 0 to 1 are wrapped.
+double waved(const Waveform&, const PatternModifiers&, double value);
+
+/// Up from 0 to 1 and down again in each unit.
+double triangle(double value);
+/// sin(2 pi value), exact for values that are far from 0.
+double cycle(double value);

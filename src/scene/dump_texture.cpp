@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/dump_texture.h"
+
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
+
+namespace {
+
+std::string pattern_text(const Pattern& pattern) {
+    const std::string text = item_text(pattern);
+    if (std::holds_alternative<Slope>(pattern))
+        return message("slope {", text.substr(std::string_view("slope").size()), " }");
+    if (const auto* grey = std::get_if<PigmentGrey>(&pattern)) {
+        // The only thing that a pigment_pattern borrows from is a pigment.
+        std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));
+        return message("pigment_pattern", inner.substr(std::string_view("pigment").size()));
+    }
+    return text;
+}
+
+std::string use_text(const PatternUse& use) {
+    std::string text = pattern_text(use.pattern);
+    // What naming the pattern sets by itself is not said again.
+    PatternModifiers modifiers;
+    Waveform wave;
+    name_pattern(use.pattern, modifiers, wave);
+    if (use.wave.index() != wave.index() || std::holds_alternative<PolyWave>(use.wave))
+        text += " " + item_text(use.wave);
+    const bool same_frequency = use.modifiers.frequency == modifiers.frequency;
+    modifiers = use.modifiers;
+    if (same_frequency) modifiers.frequency = PatternModifiers().frequency;
+    const std::string fields = written_fields(PatternModifiers::vocabulary, &modifiers);
+    text += message(fields.empty() ? "" : " ", fields);
+    if (!same_frequency && use.modifiers.frequency == PatternModifiers().frequency)
+        text += message(" frequency ", use.modifiers.frequency);
+    for (const WarpStep& step : use.steps)
+        if (const auto* transform = std::get_if<Transform>(&step))
+            text += matrix_text(*transform);
+        else
+            text += message(" warp { ", item_text(std::get<Warp>(step)), " }");
+    return text;
+}
+
+std::string map_text(const PatternUse& use, const ColourMap& map) {
+    std::string text;
+    if (choices(use.pattern) > 0) {
+        for (const ColourStop& stop : map)
+            text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
+        return text;
+    }
+    for (const ColourStop& stop : map)
+        text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
+    return message(" color_map { ", text, "}");
+}
+
+std::string map_text(const PatternUse&, const PigmentMap& map) {
+    std::string text;
+    for (const PigmentStop& stop : map) {
+        const std::string pigment = dump(stop.pigment);
+        constexpr std::string_view start = "pigment { ", end = "}";
+        text +=
+            message("[", stop.value, " ",
+                    pigment.substr(start.size(), pigment.size() - start.size() - end.size()), "] ");
+    }
+    return message(" pigment_map { ", text, "}");
+}
+
+std::string map_text(std::monostate) { return {}; }
+
+std::string map_text(const SlopeMap& map) {
+    std::string text;
+    for (const SlopeStop& stop : map)
+        text += message("[", stop.value, " <", stop.height, ", ", stop.slope, ">] ");
+    return message(" slope_map { ", text, "}");
+}
+
+std::string map_text(const NormalMap& map) {
+    std::string text;
+    for (const NormalStop& stop : map) {
+        const std::string normal = dump(stop.bump);
+        constexpr std::string_view start = " normal { ", end = "}";
+        text += message(
+            "[", stop.value, " ",
+            normal.empty() ? normal
+                           : normal.substr(start.size(), normal.size() - start.size() - end.size()),
+            "] ");
+    }
+    return message(" normal_map { ", text, "}");
+}
+
+}  // namespace
+
+std::string matrix_text(const Transform& transform) {
+    if (transform == Transform()) return {};
+    const Affine& map = transform.forward();
+    std::string text = " matrix <";
+    for (const Vec3& row : map.rows) text += message(row.x, ", ", row.y, ", ", row.z, ", ");
+    return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
+}
+
+std::string colour_text(const Colour& colour) { return written(colour, FieldType::colour); }
+
+std::string dump(const Pigment& pigment) {
+    if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
+    const PatternUse& use = pigment.pattern->use;
+    return message(
+        "pigment { ", use_text(use),
+        std::visit([&](const auto& map) { return map_text(use, map); }, pigment.pattern->map),
+        matrix_text(pigment.transform), " }");
+}
+
+std::string dump(const Bump& bump) {
+    if (!bump.pattern) return {};
+    const PatternedBump& normal = *bump.pattern;
+    // The amount stands behind the pattern's values, in front of all words.
+    BumpSettings words = normal.settings;
+    words.bump_size = BumpSettings().bump_size;
+    const std::string settings = written_fields(BumpSettings::vocabulary, &words);
+    const std::string amount = message("bump_size ", normal.settings.bump_size);
+    return message(" normal { ", use_text(normal.use), " ", amount,
+                   settings.substr(std::min(settings.size(), settings.find(' '))),
+                   std::visit([](const auto& map) { return map_text(map); }, normal.map),
+                   matrix_text(bump.transform), " }");
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pigments, normals and their patterns as text that reads back as the same, for dump(Scene).
+#pragma once
+
+#include "surface/texture.h"
+#include "text/message.h"
+#include "vocabulary/kinds.h"
+#include "vocabulary/written.h"
+
+#include <string>
+
+/// "pigment { ... }".
+std::string dump(const Pigment&);
+
+/// " normal { ... }"; nothing for a smooth one.
+std::string dump(const Bump&);
+
+/// The item in an alternative of a variant as "name fields".
+template <class Variant>
+std::string item_text(Variant alternative) {
+    const ItemInfo& info = *Kinds<Variant>::infos[alternative.index()];
+    const std::string fields = written_fields(info, Kinds<Variant>::address(alternative));
+    return message(info.name, fields.empty() ? "" : " ", fields);
+}
+
+/// " matrix <...>"; nothing for a transformation that changes nothing.
+std::string matrix_text(const Transform&);
+
+std::string colour_text(const Colour&);

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/bump.h"
+
+#include "surface/map_place.h"
+#include "surface/normal_map.h"
+#include "vocabulary/schema.h"
+
+#include <numbers>
+
+const ItemInfo BumpSettings::vocabulary = described<BumpSettings>([] {
+    using F = Field<BumpSettings>;
+    return schema<BumpSettings>(
+        "normal", "Bumps by a pattern: the name of a pattern, then these.",
+        maybe(F{"amount", &BumpSettings::bump_size, positional, "height of the bumps"}),
+        F{"bump_size", &BumpSettings::bump_size, item, "the same as amount"},
+        F{"accuracy", &BumpSettings::accuracy, item,
+          "distance over which the pattern's slope is measured", above(0)},
+        F{"no_bump_scale", &BumpSettings::no_bump_scale, flag,
+          "bumps get flatter when the pattern is scaled up"});
+});
+
+namespace {
+
+/// A place in the pattern's space with all that is known there.
+struct BumpPoint {
+    const PatternedBump& bump;
+    Vec3 normal;
+    Vec3 place;
+    const PatternScene& scene;
+    bool keep_length;  ///< normals are not made unit on the way
+
+    double amount() const { return single_precision(bump.settings.bump_size); }
+    const PatternModifiers& modifiers() const { return bump.use.modifiers; }
+};
+
+// One function for each kind of pattern that has a formula of its own for normals: the new normal.
+
+Vec3 tilted(const Bumps&, const BumpPoint& at) {
+    return at.normal + at.amount() * vector_noise(at.place);
+}
+
+Vec3 tilted(const Dents& dents, const BumpPoint& at) {
+    const double depth = evaluate(dents, PatternPoint{at.place, at.modifiers(), at.scene});
+    return at.normal + at.amount() * depth * vector_noise(at.place);
+}
+
+Vec3 tilted(const Wrinkles&, const BumpPoint& at) {
+    Vec3 sum(0);
+    double frequency = 1;
+    for (int i = 0; i < 10; ++i, frequency *= 2)
+        sum += glm::abs(vector_noise(frequency * at.place)) / frequency;
+    return at.normal + at.amount() * sum;
+}
+
+Vec3 tilted(const Quilted& quilted, const BumpPoint& at) {
+    return at.normal + at.amount() * quilted_tilt(quilted, at.place);
+}
+
+/// The rings of all sources; `own` whether each has a frequency of its own.
+Vec3 tilted_by_rings(const BumpPoint& at, bool own) {
+    Vec3 normal = at.normal;
+    const auto sources = wave_sources(at.scene.number_of_waves);
+    for (const WaveSource& source : sources) {
+        const Vec3 away = at.place - source.centre;
+        const double distance = length(away) == 0 ? 1 : length(away);
+        const double frequency = own ? source.frequency : 1;
+        const double height = ring(at.modifiers(), frequency, distance) / frequency;
+        normal += at.amount() * height / (static_cast<double>(sources.size()) * distance) * away;
+    }
+    return normal;
+}
+
+Vec3 tilted(const Ripples&, const BumpPoint& at) { return tilted_by_rings(at, false); }
+Vec3 tilted(const Waves&, const BumpPoint& at) { return tilted_by_rings(at, true); }
+
+Vec3 tilted(const Facets& facets, const BumpPoint& at) {
+    const Vec3 normal = unit(at.normal);
+    const double closeness = facets.size < 1e-6 ? 1e6 : 1 / facets.size;
+    const bool by_place = facets.coords != 0;
+    const Vec3 nucleus =
+        nearest_nucleus(within_reach(closeness * (by_place ? at.place : normal)), facets.metric);
+    if (!by_place) return nucleus;
+    Vec3 tilt = vector_noise(nucleus);
+    tilt -= dot(tilt, normal) * normal;
+    return normal + facets.coords * tilt;
+}
+
+/// What a normal becomes whose pattern has only a value: the slope of that value, measured towards
+/// the corners of a tetrahedron.
+Vec3 tilted_by_slope(const BumpPoint& at) {
+    using std::numbers::sqrt2;
+    constexpr double third = 1.0 / 3, wide = 2 * sqrt2 / 3, deep = 0.816496581;
+    constexpr auto corners = std::array{Vec3(wide, -third, 0), Vec3(-wide / 2, -third, deep),
+                                        Vec3(-wide / 2, -third, -deep), Vec3(0, 1, 0)};
+    const double step = single_precision(at.bump.settings.accuracy);
+    const auto* slopes = std::get_if<SlopeMap>(&at.bump.map);
+    Vec3 rise(0);
+    for (const Vec3& corner : corners) {
+        const double value = at.bump.use.value(at.place + step * corner, at.scene);
+        rise += (slopes ? look_up(*slopes, value) : value) * corner;
+    }
+    return at.normal - 0.1 * at.amount() / step * rise;
+}
+
+/// In and out of the space of a pattern: through all transformations of its list, not the warps.
+class NormalSpace {
+public:
+    NormalSpace(const std::vector<WarpStep>& steps, const Transform& outside)
+        : steps_(steps), outside_(outside) {}
+
+    Vec3 enter(Vec3 normal) const {
+        normal = back(outside_, normal);
+        for (std::size_t i = steps_.size(); i-- > 0;)
+            if (const auto* step = std::get_if<Transform>(&steps_[i])) normal = back(*step, normal);
+        return normal;
+    }
+    Vec3 leave(Vec3 normal) const {
+        for (const WarpStep& any : steps_)
+            if (const auto* step = std::get_if<Transform>(&any)) normal = step->normal(normal);
+        return outside_.normal(normal);
+    }
+
+private:
+    static Vec3 back(const Transform& transform, const Vec3& n) {
+        const auto& rows = transform.forward().rows;
+        return {dot(n, rows[0]), dot(n, rows[1]), dot(n, rows[2])};
+    }
+
+    const std::vector<WarpStep>& steps_;
+    const Transform& outside_;
+};
+
+Vec3 changed(const Bump&, const Vec3& normal, const Vec3& point, const PatternScene&,
+             bool keep_length);
+
+Vec3 averaged(const NormalMap& map, const BumpPoint& at) {
+    Vec3 sum(0);
+    double total = 0;
+    for (const NormalStop& stop : map) {
+        sum += stop.value * changed(stop.bump, at.normal, at.place, at.scene, at.keep_length);
+        total += stop.value;
+    }
+    return sum / total;
+}
+
+Vec3 mixed(const NormalMap& map, const BumpPoint& at) {
+    if (std::holds_alternative<Average>(at.bump.use.pattern)) return averaged(map, at);
+    const MapPlace place = place_in(map, at.bump.use.value(at.place, at.scene));
+    const auto entry = [&](std::size_t i) {
+        return changed(map[i].bump, at.normal, at.place, at.scene, at.keep_length);
+    };
+    const Vec3 below = entry(place.below);
+    if (place.share == 0) return below;
+    return below + place.share * (entry(place.above) - below);
+}
+
+Vec3 tilted(const BumpPoint& at) {
+    if (const auto* map = std::get_if<NormalMap>(&at.bump.map)) return mixed(*map, at);
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { tilted(kind, at); })
+                return tilted(kind, at);
+            else
+                return tilted_by_slope(at);
+        },
+        at.bump.use.pattern);
+}
+
+Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const PatternScene& scene,
+             bool keep_length) {
+    if (!bump.pattern) return normal;
+    const PatternedBump& pattern = *bump.pattern;
+    const bool keep = keep_length || pattern.settings.no_bump_scale;
+    const NormalSpace space(pattern.use.steps, bump.transform);
+    const auto made_unit = [&](const Vec3& n) { return keep ? n : unit(n); };
+    const BumpPoint at{pattern, made_unit(space.enter(made_unit(normal))),
+                       pattern.use.place(bump.transform.inverse_point(point)), scene, keep};
+    return made_unit(space.leave(made_unit(tilted(at))));
+}
+
+}  // namespace
+
+PatternedBump::PatternedBump(PatternUse the_use, const BumpSettings& the_settings, Map the_map)
+    : use(std::move(the_use)), settings(the_settings), map(std::move(the_map)) {
+    nesting = {1, 1};
+    if (const auto* normals = std::get_if<NormalMap>(&map))
+        for (const NormalStop& stop : *normals) nesting.add(::nesting(stop.bump));
+    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
+        nesting.add({grey->depth, grey->entries});
+}
+
+Nesting nesting(const Bump& bump) { return bump.pattern ? bump.pattern->nesting : Nesting(); }
+
+double look_up(const SlopeMap& map, double value) {
+    const MapPlace at = place_in(map, value);
+    const SlopeStop &p = map[at.below], &q = map[at.above];
+    if (at.share == 0) return p.height;
+    const double t = at.share, rise = q.height - p.height;
+    return t * t * t * (p.slope + q.slope - 2 * rise) - t * t * (2 * p.slope + q.slope - 3 * rise) +
+           t * p.slope + p.height;
+}
+
+Vec3 bumped(const Bump& bump, const Vec3& normal, const Vec3& point, const PatternScene& scene) {
+    return unit(changed(bump, normal, point, scene, false));
+}

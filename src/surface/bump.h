@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Normals that patterns disturb: what makes a smooth surface look bumpy. POV-Ray's normal { }.
+#pragma once
+
+#include "base/handle.h"
+#include "base/transform.h"
+#include "pattern/modifiers.h"
+#include "surface/nesting.h"
+
+struct PatternedBump;  // this and the entries of maps: normal_map.h
+struct NormalStop;
+struct SlopeStop;
+using NormalMap = std::vector<NormalStop>;
+using SlopeMap = std::vector<SlopeStop>;
+
+/// How the normal of a surface is changed. Default: not at all.
+struct Bump {
+    Handle<PatternedBump> pattern;  ///< null: smooth
+    Transform transform;            ///< after all steps of the pattern: to the object's space
+};
+
+Nesting nesting(const Bump&);
+
+/// The unit normal at a point of the surface, in the space that the bump's transform leads to.
+/// `normal` is unit and on the side of the viewer.
+Vec3 bumped(const Bump&, const Vec3& normal, const Vec3& point, const PatternScene& = {});

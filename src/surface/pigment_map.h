@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a pigment with a pattern consists of, for those who make, evaluate or write one.
+#pragma once
+
+#include "pattern/use.h"
+#include "surface/pigment.h"
+
+/// One entry of a pigment map. For `average` the value is a weight.
+struct PigmentStop {
+    double value = 0;
+    Pigment pigment;
+};
+
+/// A pattern with what it chooses from.
+struct PatternedPigment {
+    using Map = std::variant<ColourMap, PigmentMap>;
+    /// Precondition: the map is not empty; weights of an average are not negative and not all 0.
+    PatternedPigment(PatternUse, Map);
+
+    PatternUse use;
+    Map map;
+    Nesting nesting;
+    Vec3 brightest;      ///< see below
+    bool clear = false;  ///< light can pass somewhere
+};
