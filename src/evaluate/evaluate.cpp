@@ -7,6 +7,7 @@
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/objects.h"
+#include "evaluate/patterns.h"
 #include "evaluate/settings.h"
 #include "evaluate/transforms.h"
 #include "surface/normal_map.h"
@@ -136,6 +137,7 @@ private:
             return read_part(element, binder_.default_texture->pigment, read_pigment);
         if (word == "normal"_word)
             return read_part(element, binder_.default_texture->normal, read_normal);
+        if (word == "pattern"_word) return pattern_function(element);
         if (word == "finish"_word)
             return read_part(element, binder_.default_texture->finish, read_finish);
         if (word == "interior"_word) return read_part(element, Interior{}, read_interior);
@@ -154,6 +156,19 @@ private:
                      {"sphere", "union", "object", "texture", "pigment", "normal", "finish",
                       "interior", "transform", "camera", "color_map", "light_source"});
         return Absence::broken;
+    }
+
+    /// The value of a pattern at a point: it has a meaning in functions only.
+    Value pattern_function(const Element& element) {
+        PatternDraft draft;
+        if (!read_pattern(binder_, element, draft)) return Absence::broken;
+        const auto code = [use = draft.use(), transform = draft.transform](const double* in,
+                                                                           double* out) {
+            const Vec3 point = transform.inverse_point(Vec3(in[0], in[1], in[2]));
+            out[0] = use.value(use.place(point), {});
+            return true;
+        };
+        return make_handle<Formula>(3, 1, code);
     }
 
     template <class T>

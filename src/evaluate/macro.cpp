@@ -127,10 +127,8 @@ const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Ca
         return nullptr;
     }
     if (found->is(Absence::uninitialised))
-        broken(Fault::not_implemented, tree.span(id),
-               message("`", names.spelling(node.name),
-                       "` has no value that can be called: functions made of patterns are known "
-                       "but not implemented"));
+        broken(Fault::uninitialised, tree.span(id),
+               message("`", names.spelling(node.name), "` has no value"));
     else if (!found->macro() && !found->broken())
         broken(Fault::wrong_type, tree.span(id),
                message("`", names.spelling(node.name), "` is ", kind_name(*found),

@@ -2,6 +2,7 @@
 #include "evaluate/patterns.h"
 
 #include "evaluate/textures.h"
+#include "evaluate/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
@@ -142,12 +143,26 @@ bool PatternReader::take(const Element& element) {
 }
 
 bool PatternReader::take_value(const Element& element) {
+    if (Handle<Formula> formula = element.value.handle<Formula>()) {
+        take_function(std::move(formula), element.span);
+        return true;
+    }
     // A declared name may be a word of the pattern as well.
     if (!(last_ && last_->take(element)) && !(last_ != &fields_ && fields_.take(element)))
         return false;
     // The range of a slope stands in braces only: here a number is something else.
     if (last_ == &fields_ && std::holds_alternative<Slope>(*draft_.pattern)) fields_.complete();
     return true;
+}
+
+void PatternReader::take_function(Handle<Formula> formula, Span span) {
+    if (formula->parameters() != 3 || formula->results() != 1)
+        block_.report(error(Fault::wrong_count, span,
+                            "a function that is a pattern makes one number of x, y and z")
+                          .with_help("function { f_noise3d(x, y, z) }"));
+    name(Patterns::find("function"));
+    std::get<FunctionPattern>(*draft_.pattern).formula = std::move(formula);
+    name_span_ = span;
 }
 
 bool PatternReader::take_word(const Element& element) {
@@ -241,4 +256,17 @@ void PatternReader::finish() {
                                         : "`pigment_pattern` needs a pigment in braces")
                           .with_help(empty_slope ? "slope { y }"
                                                  : "pigment_pattern { bozo color_map { ... } }"));
+}
+
+bool read_pattern(Binder& binder, const Element& element, PatternDraft& draft) {
+    OpenBlock block(binder, "pattern", element.word_span);
+    block.form = "{ name [values] [transformations] }";
+    PatternReader pattern(block, draft);
+    const auto apply = [&](const Transform& transform) { draft.move(transform); };
+    TransformReader moves(block, apply);
+    block.read(element.body, pattern, moves);
+    if (!block.broken && !draft.pattern)
+        block.report(error(Fault::missing, block.span, "`pattern` needs the name of a pattern")
+                         .with_help("pattern { granite scale 2 }"));
+    return !block.broken;
 }

@@ -40,6 +40,7 @@ public:
 
 private:
     bool take_value(const Element&);
+    void take_function(Handle<Formula>, Span);
     bool take_word(const Element&);
     bool take_block(const Element&);
     bool read_in_braces(const Element&);
@@ -55,3 +56,6 @@ private:
     Span name_span_;
     bool named_ = false;
 };
+
+/// The braces of `function { pattern { ... } }`. False: reported.
+bool read_pattern(Binder&, const Element& block, PatternDraft&);

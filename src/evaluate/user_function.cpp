@@ -102,7 +102,7 @@ Handle<Formula> pigment_formula(Handle<Pigment> pigment) {
 Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
     const auto* block = tree.get_if<node::Block>(body);
     const std::string_view word = block ? names.spelling(block->word) : std::string_view();
-    if (word != "transform" && word != "spline" && word != "pigment") {
+    if (word != "transform" && word != "spline" && word != "pigment" && word != "pattern") {
         broken(
             Fault::wrong_type, tree.span(block ? body : id),
             "a function is an expression, or one of transform, spline, pattern, pigment, internal");
@@ -110,6 +110,7 @@ Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, 
     }
     const Element element = block_element(tree, body);
     const Value value = meaning.value({&element, 1});
+    if (const auto pattern = value.handle<Formula>()) return pattern;
     if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
     if (const auto pigment = value.handle<Pigment>()) return pigment_formula(pigment);
     const auto transform = value.handle<Transform>();
@@ -149,10 +150,7 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
 }
 
 Value Evaluator::State::function(const Tree& tree, const node::Function& node, NodeId id) {
-    const auto* block = tree.get_if<node::Block>(node.body);
-    // Libraries declare many of these; only the call of one is an error.
-    if (block && names.spelling(block->word) == "pattern") return Absence::uninitialised;
-    const bool named = block || tree.get_if<node::Word>(node.body);
+    const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body);
     Handle<Formula> made =
         named ? named_function(tree, node, id) : written_function(tree, node, id);
     return made ? Value(std::move(made)) : Value(Absence::broken);

@@ -10,6 +10,7 @@
 #include "pattern/density_file.h"
 #include "pattern/falloff.h"
 #include "pattern/fractal.h"
+#include "pattern/function_pattern.h"
 #include "pattern/noise_patterns.h"
 #include "pattern/quilted.h"
 #include "pattern/ripples.h"
@@ -20,10 +21,10 @@
 
 using Pattern =
     std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle,
-                 CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, Gradient, Granite,
-                 Hexagon, JuliaPattern, Leopard, Magnet, Mandel, Marble, Onion, PigmentGrey,
-                 PlanarPattern, Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2,
-                 Spotted, Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
+                 CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, FunctionPattern,
+                 Gradient, Granite, Hexagon, JuliaPattern, Leopard, Magnet, Mandel, Marble, Onion,
+                 PigmentGrey, PlanarPattern, Quilted, Radial, Ripples, Slope, SphericalPattern,
+                 Spiral1, Spiral2, Spotted, Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
 
 /// The value before any wave.
 double evaluate(const Pattern&, const PatternPoint&);

@@ -10,6 +10,7 @@ std::string pattern_text(const Pattern& pattern) {
     const std::string text = item_text(pattern);
     if (std::holds_alternative<Slope>(pattern))
         return message("slope {", text.substr(std::string_view("slope").size()), " }");
+    if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
     if (const auto* grey = std::get_if<PigmentGrey>(&pattern)) {
         // The only thing that a pigment_pattern borrows from is a pigment.
         std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));

@@ -29,6 +29,14 @@ TEST_CASE("a pattern has its values, modifiers and wave in any order", "[evaluat
     CHECK(pattern_of("bozo turbulence 0.5").modifiers.turbulence == Vec3(0.5));
 }
 
+TEST_CASE("a function is a pattern", "[evaluate]") {
+    const PatternUse use = pattern_of("function { x + 2 * y } sine_wave scale 2");
+    CHECK(evaluate(std::get<FunctionPattern>(use.pattern), Vec3(0.25, 0.125, 9)) == 0.5);
+    CHECK(std::holds_alternative<SineWave>(use.wave));
+    CHECK(wrong("function (a) { a }").find("makes one number of x, y and z") != std::string::npos);
+    CHECK(wrong("function { pigment { rgb 1 } }").find("makes one number") != std::string::npos);
+}
+
 TEST_CASE("a word of a pattern may be the name of another", "[evaluate]") {
     const auto magnet = std::get<Magnet>(pattern_of("magnet 2 julia <1, 2>, 30").pattern);
     CHECK(magnet.type == 2);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/function_pattern.h"
+
+#include "vocabulary/schema.h"
+
+#include <array>
+#include <cmath>
+
+const ItemInfo FunctionPattern::vocabulary = described<FunctionPattern>([] {
+    return schema<FunctionPattern>("function",
+                                   "A function of x, y and z: function { expression }.");
+});
+
+double evaluate(const FunctionPattern& kind, const Vec3& point) {
+    if (!kind.formula) return 0;
+    const double value = kind.formula->value(std::array{point.x, point.y, point.z});
+    if (std::isnan(value)) return 0;
+    return value > 1 ? std::fmod(value, 1.0) : value;
+}
