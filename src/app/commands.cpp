@@ -4,6 +4,7 @@
 #include "app/diagnostics_json.h"
 #include "app/help.h"
 #include "app/memory_limit.h"
+#include "app/movie.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/stats.h"
@@ -183,10 +184,11 @@ private:
         EvaluateOptions options;
         options.limits = options_.limits;
         options.declares = options_.declares;
+        options.facts = options_.facts;
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;
-        options.facts.clock = options_.clock.value_or(0);
-        options.facts.clock_given = options_.clock.has_value();
+        if (options_.clock) options.facts.clock = *options_.clock;
+        options.facts.clock_given |= options_.clock.has_value();
         if (options_.diagnostics_as_json)
             options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
         else if (options_.verbose)
@@ -275,11 +277,90 @@ int usage_errors(const Console& console, const Options& options, const Diagnosti
     return exit_status::usage;
 }
 
+/// Renders the frames of an animation, and joins them to a film.
+class AnimationRun {
+public:
+    AnimationRun(const Options& options, const Animation& animation, const Console& console,
+                 Diagnostics& diagnostics)
+        : options_(options), animation_(animation), console_(console), diagnostics_(diagnostics) {}
+
+    int execute() {
+        Diagnostics checked = diagnostics_.fresh();
+        output_ = output_of(options_, checked);
+        if (!options_.movie.empty() && find_program("ffmpeg").empty())
+            diagnostics_.add(
+                error(Fault::io, {}, "a film needs the program ffmpeg, which is not installed"));
+        if (diagnostics_.failed()) return usage_errors(console_, options_, diagnostics_);
+        for (std::size_t i = 0; i < animation_.frames.size(); ++i)
+            if (const int status = render_frame(i); status != exit_status::done) return status;
+        return options_.movie.empty() ? exit_status::done : join();
+    }
+
+private:
+    bool talks() const { return options_.verbose && !options_.diagnostics_as_json; }
+
+    int render_frame(std::size_t i) {
+        const AnimationFrame& frame = animation_.frames[i];
+        Options options = options_;
+        options.type = output_.format.type;
+        options.output = output_.path == "-"
+                             ? output_.path
+                             : numbered(output_.path, frame.number, animation_.digits);
+        options.clock.reset();
+        RunFacts& facts = options.facts;
+        facts.clock = frame.clock;
+        facts.clock_given = true;
+        facts.frame_number = frame.number;
+        facts.initial_frame = animation_.initial_frame;
+        facts.final_frame = animation_.final_frame;
+        facts.initial_clock = options_.animation.initial_clock;
+        facts.final_clock = options_.animation.final_clock;
+        facts.clock_delta = animation_.clock_delta;
+        files_.push_back(options.output);
+        std::error_code none;
+        const bool there = options_.animation.skip_existing && options_.to_file &&
+                           options_.task == Task::render && fs::exists(options.output, none);
+        if (talks())
+            console_.err(message("frame ", frame.number, " (", i + 1, " of ",
+                                 animation_.frames.size(), "), clock ", frame.clock,
+                                 there ? ": is there\n" : "\n"));
+        if (there) return exit_status::done;
+        // What is wrong with the command line is said once.
+        Diagnostics later = diagnostics_.fresh();
+        return Run(options, console_, i == 0 ? diagnostics_ : later).execute();
+    }
+
+    int join() {
+        Diagnostics problems = diagnostics_.fresh();
+        if (make_movie(files_, options_.frame_rate, options_.movie, problems))
+            return exit_status::done;
+        usage_errors(console_, options_, problems);
+        return exit_status::file;
+    }
+
+    const Options& options_;
+    const Animation& animation_;
+    const Console& console_;
+    Diagnostics& diagnostics_;
+    Output output_;
+    std::vector<std::string> files_;
+};
+
+/// The options in force as an INI file.
+std::string ini_text(const Options& options) {
+    std::string text;
+    for (const std::string& line : options.given) text += line + "\n";
+    return text;
+}
+
 }  // namespace
 
 int run(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
-    const Options options = read_options(arguments, diagnostics);
+    std::vector<std::string_view> all(arguments.begin(), arguments.end());
+    if (!console.settings.empty()) all.insert(all.begin(), console.settings);
+    const Options options = read_options(all, diagnostics, disk_reader());
+    const std::optional<Animation> animation = plan(options.animation, diagnostics);
     if (diagnostics.failed()) return usage_errors(console, options, diagnostics);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe) {
@@ -291,5 +372,10 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         console.err(short_usage());
         return exit_status::usage;
     }
+    if (options.ini_file && !write_file(*options.ini_file, ini_text(options), diagnostics)) {
+        usage_errors(console, options, diagnostics);
+        return exit_status::file;
+    }
+    if (animation) return AnimationRun(options, *animation, console, diagnostics).execute();
     return Run(options, console, diagnostics).execute();
 }

@@ -22,7 +22,8 @@ struct Console {
     std::function<void(std::string_view)> err;  ///< diagnostics, progress
     bool terminal = false;                      ///< err can rewrite its line
     bool coloured = false;
-    std::string library;  ///< folder of the standard library; empty: none
+    std::string library;   ///< folder of the standard library; empty: none
+    std::string settings;  ///< INI file that is read before the command line; empty: none
 };
 
 /// Does what the program's arguments (without its name) ask for; gives the exit status.

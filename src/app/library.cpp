@@ -2,6 +2,7 @@
 #include "app/library.h"
 
 #include <filesystem>
+#include <vector>
 
 // Both are relative to the folder of the program, so that no path of the machine that built it is
 // part of it.
@@ -28,5 +29,16 @@ std::optional<std::string> standard_library(const std::string& program, const ch
         std::error_code failed;
         if (fs::is_regular_file(folder / "colors.inc", failed)) return folder.string();
     }
+    return std::nullopt;
+}
+
+std::optional<std::string> settings_file(const char* chosen, const char* home) {
+    if (chosen) return *chosen ? std::optional<std::string>(chosen) : std::nullopt;
+    std::vector<std::string> places = {"candelabra.ini"};
+    if (home && *home) places.push_back(std::string(home) + "/.config/candelabra/candelabra.ini");
+    places.push_back("/etc/candelabra/candelabra.ini");
+    std::error_code none;
+    for (const std::string& place : places)
+        if (std::filesystem::is_regular_file(place, none)) return place;
     return std::nullopt;
 }

@@ -9,6 +9,11 @@
 /// The program's own file, as the system knows it; empty when it does not.
 std::string own_path();
 
+/// The INI file with everybody's settings: the first that is there of the one that
+/// $CANDELABRA_INI names, ./candelabra.ini, ~/.config/candelabra/candelabra.ini and
+/// /etc/candelabra/candelabra.ini. `chosen` and `home`: values of the variables, null when not set.
+std::optional<std::string> settings_file(const char* chosen, const char* home);
+
 /// The folder of the standard library, or nothing when there is none. `chosen`: the variable's
 /// value, null when it is not set.
 std::optional<std::string> standard_library(const std::string& program, const char* chosen);

@@ -30,6 +30,8 @@ int main(int count, char** arguments) {
     console.terminal = ::isatty(STDERR_FILENO) != 0;
     console.coloured = colours_wanted(console.terminal);
     console.library = standard_library(own_path(), std::getenv("CANDELABRA_STDLIB")).value_or("");
+    console.settings =
+        settings_file(std::getenv("CANDELABRA_INI"), std::getenv("HOME")).value_or("");
     try {
         const int status = run(words, console);
         if (std::cout.good()) return status;

@@ -65,24 +65,35 @@ bool same_letters(std::string_view a, std::string_view b) {
 
 void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rule,
             const std::string& help) {
-    diagnostics.add(error(Fault::option, {}, message("`", harmless(given.argument), "`: ", rule))
-                        .with_help(help));
+    const std::string where =
+        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
+    diagnostics.add(
+        error(Fault::option, {}, message(where, "`", harmless(given.argument), "`: ", rule))
+            .with_help(help));
 }
 
-std::size_t settings_field(std::string_view name) {
-    const auto fields = RenderSettings::vocabulary.fields;
-    return static_cast<std::size_t>(std::ranges::find(fields, name, &FieldInfo::name) -
-                                    fields.begin());
+Setting find_setting(std::string_view name) {
+    for (const ItemInfo* item : {&RenderSettings::vocabulary, &AnimationSettings::vocabulary}) {
+        const auto found = std::ranges::find(item->fields, name, &FieldInfo::name);
+        if (found != item->fields.end())
+            return {item, static_cast<std::size_t>(found - item->fields.begin())};
+    }
+    return {};
 }
 
 void store::field(std::string_view name, Options& options, const Given& given,
                   Diagnostics& diagnostics) {
-    const std::size_t index = settings_field(name);
-    const FieldInfo& info = RenderSettings::vocabulary.fields[index];
+    const Setting setting = find_setting(name);
+    const FieldInfo& info = setting.info();
+    void* const item = setting.item == &RenderSettings::vocabulary
+                           ? static_cast<void*>(&options.render)
+                           : static_cast<void*>(&options.animation);
+    if (info.type == FieldType::boolean)
+        return setting.item->set(item, setting.field, given.on ? 1.0 : 0.0);
     const std::optional<double> value = number(given.value.value_or(""));
     const bool whole = info.type != FieldType::integer || (value && std::floor(*value) == *value);
     if (value && whole && info.range.contains(*value))
-        return RenderSettings::vocabulary.set(&options.render, index, *value);
+        return setting.item->set(item, setting.field, *value);
     const std::string got = given.value && !given.value->empty()
                                 ? message(", but it is `", harmless(*given.value), "`")
                                 : "";
@@ -177,6 +188,33 @@ void store::clock(Options& options, const Given& given, Diagnostics& diagnostics
     const auto value = number(*given.value);
     if (!value) return refuse(given, diagnostics, "clock must be a number");
     options.clock = *value;
+}
+
+void store::header(Options& options, const Given& given, Diagnostics&) {
+    options.facts.header = *given.value;
+}
+
+void store::language_version(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.facts.version = number(*given.value);
+    if (!options.facts.version || *options.facts.version < 1)
+        refuse(given, diagnostics, "a version is a number from 1 on");
+}
+
+void store::movie(Options& options, const Given& given, Diagnostics&) {
+    options.movie = *given.value;
+}
+
+void store::frame_rate(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const auto rate = number(*given.value);
+    if (!rate || *rate <= 0 || *rate > 1000)
+        return refuse(given, diagnostics, "a frame rate is a number above 0, up to 1000");
+    options.frame_rate = *rate;
+}
+
+void store::create_ini(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (!given.on) return;
+    if (!given.value) return refuse(given, diagnostics, "needs the name of a file", "+GIall.ini");
+    options.ini_file = *given.value;
 }
 
 void store::quality(Options&, const Given& given, Diagnostics& diagnostics) {

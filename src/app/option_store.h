@@ -14,6 +14,7 @@ struct Given {
     std::string_view argument;  ///< as it was written, for messages
     bool on = true;             ///< `-X`, `Keyword=off`: false
     std::optional<std::string> value;
+    std::string_view where = {};  ///< "scene.ini:3", of an option in a file
 };
 
 /// A decimal number, all of the text; nothing for anything else.
@@ -28,12 +29,17 @@ bool same_letters(std::string_view a, std::string_view b);
 /// Reports what is wrong with an option.
 void refuse(const Given&, Diagnostics&, const std::string& rule, const std::string& help = {});
 
-/// The place of a field of RenderSettings among its fields.
-std::size_t settings_field(std::string_view name);
+/// A setting that has an option: of the rendering or of the animation.
+struct Setting {
+    const ItemInfo* item = nullptr;  ///< null: there is none
+    std::size_t field = 0;
+    const FieldInfo& info() const { return item->fields[field]; }
+};
+Setting find_setting(std::string_view name);
 
 namespace store {
 
-/// A number, into the field of RenderSettings with that name.
+/// A number, or on and off, into the setting with that name.
 void field(std::string_view name, Options&, const Given&, Diagnostics&);
 
 void scene(Options&, const Given&, Diagnostics&);
@@ -51,6 +57,11 @@ void limit_depth(Options&, const Given&, Diagnostics&);
 void limit_memory(Options&, const Given&, Diagnostics&);
 void limit_written(Options&, const Given&, Diagnostics&);
 void declare(Options&, const Given&, Diagnostics&);
+void header(Options&, const Given&, Diagnostics&);
+void language_version(Options&, const Given&, Diagnostics&);
+void movie(Options&, const Given&, Diagnostics&);
+void frame_rate(Options&, const Given&, Diagnostics&);
+void create_ini(Options&, const Given&, Diagnostics&);
 void clock(Options&, const Given&, Diagnostics&);
 void verbose(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);

@@ -10,7 +10,6 @@ namespace {
 
 using enum Takes;
 
-constexpr std::string_view one_picture = "one picture is made at a time; set clock with +K";
 constexpr std::string_view whole_pictures = "only whole pictures are rendered";
 constexpr std::string_view no_commands = "no commands are run";
 constexpr std::string_view no_radiosity = "there is no radiosity";
@@ -20,9 +19,14 @@ constexpr std::string_view kd_tree = "a kd-tree is always used";
 using Store = void (*)(Options&, const Given&, Diagnostics&);
 using Text = std::string_view;
 
-/// An option that is stored in the field of RenderSettings with that name, and explained by it.
+/// An option that is stored in the setting with that name, and explained by it.
 constexpr OptionRow setting(Text letters, Text keyword, Text word, Text field) {
     return {letters, keyword, word, "n", value, {}, field};
+}
+
+/// The same for a setting that is on or off.
+constexpr OptionRow option_field(Text letters, Text keyword, Text word, Takes takes, Text field) {
+    return {letters, keyword, word, "", takes, {}, field};
 }
 
 constexpr OptionRow option(Text letters, Text keyword, Text word, Takes takes, Text parameter,
@@ -83,6 +87,25 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "Declare", "", value, "name=value", store::declare,
            "declares a name for the scene: a number, or a string in quotes"),
     option("K", "Clock", "", value, "n", store::clock, "value of clock in the scene"),
+    setting("KFI", "Initial_Frame", "", "initial_frame"),
+    setting("KFF", "Final_Frame", "", "final_frame"),
+    setting("KI", "Initial_Clock", "", "initial_clock"),
+    setting("KF", "Final_Clock", "", "final_clock"),
+    setting("SF", "Subset_Start_Frame", "", "subset_start_frame"),
+    setting("EF", "Subset_End_Frame", "", "subset_end_frame"),
+    setting("STP", "Frame_Step", "", "frame_step"),
+    option_field("KC", "Cyclic_Animation", "", sign, "cyclic_animation"),
+    option_field("", "", "skip-existing", nothing, "skip_existing"),
+    option(
+        "", "", "movie", value, "file", store::movie,
+        "makes a film of all frames with ffmpeg, when they are done; the ending says which kind"),
+    option("", "", "frame-rate", value, "n", store::frame_rate, "frames a second in the film (25)"),
+    option("HI", "Include_Header", "", value, "file", store::header,
+           "file that is included before the scene"),
+    option("MV", "Version", "", value, "n", store::language_version,
+           "version of the language until the scene says one"),
+    option("GI", "Create_Ini", "", sign_and_value, "file", store::create_ini,
+           "writes all options in force to an INI file"),
     option("V", "Verbose", "", sign, "", store::verbose,
            "progress and a summary (the default); -V: warnings and errors only"),
     option("", "", "warn", value, "names", store::warn,
@@ -150,17 +173,6 @@ constexpr auto rows = std::to_array<OptionRow>({
     refused("", "Grayscale_Output", sign, "", "pictures have colours"),
     refused("TH", "Dither", sign_and_value, "x", "pictures are not dithered"),
     refused("", "Dither_Method", value, "x", "pictures are not dithered"),
-    refused("HI", "Include_Header", value, "file", "write #include into the scene"),
-    refused("MV", "Version", value, "n", "write #version into the scene"),
-    refused("GI", "Create_Ini", sign_and_value, "file", ""),
-    refused("KFI", "Initial_Frame", value, "n", one_picture),
-    refused("KFF", "Final_Frame", value, "n", one_picture),
-    refused("KI", "Initial_Clock", value, "n", one_picture),
-    refused("KF", "Final_Clock", value, "n", one_picture),
-    refused("SF", "Subset_Start_Frame", value, "n", one_picture),
-    refused("EF", "Subset_End_Frame", value, "n", one_picture),
-    refused("STP", "Frame_Step", value, "n", one_picture),
-    refused("KC", "Cyclic_Animation", sign, "", one_picture),
     refused("UF", "Field_Render", sign, "", ""),
     refused("UO", "Odd_Field", sign, "", ""),
     refused("RF", "Radiosity_File_Name", value, "file", no_radiosity),
@@ -179,6 +191,8 @@ constexpr auto rows = std::to_array<OptionRow>({
 std::span<const OptionRow> option_table() { return rows; }
 
 void apply(const OptionRow& row, Options& options, const Given& given, Diagnostics& diagnostics) {
+    const std::string where =
+        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
     const std::string why = row.help.empty() ? "" : message(": ", row.help);
     switch (row.unoffered) {
         case Unoffered::no:
@@ -186,8 +200,9 @@ void apply(const OptionRow& row, Options& options, const Given& given, Diagnosti
         case Unoffered::accepted:
             return;
         case Unoffered::ignored:
-            diagnostics.add(warning(Fault::option, {},
-                                    message("`", harmless(given.argument), "` is ignored", why)));
+            diagnostics.add(
+                warning(Fault::option, {},
+                        message(where, "`", harmless(given.argument), "` is ignored", why)));
             return;
         case Unoffered::refused:
             if (given.on) refuse(given, diagnostics, message("is not offered", why));
@@ -215,7 +230,7 @@ ManualEntry manual_entry(const OptionRow& row) {
                 : message("--", row.word, open, row.parameter, valued ? "" : "]"));
     }
     if (row.field.empty()) return {term, std::string(row.help)};
-    const std::size_t field = settings_field(row.field);
-    return {term, message(RenderSettings::vocabulary.fields[field].help, " (",
-                          values(RenderSettings::vocabulary, field), ")")};
+    const Setting setting = find_setting(row.field);
+    if (setting.info().type == FieldType::boolean) return {term, std::string(setting.info().help)};
+    return {term, message(setting.info().help, " (", values(*setting.item, setting.field), ")")};
 }

@@ -34,7 +34,7 @@ struct OptionRow {
     std::string_view parameter;  ///< how its value is called in help
     Takes takes;
     std::string_view help;        ///< empty: the field's
-    std::string_view field = {};  ///< of RenderSettings; empty: `store` is called
+    std::string_view field = {};  ///< of a setting; empty: `store` is called
     void (*store)(Options&, const Given&, Diagnostics&) = nullptr;
     Unoffered unoffered = Unoffered::no;
 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/options.h"
 
+#include "app/ini.h"
 #include "app/option_table.h"
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -62,25 +64,22 @@ std::string meant(std::string_view argument) {
     return found.empty() ? "" : message("did you mean `", found, "`?");
 }
 
-class Reader {
+constexpr int most_ini_files = 10;
+
+class OptionReader {
 public:
-    Reader(std::span<const std::string_view> arguments, Diagnostics& diagnostics)
-        : arguments_(arguments), diagnostics_(diagnostics) {}
+    OptionReader(std::span<const std::string_view> arguments, Diagnostics& diagnostics,
+                 const Reader& read)
+        : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
     Options read() {
-        // POV-Ray's shortest way to ask for help
-        if (arguments_.size() == 1 &&
-            (same_letters(arguments_[0], "-h") || same_letters(arguments_[0], "+h"))) {
-            options_.task = Task::help;
-            return options_;
-        }
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
         return std::move(options_);
     }
 
 private:
     void fail(std::string_view argument, const std::string& rule, const std::string& help = {}) {
-        refuse({argument, true, {}}, diagnostics_, rule, help);
+        refuse({argument, true, {}, where_}, diagnostics_, rule, help);
     }
 
     void read_one(std::string_view argument) {
@@ -99,20 +98,60 @@ private:
 
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
-        if (!only_files_ && argument.size() > 4 &&
-            same_letters(argument.substr(argument.size() - 4), ".ini"))
-            return fail(argument, "INI files are not read",
-                        "give its settings here, each as one argument: Width=640");
+        if (const auto ini = only_files_ ? std::nullopt : ini_name(argument))
+            return read_ini(argument, *ini);
         if (bare_scene_)
             return fail(argument,
                         message("only one scene can be rendered at a time, and there is already `",
                                 harmless(*options_.scene), "`"));
         bare_scene_ = true;
         options_.scene = argument;
+        options_.given.push_back(message("Input_File_Name=", argument));
+    }
+
+    void read_ini(std::string_view argument, const IniName& ini) {
+        const std::optional<std::string> text = read_ ? read_(ini.file) : std::nullopt;
+        if (!text) return fail(argument, "there is no such file that can be read");
+        if (depth_ >= most_ini_files)
+            return fail(argument,
+                        message("INI files name each other more than ", most_ini_files, " deep"));
+        const auto lines = ini_lines(*text, ini.section);
+        if (!lines) return fail(argument, message("the file has no section [", ini.section, "]"));
+        const std::string outer = std::exchange(where_, {});
+        const auto after = std::exchange(arguments_, {});
+        const std::size_t next = std::exchange(next_, 0);
+        ++depth_;
+        for (const IniLine& line : *lines) {
+            where_ = message(ini.file, ":", line.number);
+            read_one(line.option);
+        }
+        --depth_;
+        arguments_ = after;
+        next_ = next;
+        where_ = outer;
+    }
+
+    void accept(const OptionRow& row, const Given& given) {
+        const std::size_t before = diagnostics_.error_count();
+        apply(row, options_, given, diagnostics_);
+        if (diagnostics_.error_count() > before || row.unoffered != Unoffered::no) return;
+        if (row.store == store::create_ini) return;
+        const std::string value = given.value.value_or(given.on ? "on" : "off");
+        if (row.keyword.empty())
+            options_.given.push_back(
+                message("--", row.word, given.value ? message("=", value) : std::string()));
+        else if (row.takes == Takes::sign_and_value && given.value)
+            options_.given.push_back(message("+", row.letters, value));
+        else
+            options_.given.push_back(message(row.keyword, "=", value));
     }
 
     void read_switch(std::string_view argument) {
         const std::string_view text = argument.substr(1);
+        if (same_letters(text, "h")) {  // POV-Ray's shortest way to ask for help
+            options_.task = Task::help;
+            return;
+        }
         const OptionRow* row = find_switch(text);
         if (find_named(&OptionRow::word, text) || !row)
             return fail(argument, "there is no such option", help_for(argument));
@@ -123,8 +162,7 @@ private:
         if (row->takes == Takes::value && !value)
             return fail(argument, message("needs a value directly behind it: `", argument,
                                           row->parameter, "`"));
-        apply(*row, options_, {argument, argument[0] == '+' || row->takes == Takes::value, value},
-              diagnostics_);
+        accept(*row, {argument, argument[0] == '+' || row->takes == Takes::value, value, where_});
     }
 
     std::string help_for(std::string_view argument) {
@@ -146,11 +184,11 @@ private:
         const std::string text(argument.substr(equals + 1));
         if (row->takes == Takes::value) {
             if (text.empty()) return fail(argument, "needs a value");
-            return apply(*row, options_, {argument, true, text}, diagnostics_);
+            return accept(*row, {argument, true, text, where_});
         }
         const std::optional<bool> on = truth(text);
         if (!on) return fail(argument, "the value must be on or off");
-        apply(*row, options_, {argument, *on, {}}, diagnostics_);
+        accept(*row, {argument, *on, {}, where_});
     }
 
     void read_long(std::string_view argument) {
@@ -159,7 +197,7 @@ private:
             find_named(&OptionRow::word,
                        argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
         if (!row) return fail(argument, "there is no such option", meant(argument));
-        Given given{argument, true, {}};
+        Given given{argument, true, {}, where_};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
         if (!given.value && row->takes == Takes::value && next_ < arguments_.size())
@@ -168,7 +206,7 @@ private:
         if (row->takes == Takes::value && (!given.value || given.value->empty()))
             return fail(argument,
                         message("needs a value: `--", row->word, " ", row->parameter, "`"));
-        apply(*row, options_, given, diagnostics_);
+        accept(*row, given);
     }
 
     /// The arguments up to the next option, with blanks between them.
@@ -184,7 +222,10 @@ private:
 
     std::span<const std::string_view> arguments_;
     Diagnostics& diagnostics_;
+    const Reader& read_;
     Options options_;
+    std::string where_;  ///< the line of an INI file
+    int depth_ = 0;      ///< of INI files
     std::size_t next_ = 0;
     bool only_files_ = false;
     bool bare_scene_ = false;
@@ -192,6 +233,7 @@ private:
 
 }  // namespace
 
-Options read_options(std::span<const std::string_view> arguments, Diagnostics& diagnostics) {
-    return Reader(arguments, diagnostics).read();
+Options read_options(std::span<const std::string_view> arguments, Diagnostics& diagnostics,
+                     const Reader& read) {
+    return OptionReader(arguments, diagnostics, read).read();
 }

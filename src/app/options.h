@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line as a value. POV-Ray's switches and keywords and our own long options are read
-// from one table (app/option_table.h); what is wrong is reported, and reading goes on. Reads no
-// file.
+// from one table (app/option_table.h); what is wrong is reported, and reading goes on.
 #pragma once
 
+#include "app/animation.h"
+#include "evaluate/evaluator.h"
 #include "evaluate/limits.h"
 #include "picture/write.h"
 #include "scene/settings.h"
 #include "text/diagnostic.h"
+#include "text/loader.h"
 #include "vocabulary/manual.h"
 
 #include <cstdint>
@@ -50,6 +52,12 @@ struct Options {
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
     std::vector<Declaration> declares;
     std::optional<double> clock;
+    AnimationSettings animation;
+    RunFacts facts;                       ///< what else the scene is told
+    std::string movie;                    ///< what the frames become; empty: nothing more
+    double frame_rate = 25;               ///< of the movie, frames a second
+    std::optional<std::string> ini_file;  ///< where all options go
+    std::vector<std::string> given;       ///< all options as lines of an INI file
     RenderSettings render;
     bool verbose = true;
     bool diagnostics_as_json = false;
@@ -58,5 +66,6 @@ struct Options {
     ManualForm form = ManualForm::text;  ///< of --describe
 };
 
-/// The program's arguments, without its name. Everything wrong with them is in the diagnostics.
-Options read_options(std::span<const std::string_view> arguments, Diagnostics&);
+/// The program's arguments, without its name. Everything wrong with them is in the diagnostics. INI
+/// files that they name are read with the reader.
+Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {});

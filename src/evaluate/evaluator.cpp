@@ -98,9 +98,14 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     };
     number("image_width", facts.image_width);
     number("image_height", facts.image_height);
-    for (const std::string_view name : {"frame_number", "initial_frame", "final_frame",
-                                        "initial_clock", "final_clock", "clock_delta"})
-        number(name, 0);
+    number("frame_number", facts.frame_number);
+    number("initial_frame", facts.initial_frame);
+    number("final_frame", facts.final_frame);
+    number("initial_clock", facts.initial_clock);
+    number("final_clock", facts.final_clock);
+    number("clock_delta", facts.clock_delta);
+    version = facts.version.value_or(version);
+    version_given = facts.version.has_value();
 }
 
 void Evaluator::State::run_within_memory(SourceId main) {
@@ -124,8 +129,11 @@ void Evaluator::State::run(SourceId main) {
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;
     codes.add(tree);
-    if (!stopped_)
-        walk_whole(tree, tree.first, [&](const Element& element) { meaning.top(element); });
+    const auto take = [&](const Element& element) { meaning.top(element); };
+    if (!stopped_ && !facts.header.empty())
+        if (const Tree* header = load(facts.header, {main, 0, 0}))
+            walk_whole(*header, header->first, take);
+    if (!stopped_) walk_whole(tree, tree.first, take);
 }
 
 void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& take) {

@@ -50,6 +50,15 @@ struct RunFacts {
     bool clock_given = false;
     int image_width = 320;
     int image_height = 240;
+    // Of an animation; all 0 when there is none.
+    int frame_number = 0;
+    int initial_frame = 0;
+    int final_frame = 0;
+    double initial_clock = 0;
+    double final_clock = 0;
+    double clock_delta = 0;
+    std::string header;             ///< file that is included before the scene; empty: none
+    std::optional<double> version;  ///< until the scene says one
 };
 
 /// What blocks mean: the binder's side. All may walk and evaluate; they may be called while others

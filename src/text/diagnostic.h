@@ -121,6 +121,14 @@ public:
     /// From now on warnings count as errors.
     void make_warnings_errors() { warnings_are_errors_ = true; }
 
+    /// An empty collector with the same settings.
+    Diagnostics fresh() const {
+        Diagnostics result;
+        result.muted_ = muted_;
+        result.warnings_are_errors_ = warnings_are_errors_;
+        return result;
+    }
+
     bool failed() const { return errors_ > 0; }
     std::size_t error_count() const { return errors_; }
 

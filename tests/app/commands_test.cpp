@@ -299,3 +299,48 @@ TEST_CASE("diagnostics as JSON are all that is said", "[app]") {
     CHECK(shell.err.empty());
     CHECK(shell({"--diagnostics=xml"}) == 2);
 }
+
+TEST_CASE("an animation leaves a picture for each frame, each with its clock", "[app]") {
+    Shell shell;
+    shell.write("move.pov", "#debug concat(str(frame_number, 0, 0), \"/\", str(final_frame, 0, 0), "
+                            "\" \", str(clock, 0, 2), \"\\n\") camera { location -z } "
+                            "background { rgb clock }");
+    const std::vector<std::string> words = {shell.path("move.pov"), "+W2", "+H2",
+                                            "+O" + shell.path("out.png"), "+KFF11"};
+    REQUIRE(shell(words) == exit_status::done);
+    CHECK(has(shell.err, "3/11 0.20\n"));
+    CHECK(has(shell.err, "frame 11 (11 of 11), clock 1"));
+    CHECK(fs::exists(shell.path("out01.png")));
+    Diagnostics none;
+    CHECK(read_picture(shell.path("out11.png"), none)->pixels[0].x > 0.99);
+    CHECK(read_picture(shell.path("out01.png"), none)->pixels[0].x == 0);
+
+    fs::remove(shell.path("out07.png"));
+    std::vector<std::string> again = words;
+    again.push_back("--skip-existing");
+    REQUIRE(shell(again) == exit_status::done);
+    CHECK(has(shell.err, "frame 6 (6 of 11), clock 0.5: is there"));
+    CHECK(has(shell.err, "7/11"));
+    CHECK_FALSE(has(shell.err, "6/11"));
+    CHECK(fs::exists(shell.path("out07.png")));
+}
+
+TEST_CASE("an error in a frame ends the animation", "[app]") {
+    Shell shell;
+    shell.write("bad.pov", "#if (frame_number = 2) #error \"no\" #end camera { location -z }");
+    CHECK(shell({shell.path("bad.pov"), "+W2", "+H2", "+O" + shell.path("bad.png"), "+KFF3"}) ==
+          exit_status::scene);
+    CHECK(fs::exists(shell.path("bad1.png")));
+    CHECK_FALSE(fs::exists(shell.path("bad2.png")));
+    CHECK_FALSE(fs::exists(shell.path("bad3.png")));
+}
+
+TEST_CASE("options go to an INI file and come from it", "[app]") {
+    Shell shell;
+    shell.write("head.inc", "#declare Size = 3;");
+    REQUIRE(shell({"--check", "+W77", "Declare=Size=2", "+HIhead.inc", shell.path("lit.pov"),
+                   "+GI" + shell.path("all.ini")}) == exit_status::done);
+    CHECK(has(shell.content("all.ini"), "Width=77\nDeclare=Size=2\nInclude_Header=head.inc\n"));
+    REQUIRE(shell({shell.path("all.ini")}) == exit_status::done);
+    CHECK(has(shell.err, "no errors"));
+}

@@ -28,3 +28,9 @@ TEST_CASE("the standard library lies beside an installed program, or where one s
 }
 
 TEST_CASE("a program knows its own file") { CHECK(fs::is_regular_file(own_path())); }
+
+TEST_CASE("the settings of everybody come from the file that a variable names", "[app]") {
+    CHECK(settings_file("mine.ini", nullptr) == "mine.ini");
+    CHECK_FALSE(settings_file("", nullptr));
+    CHECK_FALSE(settings_file(nullptr, "/no/such/home"));
+}

@@ -7,7 +7,6 @@
 
 TEST_CASE("no switch, keyword or word stands in the table twice, and every row leads somewhere") {
     std::set<std::string_view> letters, keywords, words;
-    const auto fields = RenderSettings::vocabulary.fields;
     for (const OptionRow& row : option_table()) {
         CAPTURE(row.letters, row.keyword, row.word);
         CHECK((row.letters.empty() || letters.insert(row.letters).second));
@@ -16,7 +15,7 @@ TEST_CASE("no switch, keyword or word stands in the table twice, and every row l
         CHECK_FALSE((row.letters.empty() && row.keyword.empty() && row.word.empty()));
         CHECK((row.takes != Takes::value || !row.parameter.empty()));
         if (row.unoffered != Unoffered::no) continue;
-        CHECK((row.store != nullptr) != (settings_field(row.field) < fields.size()));
+        CHECK((row.store != nullptr) != (find_setting(row.field).item != nullptr));
         CHECK_FALSE(manual_entry(row).help.empty());
     }
 }

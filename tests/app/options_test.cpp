@@ -231,12 +231,12 @@ TEST_CASE("every wrong argument has one message") {
          "'Declare=a=\"text\"'"},
         {{"a.pov", "b.pov"},
          "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
-        {{"render.ini"},
-         "`render.ini`: INI files are not read | give its settings here, each as one argument: "
-         "Width=640"},
+        {{"render.ini"}, "`render.ini`: there is no such file that can be read"},
         {{""}, "``: a file name cannot be empty"},
         {{"+SR10"}, "`+SR10`: is not offered: only whole pictures are rendered"},
-        {{"+KFF30"}, "`+KFF30`: is not offered: one picture is made at a time; set clock with +K"},
+        {{"+UF"}, "`+UF`: is not offered"},
+        {{"+KIx"}, "`+KIx`: initial_clock must be a number, but it is `x`"},
+        {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},
         {{"+UA"}, "`+UA`: is not offered: pictures have no alpha channel"},
         {{"File_Gamma=2.2"},
          "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, "
@@ -244,4 +244,50 @@ TEST_CASE("every wrong argument has one message") {
         {{"+\x1b[2J"}, "`+\xe2\x90\x9b[2J`: there is no such option"},
     };
     for (const Case& each : cases) CHECK(complaint(each.words) == each.expected);
+}
+
+TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
+    const Reader files = [](const std::string& name) -> std::optional<std::string> {
+        if (name == "a.ini") return "Width=10\nb.ini[Small]\n+H7\n[Wide]\nWidth=900\n";
+        if (name == "b.ini") return "Height=3\n[Small]\nHeight=5\n--seed=9\nscene.pov";
+        if (name == "loop.ini") return "loop.ini";
+        if (name == "wrong.ini") return "\nWidht=3";
+        return {};
+    };
+    const auto said = [&](const Words& words) {
+        Diagnostics diagnostics;
+        const Options options = read_options(words, diagnostics, files);
+        if (!diagnostics.all().empty()) return diagnostics.all()[0].message;
+        return std::to_string(options.render.width) + "x" + std::to_string(options.render.height) +
+               " " + std::to_string(options.render.seed) + " " + options.scene.value_or("");
+    };
+    CHECK(said({"a.ini"}) == "10x7 9 scene.pov");
+    CHECK(said({"a.ini[wide]", "+W20"}) == "20x7 9 scene.pov");
+    CHECK(said({"+W20", "a.ini[wide]"}) == "900x7 9 scene.pov");
+    CHECK(said({"a.ini[none]"}) == "`a.ini[none]`: the file has no section [none]");
+    CHECK(said({"wrong.ini"}) == "wrong.ini:2: `Widht=3`: there is no such keyword");
+    CHECK(said({"loop.ini"}) == "loop.ini:1: `loop.ini`: INI files name each other more than 10 "
+                                "deep");
+}
+
+TEST_CASE("frames, header and version have their options", "[app]") {
+    const Options options = read({"+KFI2", "Final_Frame=20", "+KF6.5", "+KC", "+SF0.5", "+STP3",
+                                  "--skip-existing", "+HIhead.inc", "Version=3.5"});
+    CHECK(options.animation.initial_frame == 2);
+    CHECK(options.animation.final_frame == 20);
+    CHECK(options.animation.final_clock == 6.5);
+    CHECK(options.animation.cyclic);
+    CHECK(options.animation.subset_start_frame == 0.5);
+    CHECK(options.animation.frame_step == 3);
+    CHECK(options.animation.skip_existing);
+    CHECK(options.facts.header == "head.inc");
+    CHECK(options.facts.version == 3.5);
+}
+
+TEST_CASE("all options together are lines of an INI file", "[app]") {
+    const Options options =
+        read({"+W30", "-F", "+A0.2", "--seed", "4", "Declare=a=1", "-V", "x.pov"});
+    CHECK(options.given == std::vector<std::string>{"Width=30", "Output_to_File=off", "+A0.2",
+                                                    "--seed=4", "Declare=a=1", "Verbose=off",
+                                                    "Input_File_Name=x.pov"});
 }

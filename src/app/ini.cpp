@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ini.h"
+
+#include "app/option_store.h"
+
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+}
+
+/// Without its comment; a `;` in quotes begins none.
+std::string_view without_comment(std::string_view line) {
+    char quote = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (quote)
+            quote = line[i] == quote ? 0 : quote;
+        else if (line[i] == '"' || line[i] == '\'')
+            quote = line[i];
+        else if (line[i] == ';')
+            return line.substr(0, i);
+    }
+    return line;
+}
+
+std::string_view unquoted(std::string_view value) {
+    const bool quoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'') &&
+                        value.back() == value.front();
+    return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+/// Blanks around the first `=` go, and quotes around the value.
+std::string as_argument(std::string_view line) {
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos || line[0] == '+' || line[0] == '-') return std::string(unquoted(line));
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    // A declared string keeps its quotes: they are what makes it a string.
+    return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
+}
+
+}  // namespace
+
+std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string_view section) {
+    std::vector<IniLine> lines;
+    bool taken = true, found = section.empty();
+    int number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(without_comment(text.substr(0, end)));
+        text.remove_prefix(std::min(text.size(), end + 1));
+        ++number;
+        if (line.starts_with('[') && line.ends_with(']')) {
+            taken =
+                !section.empty() && same_letters(trimmed(line.substr(1, line.size() - 2)), section);
+            found |= taken;
+        } else if (taken && !line.empty()) {
+            lines.push_back({number, as_argument(line)});
+        }
+    }
+    return found ? std::optional(std::move(lines)) : std::nullopt;
+}
+
+std::optional<IniName> ini_name(std::string_view argument) {
+    IniName name;
+    if (argument.ends_with(']')) {
+        const std::size_t open = argument.rfind('[');
+        if (open == argument.npos) return std::nullopt;
+        name.section = trimmed(argument.substr(open + 1, argument.size() - open - 2));
+        argument = argument.substr(0, open);
+    }
+    constexpr std::string_view ending = ".ini";
+    if (argument.size() <= ending.size() ||
+        !same_letters(argument.substr(argument.size() - ending.size()), ending))
+        return std::nullopt;
+    name.file = argument;
+    return name;
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/ini.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+constexpr const char* file =
+    "; all pictures\r\n"
+    "Width = 640 ; wide\n"
+    "  +A0.1\n"
+    "Input_File_Name=\"a b;c.pov\"\n"
+    "\n"
+    "[Low]\n"
+    "Width=160\n"
+    "[ High ]\n"
+    "Width=1280\n"
+    "more.ini";
+
+std::string lines(std::string_view section) {
+    const auto found = ini_lines(file, section);
+    if (!found) return "no such section";
+    std::string text;
+    for (const IniLine& line : *found)
+        text += std::to_string(line.number) + ":" + line.option + "|";
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("an INI file is a list of options", "[app]") {
+    CHECK(lines("") == "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|");
+}
+
+TEST_CASE("a section comes after what stands above all", "[app]") {
+    CHECK(lines("low") == "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|7:Width=160|");
+    CHECK(lines("HIGH") ==
+          "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|9:Width=1280|10:more.ini|");
+    CHECK(lines("none") == "no such section");
+}
+
+TEST_CASE("names of INI files may have a section", "[app]") {
+    CHECK(ini_name("a.ini")->file == "a.ini");
+    CHECK(ini_name("x/A.INI[Low res]")->section == "Low res");
+    CHECK(ini_name("x/A.INI[Low res]")->file == "x/A.INI");
+    CHECK_FALSE(ini_name("a.pov"));
+    CHECK_FALSE(ini_name("a.pov[x]"));
+    CHECK_FALSE(ini_name(".ini"));
+    CHECK_FALSE(ini_name("a]"));
+}
