@@ -1,6 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/random.h"
 
+namespace {
+
+std::uint32_t reversed(std::uint32_t x) {
+    x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+    x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+    x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+    return __builtin_bswap32(x);
+}
+
+/// Owen's scrambling of a number whose bits are in reversed order: each bit is flipped or not by a
+/// hash of those that count more (Laine and Karras, "Stratified Sampling for Stochastic
+/// Transparency", 2011, with the constants of Vegdahl).
+std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+/// The second dimension of Sobol's sequence, in reversed order of bits: the product with Pascal's
+/// triangle modulo 2, which is made of five equal steps.
+std::uint32_t pascal(std::uint32_t x) {
+    x ^= x >> 1 & 0x55555555u;
+    x ^= x >> 2 & 0x33333333u;
+    x ^= x >> 4 & 0x0f0f0f0fu;
+    x ^= x >> 8 & 0x00ff00ffu;
+    x ^= x >> 16 & 0x0000ffffu;
+    return x;
+}
+
+/// Pairs of purposes make points in the plane; the others stand alone.
+struct Dimension {
+    std::uint32_t pair;
+    bool second;
+};
+Dimension dimension(Purpose purpose) {
+    switch (purpose) {
+        case Purpose::pixel_y:
+            return {static_cast<std::uint32_t>(Purpose::pixel_x), true};
+        case Purpose::light_v:
+            return {static_cast<std::uint32_t>(Purpose::light_u), true};
+        default:
+            return {static_cast<std::uint32_t>(purpose), false};
+    }
+}
+
+}  // namespace
+
 std::uint64_t mix(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15u;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -9,8 +59,18 @@ std::uint64_t mix(std::uint64_t x) {
 }
 
 double uniform(const Key& key, Purpose purpose) {
+    const auto [pair, second] = dimension(purpose);
     std::uint64_t h = mix(key.pixel);
-    h = mix(h ^ (std::uint64_t{key.sample} << 32 | key.path));
-    h = mix(h ^ (std::uint64_t{key.branch} << 32 | static_cast<std::uint32_t>(purpose)));
-    return static_cast<double>(h >> 11) * 0x1p-53;
+    h = mix(h ^ (std::uint64_t{key.path} << 32 | key.branch));
+    h = mix(h ^ pair);
+    // The order of the points is shuffled, so that pairs of dimensions that do not belong together
+    // stay independent (Burley, "Practical Hash-based Owen Scrambling", 2020).
+    const std::uint32_t index =
+        reversed(scrambled(reversed(key.sample), static_cast<std::uint32_t>(h)));
+    const std::uint32_t point = second ? pascal(index) : index;
+    h = mix(h ^ (second ? 2 : 1));
+    const std::uint32_t high = reversed(scrambled(point, static_cast<std::uint32_t>(h)));
+    // The bits below 2^-32 are plain noise.
+    const std::uint64_t low = mix(h ^ std::uint64_t{key.sample} << 32) >> 43;
+    return static_cast<double>(std::uint64_t{high} << 21 | low) * 0x1p-53;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counter-based random numbers: a pure function of where and what for, so that no order of work can
-// change a picture.
+// Numbers that stand for chance: a pure function of where and what for, so that no order of work
+// can change a picture. Over the samples of a pixel they are Owen-scrambled Sobol points, which are
+// spread more evenly than chance would; one by one each is uniform, and those of different pixels,
+// paths, branches and purposes are independent.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +26,12 @@ struct Key {
         0;  ///< hash of the bounces (reflected or refracted) so far; 0 for the camera ray
     std::uint32_t branch = 0;  ///< number of the shadow ray at this hit
 
+    /// The key of the n-th of some shadow rays at one hit: as if the pixel had so many times more
+    /// samples, so that all of them together are spread well.
+    Key part(int count, int n) const {
+        return {pixel, sample * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(n),
+                path, branch};
+    }
     Key with_branch(std::uint32_t b) const { return {pixel, sample, path, b}; }
     /// The key after one more bounce; kind tells reflection from refraction.
     Key bounced(std::uint32_t kind) const { return {pixel, sample, path * 31u + kind + 1u, 0}; }

@@ -51,8 +51,9 @@ double importance(const LightNode& node, const ShadingPoint& point) {
 
 }  // namespace
 
-BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires)
+BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, bool paired)
     : nodes_(build_light_hierarchy(luminaires)), leaf_of_(luminaires.size()) {
+    if (paired) tree_ = LightTree(luminaires);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
@@ -101,6 +102,6 @@ std::size_t BuiltLightBvh::memory_bytes() const {
     return nodes_.capacity() * sizeof(LightNode) + leaf_of_.capacity() * sizeof(std::uint32_t);
 }
 
-BuiltLightBvh build(const LightBvh&, const LightScene& scene, int) {
-    return BuiltLightBvh(scene.luminaires);
+BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
+    return BuiltLightBvh(scene.luminaires, settings.mis);
 }

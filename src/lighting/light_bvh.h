@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "lighting/light_tree.h"
 #include "lighting/pick.h"
 #include "lighting/settings.h"
 
@@ -25,13 +26,19 @@ struct LightNode {
 
 class BuiltLightBvh {
 public:
-    explicit BuiltLightBvh(std::span<const Luminaire>);
+    explicit BuiltLightBvh(std::span<const Luminaire>, bool paired = false);
 
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     double expected(const ShadingPoint&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const;
 
+    /// Whether each shadow ray has a partner that the surface chooses; then there is a tree to find
+    /// what that one meets.
+    bool paired() const { return tree_.lights() > 0; }
+    const LightTree& tree() const { return tree_; }
+
 private:
+    LightTree tree_;
     std::vector<LightNode> nodes_;        ///< depth first; parents before children
     std::vector<std::uint32_t> leaf_of_;  ///< per luminaire
 };

@@ -164,18 +164,6 @@ private:
         reach2_;  ///< squares of the distances within which luminaires are bright
 };
 
-/// The cube over all surfaces. Where planes have no end, the neighbourhood of the luminaires is
-/// what matters.
-Box root_box(const LightScene& scene, std::span<const LightBounds> lights) {
-    Box all;
-    for (const Box& box : scene.surfaces)
-        if (!box.empty() && finite(box)) all = join(all, box);
-    if (all.empty() || !scene.planes.empty())
-        for (const LightBounds& light : lights) all = join(all, light.box);
-    const Vec3 half(0.5 * max_component(all.size()) * (1 + 1e-9));
-    return {all.centre() - half, all.centre() + half};
-}
-
 /// Cells of a part of the tree, behind those that are there; its first cell takes the given place.
 void splice(LightCells& tree, std::uint32_t place, LightCells&& part) {
     // Cell 0 of the part moves to its place, the others to the end.
@@ -194,6 +182,16 @@ void splice(LightCells& tree, std::uint32_t place, LightCells&& part) {
 }
 
 }  // namespace
+
+Box cube_to_light(const LightScene& scene, std::span<const LightBounds> lights) {
+    Box all;
+    for (const Box& box : scene.surfaces)
+        if (!box.empty() && finite(box)) all = join(all, box);
+    if (all.empty() || !scene.planes.empty())
+        for (const LightBounds& light : lights) all = join(all, light.box);
+    const Vec3 half(0.5 * max_component(all.size()) * (1 + 1e-9));
+    return {all.centre() - half, all.centre() + half};
+}
 
 double bright_reach(const LightBounds& light, double radiance) {
     if (!(light.luminance > 0)) return -1;
@@ -237,7 +235,7 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
     }
     Region root;
     root.entries = most_entries(lights.size());
-    root.box = root_box(scene, lights);
+    root.box = cube_to_light(scene, lights);
     if (lights.empty() || root.box.empty()) return {};
     for (std::uint32_t i = 0; i < scene.surfaces.size() + scene.planes.size(); ++i)
         root.surfaces.push_back(i);

@@ -11,6 +11,10 @@
 /// have at least that radiance by its light alone; below 0: nowhere.
 double bright_reach(const LightBounds&, double radiance);
 
+/// The cube over all surfaces: where points may be lit. Where planes have no end, the neighbourhood
+/// of the luminaires is what matters.
+Box cube_to_light(const LightScene&, std::span<const LightBounds>);
+
 struct LightCell {
     static constexpr std::uint32_t no_list = ~std::uint32_t{0};
     std::uint32_t children = 0;    ///< first of eight; 0: none

@@ -1,52 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): those that are
-// bright in the cell in proportion to what they would give at the point if nothing were between,
-// the dim rest by a guess from a few of them. A luminaire has probability 0 only where it is bright
-// and all of it is below the horizon: the rest is never quite 0.
+// The light octree: cells with cuts, or, when the settings say so, the paper's lists of bright
+// luminaires. Built and asked like any other strategy.
 #pragma once
 
-#include "base/random.h"
-#include "lighting/dim_set.h"
-#include "lighting/light_cells.h"
-#include "lighting/light_table.h"
-#include "lighting/settings.h"
+#include "lighting/cut_octree.h"
+#include "lighting/paper_octree.h"
+
+#include <variant>
 
 class BuiltLightOctree {
 public:
-    BuiltLightOctree(const LightOctree&, const LightScene&, int threads);
+    explicit BuiltLightOctree(BuiltCutOctree&& built) : built_(std::move(built)) {}
+    explicit BuiltLightOctree(BuiltPaperOctree&& built) : built_(std::move(built)) {}
 
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    /// Looks at the same representatives of the dim luminaires as choose() with this key.
-    double expected(const ShadingPoint&, const Key&, LightIndex) const;
-    std::size_t memory_bytes() const;
-
-    std::size_t cells() const { return cells_.cells.size(); }
-    /// Number of luminaires that are bright around a point; points where no surface is have none.
-    std::size_t bright(const Vec3& point) const { return list_at(point).count; }
+    void choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+        std::visit([&](const auto& b) { b.choose(point, key, picks); }, built_);
+    }
+    double expected(const ShadingPoint& point, const Key& key, LightIndex light) const {
+        return std::visit([&](const auto& b) { return b.expected(point, key, light); }, built_);
+    }
+    std::size_t memory_bytes() const {
+        return std::visit([](const auto& b) { return b.memory_bytes(); }, built_);
+    }
+    /// Null when it is the paper's.
+    const BuiltCutOctree* cuts() const { return std::get_if<BuiltCutOctree>(&built_); }
 
 private:
-    /// Unnormalised probabilities at a point.
-    struct Odds {
-        LightList list;
-        LightTable::Sums bright;
-        double dim = 0;  ///< of all dim luminaires together
-        double total() const { return bright.total + dim; }
-    };
-
-    LightList list_at(const Vec3& point) const;
-    DimSet dim_set(const LightList&) const;
-    /// Share of one dim luminaire in what all of them have.
-    double share(const DimSet&, LightIndex) const;
-    void weigh(const ShadingPoint&, const Key&, Odds&) const;
-    /// What all dim luminaires together give, guessed from some of them; 0 only when all are dark.
-    double guess_dim(const ShadingPoint&, const Key&, const DimSet&) const;
-
-    int representatives_;
-    LightCells cells_;  ///< without its lists, which are here:
-    std::vector<LightList> lists_;
-    LightTable table_;
-    LightPlaces places_;
-    std::vector<std::uint64_t> dim_before_;  ///< per row of the table: see DimSet
+    std::variant<BuiltCutOctree, BuiltPaperOctree> built_;
 };
 
-BuiltLightOctree build(const LightOctree&, const LightScene&, int threads);
+inline BuiltLightOctree build(const LightOctree& settings, const LightScene& scene, int threads) {
+    if (settings.paper) return BuiltLightOctree(BuiltPaperOctree(settings, scene, threads));
+    return BuiltLightOctree(BuiltCutOctree(settings, scene));
+}

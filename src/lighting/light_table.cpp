@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_table.h"
 
+#include "lighting/every_machine.h"
+
 #include <algorithm>
 
 namespace {
@@ -34,12 +36,6 @@ template <bool both_sides>
         out[i] = d2 < c.exact_within2[i] ? -estimate : estimate;
     }
 }
-
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define CANDELABRA_EVERY_MACHINE [[gnu::target_clones("avx512f", "avx2", "default")]]
-#else
-#define CANDELABRA_EVERY_MACHINE
-#endif
 
 CANDELABRA_EVERY_MACHINE
 void estimate_rows(const Columns& c, std::size_t count, const ShadingPoint& point, double* out) {

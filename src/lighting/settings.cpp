@@ -19,20 +19,34 @@ const ItemInfo LinearAlpha::vocabulary = described<LinearAlpha>([] {
 });
 
 const ItemInfo LightBvh::vocabulary = described<LightBvh>([] {
-    return schema<LightBvh>("light_bvh", "Walks down a hierarchy of luminaires by importance.");
+    using F = Field<LightBvh>;
+    return schema<LightBvh>("light_bvh", "Walks down a hierarchy of luminaires by importance.",
+                            F{"mis", &LightBvh::mis, flag,
+                              "each shadow ray has a partner that the surface chooses; the two are "
+                              "weighed against each other (multiple importance sampling)"});
 });
 
 const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
     using F = Field<LightOctree>;
     return schema<LightOctree>(
         "light_octree",
-        "Lists per cell of space the luminaires that are bright there, and guesses the dim ones.",
+        "Chooses from a short partition of all luminaires that each cell of space has.",
+        F{"eta", &LightOctree::eta, item,
+          "variance over squared mean that the choice may have where nothing is between", above(0)},
+        F{"cut", &LightOctree::cut, item, "most entries of a cell's partition", between(1, 256)},
+        F{"brdf", &LightOctree::brdf, item,
+          "greatest share of the shadow rays whose direction the surface chooses", between(0, 0.9)},
+        F{"alone", &LightOctree::alone, flag,
+          "a shadow ray counts only the luminaire that it was sent to"},
+        F{"paper", &LightOctree::paper, flag,
+          "lists of bright luminaires instead, and guesses for the dim ones"},
         F{"threshold", &LightOctree::threshold, item,
-          "a luminaire is bright where it may add this share of white", above(0)},
-        F{"white", &LightOctree::white, item, "radiance that the display shows as white", above(0)},
+          "paper: a luminaire is bright where it may add this share of white", above(0)},
+        F{"white", &LightOctree::white, item, "paper: radiance that the display shows as white",
+          above(0)},
         F{"max_depth", &LightOctree::max_depth, item, "deepest level of cells", between(0, 20)},
         F{"max_bright", &LightOctree::max_bright, item,
-          "cells with more bright luminaires are subdivided", between(1, 1e6)},
+          "paper: cells with more bright luminaires are subdivided", between(1, 1e6)},
         F{"representatives", &LightOctree::representatives, item,
-          "dim luminaires that are asked at each hit", between(1, 64)});
+          "paper: dim luminaires that are asked at each hit", between(1, 64)});
 });

@@ -22,13 +22,21 @@ struct LinearAlpha {
 /// "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018): what other renderers
 /// do.
 struct LightBvh {
+    bool mis = false;
+
     static const ItemInfo vocabulary;
 };
-/// An octree whose cells list the luminaires that are bright there (the paper, section 4.3).
+/// An octree whose cells hold short partitions of all luminaires, or, as in the paper (section
+/// 4.3), lists of those that are bright there.
 struct LightOctree {
+    double eta = 0.02;
+    int cut = 64;
+    int max_depth = 10;
+    double brdf = 0.5;
+    bool alone = false;
+    bool paper = false;
     double threshold = 0.0007;
     double white = 1;
-    int max_depth = 12;
     int max_bright = 128;
     int representatives = 1;
 

@@ -119,20 +119,28 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
 }
 
 double density(const AreaEmitter& e, const Vec3& from, const Vec3& direction) {
-    const Ray ray{from, direction};
+    LightMeetings met;
+    meet(e, {from, Vec3(0)}, direction, met);
+    double sum = 0;
+    for (const LightMeeting& meeting : met) sum += meeting.density;
+    return sum;
+}
+
+void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction,
+          LightMeetings& found) {
+    const Ray ray{point.position, direction};
     Crossings met;
     crossings(e.shape, e.transform ? e.transform->inverse_ray(ray) : ray, met);
-    const bool solid = closed(e), within = inside(e.shape, to_shape_point(e, from));
+    if (met.size() == 0) return;
+    const bool solid = closed(e), within = inside(e.shape, to_shape_point(e, point.position));
     const Vec3 flat = flat_normal(e);
-    double sum = 0;
     for (std::size_t i = 0; i < met.size(); ++i) {
         const double distance = met[i].t;
         const Vec3 normal = stretched_normal(e, flat != Vec3(0) ? flat : met[i].normal);
         const double seen = std::abs(dot(normal, direction));
         if (distance > 0 && seen > 0 && turned_to(normal, -direction, solid, within))
-            sum += distance * distance / (surface_area(e.shape) * seen);
+            found.push_back({distance, distance * distance / (surface_area(e.shape) * seen)});
     }
-    return sum;
 }
 
 double emitting_area(const AreaEmitter& e) {

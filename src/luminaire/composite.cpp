@@ -96,9 +96,18 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
 }
 
 double density(const CompositeEmitter& e, const Vec3& from, const Vec3& direction) {
+    LightMeetings met;
+    meet(e, {from, Vec3(0)}, direction, met);
+    return met.empty() ? 0 : met.front().density;
+}
+
+void meet(const CompositeEmitter& e, const ShadingPoint& point, const Vec3& direction,
+          LightMeetings& met) {
     const Around ball(e);
-    if (!meet(e, {from, direction}, clearance * ball.radius)) return 0;
-    return 1 / (2 * pi * rim(ball, length(ball.centre - from)));
+    const auto distance = meet(e, {point.position, direction}, clearance * ball.radius);
+    if (!distance) return;
+    const double widest = rim(ball, length(ball.centre - point.position));
+    met.push_back({*distance, 1 / (2 * pi * widest)});
 }
 
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

@@ -13,4 +13,5 @@ LightBounds bounds(const CompositeEmitter&, double luminance);
 double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
 double density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
+void meet(const CompositeEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const CompositeEmitter&);

@@ -36,6 +36,18 @@ double density(const Luminaire& luminaire, const Vec3& from, const Vec3& directi
                       luminaire.emitter);
 }
 
+std::optional<LightPoint> sample(const Luminaire& luminaire, const ShadingPoint& point,
+                                 const Vec2& u) {
+    if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
+        return sample(*sphere, point, u);
+    return sample(luminaire, point.position, u);
+}
+
+void meet(const Luminaire& luminaire, const ShadingPoint& point, const Vec3& direction,
+          LightMeetings& met) {
+    std::visit([&](const auto& e) { meet(e, point, direction, met); }, luminaire.emitter);
+}
+
 double emitting_area(const Emitter& emitter) {
     return std::visit([](const auto& e) { return emitting_area(e); }, emitter);
 }

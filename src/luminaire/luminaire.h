@@ -98,5 +98,19 @@ std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2&
 /// cannot.
 double density(const Luminaire&, const Vec3& from, const Vec3& direction);
 
+/// The same where the surface's normal is known: spheres that are wholly above the horizon are
+/// sampled in proportion to the cosine, so that a diffuse surface sees no noise of it at all.
+std::optional<LightPoint> sample(const Luminaire&, const ShadingPoint&, const Vec2& u);
+
+/// Where a direction meets a luminaire.
+struct LightMeeting {
+    double distance;
+    double density;  ///< with which sample() gives this point for the shading point, per steradian
+};
+using LightMeetings = std::vector<LightMeeting>;
+
+/// Appends the points that sample() may give in this direction from the shading point.
+void meet(const Luminaire&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);

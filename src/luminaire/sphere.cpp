@@ -35,24 +35,75 @@ std::optional<LightPoint> sample_area(const SphereEmitter& s, const Vec3& from, 
     return LightPoint{position, offset / distance, distance, area_density(s, distance, cosine)};
 }
 
-std::optional<LightPoint> sample_cone(const SphereEmitter& s, const Vec3& from, double to_centre,
-                                      const Vec2& u) {
-    const double widest = rim(s, to_centre), versine = u.x * widest, cosine = 1 - versine;
-    const double sine2 = versine * (2 - versine), sine = std::sqrt(sine2);
-    const Vec3 middle = (s.centre - from) / to_centre;
-    const auto [x, y] = perpendiculars(middle);
+/// How a point outside sees the sphere.
+struct View {
+    Vec3 middle;  ///< unit
+    double distance, sine2;
+
+    View(const SphereEmitter& s, const Vec3& from) : middle(s.centre - from) {
+        distance = length(middle);
+        middle /= distance;
+        sine2 = (s.radius / distance) * (s.radius / distance);
+    }
+};
+
+/// The point that is met in a direction that makes this angle with the middle, across being its
+/// part at right angles. Near root and place on the sphere in forms that lose no digits, neither
+/// close to the sphere nor far from it.
+LightPoint point_towards(const SphereEmitter& s, const View& view, double cosine,
+                         const Vec3& across, double density) {
+    const double d = view.distance, across2 = dot(across, across);
+    const double half_chord = std::sqrt(std::fmax(0, s.radius * s.radius - d * d * across2));
+    const double distance = (d - s.radius) * (d + s.radius) / (d * cosine + half_chord);
+    const double along = -(d * across2 + cosine * half_chord);
+    const Vec3 position = s.centre + s.radius * unit(along * view.middle + distance * across);
+    return {position, cosine * view.middle + across, distance, density};
+}
+
+LightPoint sample_cone(const SphereEmitter& s, const View& view, const Vec2& u) {
+    const double widest = rim(s, view.distance), versine = u.x * widest, cosine = 1 - versine;
+    const double sine = std::sqrt(versine * (2 - versine));
+    const auto [x, y] = perpendiculars(view.middle);
     const double angle = 2 * pi * u.y;
-    const Vec3 across = std::cos(angle) * x + std::sin(angle) * y;
-    const Vec3 direction = cosine * middle + sine * across;
-    const double half_chord =
-        std::sqrt(std::fmax(0, s.radius * s.radius - to_centre * to_centre * sine2));
-    // Near root and place on the sphere in forms that lose no digits, neither close to the sphere
-    // nor far from it.
-    const double distance =
-        (to_centre - s.radius) * (to_centre + s.radius) / (to_centre * cosine + half_chord);
-    const double along = -(to_centre * sine2 + cosine * half_chord);
-    const Vec3 position = s.centre + s.radius * unit(along * middle + distance * sine * across);
-    return LightPoint{position, direction, distance, 1 / (2 * pi * widest)};
+    const Vec3 across = sine * (std::cos(angle) * x + std::sin(angle) * y);
+    return point_towards(s, view, cosine, across, 1 / (2 * pi * widest));
+}
+
+/// Height of the sphere's centre over the horizon, as a cosine, when all of the sphere is above
+/// (or, for surfaces that are lit from behind, all below: then it is negative); else 0.
+double clear_height(const View& view, const ShadingPoint& point) {
+    // At the horizon itself the density of a direction loses its digits.
+    constexpr double margin = 1.0001;
+    const double height = dot(view.middle, point.normal);
+    const bool clear = height * height > margin * view.sine2 && (height > 0 || point.both_sides);
+    return clear ? height : 0;
+}
+
+/// Probability per steradian for each unit of the cosine: the sphere's cap of directions, seen from
+/// above, is an ellipse in the unit disc (Nusselt), and its points are drawn evenly.
+double projected_density(const View& view, double height) {
+    return 1 / (pi * view.sine2 * std::abs(height));
+}
+
+LightPoint sample_projected(const SphereEmitter& s, const View& view, const ShadingPoint& point,
+                            double height, const Vec2& u) {
+    const Vec3 normal = height > 0 ? point.normal : -point.normal;
+    const double sine = std::sqrt(view.sine2), up = std::abs(height);
+    const Vec3 level = view.middle - up * normal;
+    const Vec3 outward = dot(level, level) > 1e-20 ? unit(level) : perpendiculars(normal).first;
+    const Vec3 sideways = cross(normal, outward);
+    const double radius = sine * std::sqrt(u.x), angle = 2 * pi * u.y;
+    const double along = radius * std::cos(angle), beside = radius * std::sin(angle);
+    // The point of the ellipse from its middle, which is the cap's middle times the cosine of its
+    // angle; then up to the sphere of directions.
+    const double cosine_rim = std::sqrt(1 - view.sine2);
+    const double a = cosine_rim * length(level) + up * along;
+    const double lifted = std::sqrt(std::fmax(0, 1 - a * a - beside * beside));
+    const Vec3 direction = a * outward + beside * sideways + lifted * normal;
+    const Vec3 turn = cross(view.middle, direction);
+    const Vec3 across = cross(turn, view.middle);
+    return point_towards(s, view, dot(view.middle, direction), across,
+                         lifted * projected_density(view, height));
 }
 
 }  // namespace
@@ -68,22 +119,49 @@ double unoccluded(const SphereEmitter& s, double luminance, const ShadingPoint& 
 
 std::optional<LightPoint> sample(const SphereEmitter& s, const Vec3& from, const Vec2& u) {
     const double to_centre = length(s.centre - from);
-    return inside_or_on(s, to_centre) ? sample_area(s, from, u)
-                                      : sample_cone(s, from, to_centre, u);
+    if (inside_or_on(s, to_centre)) return sample_area(s, from, u);
+    return sample_cone(s, View(s, from), u);
+}
+
+std::optional<LightPoint> sample(const SphereEmitter& s, const ShadingPoint& point, const Vec2& u) {
+    if (inside_or_on(s, length(s.centre - point.position)))
+        return sample_area(s, point.position, u);
+    const View view(s, point.position);
+    const double height = clear_height(view, point);
+    if (height == 0) return sample_cone(s, view, u);
+    const LightPoint drawn = sample_projected(s, view, point, height, u);
+    return drawn.density > 0 ? std::optional(drawn) : std::nullopt;
 }
 
 double density(const SphereEmitter& s, const Vec3& from, const Vec3& direction) {
-    const Vec3 offset = s.centre - from;
-    const double to_centre = length(offset), along = dot(offset, direction);
-    const double missed = length(offset - along * direction);
-    if (!inside_or_on(s, to_centre))
-        return along > 0 && missed < s.radius ? 1 / (2 * pi * rim(s, to_centre)) : 0;
-    const double half_chord = std::sqrt(std::fmax(0, (s.radius - missed) * (s.radius + missed)));
-    if (half_chord == 0) return 0;
+    LightMeetings met;
+    meet(s, {from, Vec3(0)}, direction, met);
     double sum = 0;
-    for (const double distance : {along - half_chord, along + half_chord})
-        if (distance > 0) sum += area_density(s, distance, half_chord / s.radius);
+    for (const LightMeeting& meeting : met) sum += meeting.density;
     return sum;
+}
+
+void meet(const SphereEmitter& s, const ShadingPoint& point, const Vec3& direction,
+          LightMeetings& met) {
+    const Vec3 offset = s.centre - point.position;
+    const double along = dot(offset, direction);
+    const Vec3 beside = offset - along * direction;
+    const double missed2 = dot(beside, beside);
+    if (missed2 >= s.radius * s.radius) return;
+    const double half_chord = std::sqrt(s.radius * s.radius - missed2);
+    if (inside_or_on(s, length(offset))) {
+        for (const double distance : {along - half_chord, along + half_chord})
+            if (distance > 0)
+                met.push_back({distance, area_density(s, distance, half_chord / s.radius)});
+        return;
+    }
+    if (!(along > 0)) return;
+    const View view(s, point.position);
+    const double height = clear_height(view, point);
+    const double density =
+        height == 0 ? 1 / (2 * pi * rim(s, view.distance))
+                    : std::abs(dot(direction, point.normal)) * projected_density(view, height);
+    met.push_back({along - half_chord, density});
 }
 
 double emitting_area(const SphereEmitter& s) { return 4 * pi * s.radius * s.radius; }

@@ -199,11 +199,20 @@ std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, con
 }
 
 double density(const TriangleEmitter& t, const Vec3& from, const Vec3& direction) {
-    const TriangleHit hit = first_crossing(t.corner1, t.corner2, t.corner3, {from, direction}, {});
-    if (!(hit.t < std::numeric_limits<double>::infinity())) return 0;
-    const View view(t, from);
+    LightMeetings met;
+    meet(t, {from, Vec3(0)}, direction, met);
+    return met.empty() ? 0 : met.front().density;
+}
+
+void meet(const TriangleEmitter& t, const ShadingPoint& point, const Vec3& direction,
+          LightMeetings& met) {
+    const TriangleHit hit =
+        first_crossing(t.corner1, t.corner2, t.corner3, {point.position, direction}, {});
+    if (!(hit.t < std::numeric_limits<double>::infinity())) return;
+    const View view(t, point.position);
     const double solid_angle = sampled_solid_angle(view);
-    return solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t);
+    met.push_back(
+        {hit.t, solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t)});
 }
 
 double emitting_area(const TriangleEmitter& t) {

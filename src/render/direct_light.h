@@ -16,11 +16,31 @@ public:
     Vec3 operator()(const Shading&, const Key&, RayCounts&);
 
 private:
+    /// A point of a luminaire on a line, and the density of its direction by that luminaire.
+    struct Met {
+        LightMeeting meeting;
+        LightIndex light;
+    };
+    using Octree = BuiltCutOctree;
+
     Vec3 from_sources(const Shading&, RayCounts&) const;
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
+    template <class Sampler>
+    Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);
     Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&) const;
+    Vec3 from_cuts(const Octree&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_line(const Octree&, const Octree::Weights&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_pair(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_surface(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
+    void meet_along(const LightTree&, const Shading&, const Vec3& direction);
+    template <class Weight>
+    Vec3 seen_along(const Shading&, const Vec3& direction, RayCounts&, const Weight&) const;
+    Vec3 radiance(const Luminaire&, const Vec3& position) const;
 
     const World& world_;
     int shadow_rays_;
-    LightPicks picks_;  // kept from hit to hit for its memory
+    // Kept from hit to hit for their memory.
+    LightPicks picks_;
+    LightMeetings meetings_;
+    std::vector<Met> met_;  ///< along the line that is asked, nearest first
 };

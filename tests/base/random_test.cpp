@@ -46,7 +46,7 @@ TEST_CASE("numbers are uniform, also in pairs", "[base]") {
     constexpr int side = 16, count = 64000;
     std::array<int, side * side> met{};
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Key key{i / 1000, i % 1000, 0, 0};
+        const Key key{i, 7, 0, 0};
         const double x = uniform(key, Purpose::light_u), y = uniform(key, Purpose::light_v);
         REQUIRE((x >= 0 && x < 1 && y >= 0 && y < 1));
         ++met[static_cast<std::size_t>(x * side) * side + static_cast<std::size_t>(y * side)];
@@ -56,4 +56,33 @@ TEST_CASE("numbers are uniform, also in pairs", "[base]") {
     // 255 degrees of freedom: mean 255, standard deviation 22.6.
     CHECK(chi2 > 170);
     CHECK(chi2 < 340);
+}
+
+TEST_CASE("the samples of a pixel are spread evenly", "[base]") {
+    // Owen-scrambled Sobol points: 2^n points have one in each part of every division of the square
+    // into 2^n equal rectangles, and one in each part of the line.
+    for (std::uint64_t pixel = 0; pixel < 20; ++pixel)
+        for (int wide = 0; wide <= 8; ++wide) {
+            std::set<int> cells, parts;
+            for (std::uint32_t i = 256; i < 512; ++i) {
+                const Key key{pixel, i, 3, 1};
+                const int x = static_cast<int>(uniform(key, Purpose::light_u) * (1 << wide));
+                const int y = static_cast<int>(uniform(key, Purpose::light_v) * (256 >> wide));
+                cells.insert(x * 256 + y);
+                parts.insert(static_cast<int>(256 * uniform(key, Purpose::light_choice)));
+            }
+            CHECK(cells.size() == 256);
+            CHECK(parts.size() == 256);
+        }
+}
+
+TEST_CASE("choice and place of a sample are independent", "[base]") {
+    double product = 0;
+    constexpr int count = 40000;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Key key{i / 100, i % 100, 0, 0};
+        product +=
+            (uniform(key, Purpose::light_choice) - 0.5) * (uniform(key, Purpose::light_u) - 0.5);
+    }
+    CHECK(std::abs(product / count) < 5 / (12 * std::sqrt(count)));
 }

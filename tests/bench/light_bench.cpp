@@ -89,10 +89,10 @@ int main(int argc, char** argv) {
         LightSampler sampler;
         int samples;
     };
-    const std::vector<Row> rows = {{ConstantAlpha{}, 10}, {LinearAlpha{}, 1},  {LinearAlpha{}, 10},
-                                   {LightBvh{}, 1},       {LightBvh{}, 10},    {LightBvh{}, 40},
-                                   {LightOctree{}, 1},    {LightOctree{}, 10}, {LightOctree{}, 40},
-                                   {EveryLight{}, 1}};
+    LightBvh mis; mis.mis = true;
+    LightOctree alone; alone.alone = true;
+    auto brdf = [](double x) { LightOctree o; o.brdf = x; return o; };
+    const std::vector<Row> rows = {{LightBvh{}, 4}, {mis, 4}, {alone, 4}, {brdf(0), 4}, {brdf(0.3), 4}, {brdf(0.5), 4}, {brdf(0.7), 4}, {brdf(0.9), 4}};
     const Run opponent = timed(flakes(LightBvh{}, false), 10);
     const Noise opponent_noise = compare(opponent.rendering.image, converged);
     std::printf("%-15s %7s %12s %8s %8s %8s %9s %9s   %s\n", "strategy", "samples", "shadow rays",

@@ -7,6 +7,15 @@
 
 namespace {
 
+/// The light octree as the paper has it.
+struct PaperOctree : LightOctree {
+    PaperOctree() { paper = true; }
+};
+/// Every alternative of LightSampler, and what one of them can be besides.
+using Strategies =
+    std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree, PaperOctree>;
+static_assert(std::variant_size_v<Strategies> == std::variant_size_v<LightSampler> + 1);
+
 /// Luminaires of all kinds in a room with some surfaces. A scaled room is the same in all but its
 /// size.
 struct Room {
@@ -46,9 +55,10 @@ struct Room {
 template <class T>
 T settings() {
     T result;
-    if constexpr (std::is_same_v<T, LightOctree>) {
+    if constexpr (std::is_base_of_v<LightOctree, T>) {
         result.threshold = 0.01;
         result.max_bright = 6;
+        result.cut = 6;
     }
     return result;
 }
@@ -66,7 +76,7 @@ std::vector<double> irradiances(const Room& room, const ShadingPoint& point) {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("picks tell their expected number, which is how often they come",
-                        "[lighting]", LightSampler) {
+                        "[lighting]", Strategies) {
     const Room room(40, 1);
     const auto built = build(settings<TestType>(), room.scene(), 1);
     Draw draw(2);
@@ -113,7 +123,7 @@ TEMPLATE_LIST_TEST_CASE("picks tell their expected number, which is how often th
 }
 
 TEMPLATE_LIST_TEST_CASE("no luminaire that can light a point has no chance there", "[lighting]",
-                        LightSampler) {
+                        Strategies) {
     // 10^5 points inside, near and far, half of them with the luminaire across the horizon.
     Draw draw(3);
     int lit = 0, impossible = 0;
@@ -142,7 +152,7 @@ TEMPLATE_LIST_TEST_CASE("no luminaire that can light a point has no chance there
 }
 
 TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires give", "[lighting]",
-                        LightSampler) {
+                        Strategies) {
     Draw draw(4);
     for (const int count : {1, 5, 300}) {
         const Room room(count, 5);
@@ -178,7 +188,7 @@ TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires 
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", LightSampler) {
+TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", Strategies) {
     const Room room(60, 6);
     const auto built = build(settings<TestType>(), room.scene(), 1);
     for (const double scale : {1e-3, 1e3}) {
@@ -190,7 +200,7 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
             const auto light = static_cast<LightIndex>(draw.number() * 60);
             again.number();
             CHECK(other.expected(there, key(1, i), light) ==
-                  Approx(built.expected(point, key(1, i), light)).epsilon(1e-6).margin(1e-20));
+                  Approx(built.expected(point, key(1, i), light)).epsilon(1e-4).margin(1e-20));
         }
     }
 }
@@ -198,7 +208,7 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
 TEMPLATE_LIST_TEST_CASE(
     "a strategy without luminaires, or where nothing is above the horizon, picks nothing that "
     "shines",
-    "[lighting]", LightSampler) {
+    "[lighting]", Strategies) {
     LightPicks picks;
     const Box surface{Vec3(-1), Vec3(1)};
     build(settings<TestType>(), LightScene{{}, {&surface, 1}}, 1)
@@ -213,7 +223,7 @@ TEMPLATE_LIST_TEST_CASE(
 }
 
 TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all right",
-                        "[lighting]", LightSampler) {
+                        "[lighting]", Strategies) {
     std::vector<Luminaire> luminaires;
     for (const double radiance : {1.0, 1.0, 0.0, -3.0, 1e-300, 1e-12, 1e12, 1e300})
         luminaires.push_back(glowing(SphereEmitter{Vec3(0, 3, 0), 1}, radiance));
@@ -232,7 +242,7 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
 }
 
 TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads that built it",
-                        "[lighting]", LightSampler) {
+                        "[lighting]", Strategies) {
     const Room room(200, 8);
     const auto one = build(settings<TestType>(), room.scene(), 1),
                seven = build(settings<TestType>(), room.scene(), 7);

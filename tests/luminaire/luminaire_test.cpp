@@ -84,3 +84,30 @@ TEST_CASE("bounds hold every point that is sampled", "[luminaire]") {
         CHECK(b.luminance == Approx(1));
     }
 }
+
+TEST_CASE("what is drawn from a luminaire is met again with its density", "[luminaire]") {
+    Draw draw(21);
+    std::array<int, emitter_kinds> drawn{}, missed{};
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 place = draw.point(3);
+        const double size = std::pow(10, draw.between(-2, 1));
+        const int kind = i % emitter_kinds;
+        const Luminaire luminaire = glowing(emitter(kind, place, size, draw));
+        const ShadingPoint point{point_around(place, size, draw), draw.direction(), i % 5 == 0};
+        const auto s = sample(luminaire, point, {draw.number(), draw.number()});
+        if (!s) continue;
+        ++drawn[kind];
+        LightMeetings met;
+        meet(luminaire, point, s->direction, met);
+        bool found = false;
+        for (const LightMeeting& m : met)
+            found = found || (m.distance == Approx(s->distance).epsilon(1e-3) &&
+                              m.density == Approx(s->density).epsilon(1e-2));
+        missed[kind] += !found;
+    }
+    for (int kind = 0; kind < emitter_kinds; ++kind) {
+        INFO(kind);
+        CHECK(drawn[kind] > 500);
+        CHECK(missed[kind] <= drawn[kind] / 100);  // at edges
+    }
+}

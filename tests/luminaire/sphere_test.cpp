@@ -173,3 +173,51 @@ TEST_CASE("a point on a glowing sphere gets no light from it, and one in its mid
         CHECK(middle->density == Approx(1 / (4 * pi)));
     }
 }
+
+TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise", "[luminaire]") {
+    // The paper's Figure 2 with projected solid angle: every sample gives the irradiance itself.
+    Draw draw(11);
+    int projected = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const SphereEmitter sphere{draw.point(3), std::pow(10, draw.between(-4, 1))};
+        const ShadingPoint point{point_around(sphere.centre, 2 * sphere.radius, draw),
+                                 draw.direction(), i % 3 == 0};
+        const Vec3 offset = sphere.centre - point.position;
+        const double sine = sphere.radius / length(offset);
+        const double height = dot(unit(offset), point.normal);
+        if (!(sine < 0.999) || !(height > 1.001 * sine)) continue;
+        const auto s = sample(sphere, point, {draw.number(), draw.number()});
+        REQUIRE(s);
+        ++projected;
+        const double cosine = dot(s->direction, point.normal);
+        CHECK(cosine / s->density == Approx(pi * sine * sine * height).epsilon(1e-6));
+        CHECK(length(s->direction) == Approx(1));
+        CHECK(length(s->position - sphere.centre) == Approx(sphere.radius));
+        // It is the near side.
+        CHECK(dot(s->position - sphere.centre, s->direction) <= 1e-6 * sphere.radius);
+    }
+    CHECK(projected > 3000);
+}
+
+TEST_CASE("points of a sphere are met again with the density that they were drawn with",
+          "[luminaire]") {
+    Draw draw(12);
+    int drawn = 0, missed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const SphereEmitter sphere{draw.point(3), std::pow(10, draw.between(-3, 1))};
+        const ShadingPoint point{point_around(sphere.centre, 2 * sphere.radius, draw),
+                                 draw.direction(), i % 3 == 0};
+        const auto s = sample(sphere, point, {draw.number(), draw.number()});
+        if (!s) continue;
+        ++drawn;
+        LightMeetings met;
+        meet(sphere, point, s->direction, met);
+        bool found = false;
+        for (const LightMeeting& m : met)
+            found = found || (m.distance == Approx(s->distance).epsilon(1e-3) &&
+                              m.density == Approx(s->density).epsilon(1e-3));
+        missed += !found;
+    }
+    CHECK(drawn > 15000);
+    CHECK(missed < drawn / 500);  // at the rim
+}

@@ -44,3 +44,47 @@ TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
     )");
     CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
 }
+
+TEST_CASE("luminaires that hide each other are counted once, whoever is chosen", "[render]") {
+    // A faint sphere hides a bright one; above both is a clear one, which adds its light.
+    const std::string scene = R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+        sphere { <0, 8, 0>, 1.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 90 } no_image }
+    )";
+    const std::string clear = R"(
+        sphere { <0, 4.3, 0>, 1.6 pigment { rgbt <1, 1, 1, 0.5> }
+                 finish { ambient 0 diffuse 0 emission 4 } no_image }
+    )";
+    const auto mean = [](const std::string& text, const LightSampler& sampler) {
+        const Scene scene = scene_of(text);
+        Diagnostics diagnostics;
+        CompileOptions options;
+        options.light_sampler = sampler;
+        return mean_light(compile(scene, options, diagnostics), 1, 40000);
+    };
+    LightOctree alone;
+    alone.alone = true;
+    LightBvh pair;
+    pair.mis = true;
+    for (const std::string& text : {scene, scene + clear}) {
+        const double exact = mean(text, EveryLight{});
+        CHECK(exact > 0);
+        for (const double brdf : {0.0, 0.5, 0.9}) {
+            LightOctree octree;
+            octree.brdf = brdf;
+            CHECK(mean(text, octree) == Approx(exact).epsilon(0.02));
+        }
+        CHECK(mean(text, alone) == Approx(exact).epsilon(0.02));
+        CHECK(mean(text, pair) == Approx(exact).epsilon(0.02));
+    }
+    CHECK(mean(scene, LightOctree{}) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+}
+
+TEST_CASE("a luminaire that reflects is lit by the others and not by itself", "[render]") {
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 emission 3 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+    )");
+    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+}

@@ -56,8 +56,11 @@ Estimates render_often(const World& world, int samples) {
     return result;
 }
 
-double deviations(const Estimate& a, const Estimate& b) {
-    return std::abs(a.mean - b.mean) / std::sqrt(a.variance + b.variance + 1e-12);
+/// How many standard deviations two estimates are apart. Some luminaires have no noise of their
+/// own, so that rare choices of others may be all the noise there is, and not seen yet: that much
+/// may be missing.
+double deviations(const Estimate& a, const Estimate& b, double unseen) {
+    return std::abs(a.mean - b.mean) / std::sqrt(a.variance + b.variance + unseen * unseen);
 }
 
 std::string script(const std::string& name) {
@@ -71,7 +74,7 @@ std::string script(const std::string& name) {
 }  // namespace
 
 TEST_CASE("every strategy agrees with a shadow ray to every luminaire", "[statistics]") {
-    for (const char* name : {"spheres", "horizon", "shapes", "inside"}) {
+    for (const char* name : {"spheres", "horizon", "shapes", "inside", "crowd"}) {
         const Scene scene = scene_of(script(name));
         Diagnostics diagnostics;
         const auto world_with = [&](const LightSampler& sampler) {
@@ -81,17 +84,28 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire", "[statis
         };
         const Estimates exact = render_often(world_with(EveryLight{}), 16);
         REQUIRE(exact.whole.mean > 0.1);
-        for (std::size_t i = 1; i < Kinds<LightSampler>::count; ++i) {
-            const Estimates found = render_often(world_with(Kinds<LightSampler>::make(i)), 64);
-            INFO(name << ", " << Kinds<LightSampler>::infos[i]->name << ": " << found.whole.mean
-                      << " instead of " << exact.whole.mean);
-            CHECK(deviations(found.whole, exact.whole) < 4.5);
-            // 144 pixels, 4 strategies and 4 scenes: so far out only once in thousands of runs of
+        LightOctree paper, alone, surface;
+        paper.paper = true;
+        alone.alone = true;
+        surface.brdf = 0.9;
+        LightBvh pair;
+        pair.mis = true;
+        std::vector<LightSampler> samplers = {paper, alone, surface, pair};
+        for (std::size_t i = 1; i < Kinds<LightSampler>::count; ++i)
+            samplers.push_back(Kinds<LightSampler>::make(i));
+        for (const LightSampler& sampler : samplers) {
+            const Estimates found = render_often(world_with(sampler), 64);
+            INFO(name << ", " << Kinds<LightSampler>::infos[sampler.index()]->name << ": "
+                      << found.whole.mean << " instead of " << exact.whole.mean);
+            CHECK(deviations(found.whole, exact.whole, 1e-6) < 4.5);
+            const double mean = exact.whole.mean / (size * size);
+            // 144 pixels, 8 strategies and 5 scenes: so far out only once in thousands of runs of
             // this test.
             for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
                 INFO("pixel " << p << ": " << found.pixels[p].mean << " instead of "
                               << exact.pixels[p].mean);
-                CHECK(deviations(found.pixels[p], exact.pixels[p]) < 8);
+                const double unseen = 1e-3 * (mean + exact.pixels[p].mean);
+                CHECK(deviations(found.pixels[p], exact.pixels[p], unseen) < 8);
             }
         }
     }

@@ -13,7 +13,7 @@ public:
 
     /// Uniform in [0, 1).
     double number() {
-        ++key_.sample;
+        ++key_.pixel;
         return uniform(key_, Purpose::light_u);
     }
     double between(double low, double high) { return low + number() * (high - low); }

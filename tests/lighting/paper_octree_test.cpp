@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lighting/light_octree.h"
+#include "lighting/paper_octree.h"
 
 #include "lighting/linear_alpha.h"
 #include "support/lights.h"
@@ -20,7 +20,7 @@ std::vector<Luminaire> dim_lamps(int count, double height) {
     return result;
 }
 
-double sum_of_expected(const BuiltLightOctree& built, const ShadingPoint& point, std::size_t count,
+double sum_of_expected(const BuiltPaperOctree& built, const ShadingPoint& point, std::size_t count,
                        const Key& key) {
     double sum = 0;
     for (LightIndex light = 0; light < count; ++light) sum += built.expected(point, key, light);
@@ -36,7 +36,7 @@ TEST_CASE("where all luminaires are bright the light octree chooses as linear al
     for (int i = 0; i < 40; ++i)
         luminaires.push_back(glowing(emitter(i % emitter_kinds, draw.point(3), 0.3, draw), 1000));
     const std::vector<Box> room = {Box{Vec3(-3), Vec3(3)}};
-    const BuiltLightOctree built = build(LightOctree{}, {luminaires, room}, 1);
+    const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, room}, 1);
     const BuiltLinearAlpha linear = build(LinearAlpha{}, {luminaires, room}, 1);
     for (int i = 0; i < 100; ++i) {
         const ShadingPoint point{draw.point(3), draw.direction()};
@@ -48,7 +48,7 @@ TEST_CASE("where all luminaires are bright the light octree chooses as linear al
 
 TEST_CASE("dim luminaires that are alike are picked alike", "[lighting]") {
     const std::vector<Luminaire> luminaires = dim_lamps(100, 50);
-    const BuiltLightOctree built = build(LightOctree{}, {luminaires, floor_box}, 1);
+    const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     CHECK(built.bright(floor_point.position) == 0);
     for (LightIndex light = 0; light < 100; ++light)
         CHECK(built.expected(floor_point, {}, light) == Approx(0.01));
@@ -57,7 +57,7 @@ TEST_CASE("dim luminaires that are alike are picked alike", "[lighting]") {
 TEST_CASE("one bright luminaire among dim ones gets its share", "[lighting]") {
     std::vector<Luminaire> luminaires = dim_lamps(100, 50);
     luminaires.insert(luminaires.begin() + 40, glowing(SphereEmitter{Vec3(0.5, 2, 0.5), 0.1}));
-    const BuiltLightOctree built = build(LightOctree{}, {luminaires, floor_box}, 1);
+    const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     CHECK(built.bright(floor_point.position) == 1);
     const double bright = unoccluded(luminaires[40], floor_point),
                  dim = 100 * unoccluded(luminaires[0], floor_point);
@@ -69,18 +69,18 @@ TEST_CASE("a dim set that is all below the horizon ends the search and keeps a c
           "[lighting]") {
     // The paper would draw representatives for ever.
     std::vector<Luminaire> luminaires = dim_lamps(100, -50);
-    const BuiltLightOctree dark = build(LightOctree{}, {luminaires, floor_box}, 1);
+    const BuiltPaperOctree dark = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     for (std::uint32_t sample = 0; sample < 50; ++sample)
         CHECK(dark.expected(floor_point, {1, sample, 0, 0}, 7) > 0);
     luminaires.push_back(glowing(SphereEmitter{Vec3(0.5, 2, 0.5), 0.1}));
-    const BuiltLightOctree built = build(LightOctree{}, {luminaires, floor_box}, 1);
+    const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     CHECK(built.expected(floor_point, {}, 100) > 0.9);
     CHECK(built.expected(floor_point, {}, 7) > 0);
 }
 
 TEST_CASE("points where no surface is are answered as well", "[lighting]") {
     std::vector<Luminaire> luminaires = dim_lamps(100, 5);
-    const BuiltLightOctree built = build(LightOctree{}, {luminaires, floor_box}, 1);
+    const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     for (const Vec3& position :
          {Vec3(1e6, 0, 0), Vec3(0.5, -100, 0.5), Vec3(-3, 0.2, 0), Vec3(0, 5, 0)})
         CHECK(sum_of_expected(built, {position, Vec3(0, 1, 0), true}, 100, {}) == Approx(1));
@@ -96,7 +96,7 @@ TEST_CASE("more representatives make a steadier guess", "[lighting]") {
     for (const int representatives : {1, 16}) {
         LightOctree settings;
         settings.representatives = representatives;
-        const BuiltLightOctree built = build(settings, {luminaires, floor_box}, 1);
+        const BuiltPaperOctree built = BuiltPaperOctree(settings, {luminaires, floor_box}, 1);
         double sum = 0, square = 0;
         for (std::uint32_t sample = 0; sample < 400; ++sample) {
             const double share = 1 - built.expected(floor_point, {1, sample, 0, 0}, 500);

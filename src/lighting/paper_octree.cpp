@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "lighting/light_octree.h"
+#include "lighting/paper_octree.h"
 
 #include "lighting/draw.h"
 
@@ -26,7 +26,7 @@ double straight_on_bound(const Glow& g, const Vec3& position) {
 
 }  // namespace
 
-BuiltLightOctree::BuiltLightOctree(const LightOctree& settings, const LightScene& scene,
+BuiltPaperOctree::BuiltPaperOctree(const LightOctree& settings, const LightScene& scene,
                                    int threads)
     : representatives_(settings.representatives), table_(scene.luminaires) {
     std::vector<LightBounds> lights;
@@ -50,22 +50,22 @@ BuiltLightOctree::BuiltLightOctree(const LightOctree& settings, const LightScene
     cells_.lists = {};
 }
 
-LightList BuiltLightOctree::list_at(const Vec3& point) const {
+LightList BuiltPaperOctree::list_at(const Vec3& point) const {
     const std::uint32_t list = cells_.list_at(point);
     return list == LightCell::no_list ? LightList{} : lists_[list];
 }
 
-DimSet BuiltLightOctree::dim_set(const LightList& list) const {
+DimSet BuiltPaperOctree::dim_set(const LightList& list) const {
     return {places_, table_.lights(list), {dim_before_.data() + list.first, list.count}};
 }
 
-double BuiltLightOctree::share(const DimSet& dim, LightIndex light) const {
+double BuiltPaperOctree::share(const DimSet& dim, LightIndex light) const {
     return even_share / static_cast<double>(dim.lights()) +
            (1 - even_share) *
                (static_cast<double>(places_.of(light)) / static_cast<double>(dim.places()));
 }
 
-double BuiltLightOctree::guess_dim(const ShadingPoint& point, const Key& key,
+double BuiltPaperOctree::guess_dim(const ShadingPoint& point, const Key& key,
                                    const DimSet& dim) const {
     if (dim.places() == 0) return 0;
     // Representatives are drawn by intensity, so that they differ by where they are and not by how
@@ -82,13 +82,13 @@ double BuiltLightOctree::guess_dim(const ShadingPoint& point, const Key& key,
            representatives_;
 }
 
-void BuiltLightOctree::weigh(const ShadingPoint& point, const Key& key, Odds& odds) const {
+void BuiltPaperOctree::weigh(const ShadingPoint& point, const Key& key, Odds& odds) const {
     odds.list = list_at(point.position);
     table_.sum(odds.list, point, odds.bright);
     odds.dim = guess_dim(point, key, dim_set(odds.list));
 }
 
-void BuiltLightOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltPaperOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
     Odds odds;
     weigh(point, key, odds);
     if (!(odds.total() > 0)) return;
@@ -108,7 +108,7 @@ void BuiltLightOctree::choose(const ShadingPoint& point, const Key& key, LightPi
     picks.push_back({light, odds.dim * share(dim, light) / odds.total()});
 }
 
-double BuiltLightOctree::expected(const ShadingPoint& point, const Key& key,
+double BuiltPaperOctree::expected(const ShadingPoint& point, const Key& key,
                                   LightIndex light) const {
     Odds odds;
     weigh(point, key, odds);
@@ -119,12 +119,8 @@ double BuiltLightOctree::expected(const ShadingPoint& point, const Key& key,
     return odds.dim * share(dim_set(odds.list), light) / odds.total();
 }
 
-std::size_t BuiltLightOctree::memory_bytes() const {
+std::size_t BuiltPaperOctree::memory_bytes() const {
     return cells_.cells.capacity() * sizeof(LightCell) + lists_.capacity() * sizeof(LightList) +
            table_.memory_bytes() + dim_before_.capacity() * sizeof(std::uint64_t) +
            places_.memory_bytes();
-}
-
-BuiltLightOctree build(const LightOctree& settings, const LightScene& scene, int threads) {
-    return BuiltLightOctree(settings, scene, threads);
 }

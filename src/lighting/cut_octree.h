@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An octree over the points to be lit, whose cells hold cuts through the light tree: the paper's
+// lists of bright luminaires, with clusters in the place of the dim ones. A cell is made when a
+// point in it is asked for the first time, and is a pure function of its box, so that the answers
+// do not depend on who comes first.
+#pragma once
+
+#include "base/random.h"
+#include "lighting/light_cut.h"
+#include "lighting/settings.h"
+
+#include <atomic>
+#include <memory>
+
+class BuiltCutOctree {
+public:
+    /// What luminaires give at one point: for several choices and questions there.
+    struct Weights : CutWeights {
+        const LightCut* cut = nullptr;
+    };
+
+    BuiltCutOctree(const LightOctree&, const LightScene&);
+    BuiltCutOctree(BuiltCutOctree&&) noexcept;
+    BuiltCutOctree& operator=(BuiltCutOctree&&) noexcept;
+    ~BuiltCutOctree();
+
+    void weigh(const ShadingPoint&, Weights&) const;
+    /// Appends the luminaire for u in [0, 1), if any is above the horizon.
+    void choose(const ShadingPoint&, const Weights&, const Key&, double u, LightPicks&) const;
+    double expected(const ShadingPoint&, const Weights&, LightIndex) const;
+
+    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
+    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+
+    /// With the cells that there are so far.
+    std::size_t memory_bytes() const;
+    std::size_t cells() const;
+    /// Makes the cell of this point, if there is none yet.
+    std::size_t entries_at(const Vec3& point) const { return cut_at(point).entries(); }
+    const LightTree& tree() const;
+    const LightOctree& settings() const;
+
+private:
+    struct Cell;
+    struct State;
+
+    const LightCut& cut_at(const Vec3&) const;
+    std::unique_ptr<Cell> make(const Box&, int depth) const;
+    std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
+                          double& probability) const;
+
+    std::unique_ptr<State> state_;
+};

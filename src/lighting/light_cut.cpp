@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_cut.h"
+
+#include "lighting/every_machine.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace {
+
+/// Shares of the whole strength below this one count as this: single precision would lose them.
+constexpr double least_strength = 1e-24;
+/// Radius over distance at which rounding in single precision may still lift an entry over the
+/// horizon.
+constexpr float slack = 1e-6f;
+
+struct Columns {
+    const float *x, *y, *z, *radius, *strength, *seen;
+    const float *axis_x, *axis_y, *axis_z, *evenness;
+};
+struct Place {
+    float x, y, z, nx, ny, nz;
+};
+
+/// The formula of irradiance() in glow.h, in single precision and with wider margins.
+template <bool both_sides>
+[[gnu::always_inline]] inline void weigh_even(const Columns& c, std::size_t count, const Place& p,
+                                              float* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z, radius = c.radius[i];
+        const float r2 = radius * radius;
+        const float d2 = vx * vx + vy * vy + vz * vz;
+        const float outside2 = d2 > r2 ? d2 : r2;
+        const float distance = std::sqrt(outside2);
+        const float inverse = 1 / distance;
+        const float signed_height = p.nx * vx + p.ny * vy + p.nz * vz;
+        const float height = both_sides ? std::abs(signed_height) : signed_height;
+        const float cut = height < radius ? height : radius;
+        float lifted = cut + radius + slack * distance;
+        lifted = lifted > 0 ? lifted : 0;
+        const float partly = both_sides ? 0.5f * (cut * cut + r2) : 0.25f * lifted * lifted;
+        const float above = partly + radius * (height - cut);
+        const float surrounded = both_sides ? 2 * r2 : r2;
+        out[i] = c.strength[i] * (d2 < r2 ? surrounded : above) * inverse * inverse * inverse;
+    }
+}
+
+[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t count,
+                                                 const Place& p, float* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z;
+        const float r2 = c.radius[i] * c.radius[i];
+        const float d2 = vx * vx + vy * vy + vz * vz;
+        const float along = std::abs(c.axis_x[i] * vx + c.axis_y[i] * vy + c.axis_z[i] * vz);
+        out[i] *= c.evenness[i] + along / std::sqrt(d2 > r2 ? d2 : r2);
+    }
+}
+
+CANDELABRA_EVERY_MACHINE
+void weigh_rows(const Columns& c, std::size_t count, const Place& p, bool both_sides, float* out) {
+    if (both_sides)
+        weigh_even<true>(c, count, p, out);
+    else
+        weigh_even<false>(c, count, p, out);
+    if (c.axis_x) turn_to_point(c, count, p, out);
+}
+
+/// The sums of blocks, exact but for the last bits of double precision: a faint entry behind
+/// glaring ones must keep its chance.
+CANDELABRA_EVERY_MACHINE
+void sum_blocks(const float* rows, std::size_t count, double* sums) {
+    for (std::size_t i = 0; i < count; i += CutWeights::block) {
+        std::array<double, 8> strand;
+        for (std::size_t j = 0; j < 8; ++j)
+            strand[j] = static_cast<double>(rows[i + j]) + static_cast<double>(rows[i + j + 8]);
+        for (std::size_t half = 4; half > 0; half /= 2)
+            for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
+        *sums++ = strand[0];
+    }
+}
+
+/// The sum of products, in strands and always in the same order.
+CANDELABRA_EVERY_MACHINE
+float dot_rows(const float* a, const float* b, std::size_t count) {
+    std::array<float, CutWeights::block> sum{};
+    for (std::size_t i = 0; i < count; i += CutWeights::block)
+        for (std::size_t j = 0; j < CutWeights::block; ++j) sum[j] += a[i + j] * b[i + j];
+    for (std::size_t half = CutWeights::block / 2; half > 0; half /= 2)
+        for (std::size_t j = 0; j < half; ++j) sum[j] += sum[j + half];
+    return sum[0];
+}
+
+/// A cluster as a point of the cell sees it, roughly.
+struct Entry {
+    LightCluster cluster;
+    double weight = 0;
+    double excess = 0;  ///< what it adds to the variance of the choice
+
+    bool operator<(const Entry& other) const {
+        return excess != other.excess ? excess < other.excess : cluster.first > other.cluster.first;
+    }
+};
+
+class Refinement {
+public:
+    Refinement(const LightTree& tree, const Box& cell)
+        : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
+
+    void refine(const CutRule& rule) {
+        const auto most = std::min(static_cast<std::size_t>(rule.most_entries), CutWeights::most);
+        add(tree_.root());
+        while (heap_.size() < most && excess_ > rule.noise * weight_) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            const Entry coarse = heap_.back();
+            if (coarse.excess <= 0) break;
+            heap_.pop_back();
+            weight_ -= coarse.weight;
+            excess_ -= coarse.excess;
+            const auto [first, second] = tree_.halves(coarse.cluster);
+            add(first);
+            add(second);
+        }
+        std::ranges::sort(heap_, {}, [](const Entry& e) { return e.cluster.first; });
+    }
+    const std::vector<Entry>& entries() const { return heap_; }
+    double noise() const { return weight_ > 0 ? std::fmax(excess_, 0) / weight_ : 0; }
+
+private:
+    void add(const LightCluster& cluster) {
+        if (tree_.dark(cluster)) return;
+        const Glow g = tree_.glow(cluster);
+        const double d = length(g.centre - centre_);
+        Entry entry{cluster, 0, 0};
+        entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
+        if (cluster.count > 1) {
+            // From everywhere in the cell, distance and height of the members differ by about this
+            // share.
+            const double spread = g.radius / std::fmax(d - radius_, g.radius);
+            entry.excess = entry.weight * spread * spread;
+        }
+        weight_ += entry.weight;
+        excess_ += entry.excess;
+        heap_.push_back(entry);
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    const LightTree& tree_;
+    Vec3 centre_;
+    double radius_;
+    std::vector<Entry> heap_;
+    double weight_ = 0, excess_ = 0;
+};
+
+}  // namespace
+
+LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires, const Box& cell,
+                   const CutRule& rule, double unit)
+    : middle_(cell.centre()), scale_(1 / unit) {
+    Refinement refinement(tree, cell);
+    refinement.refine(rule);
+    noise_ = refinement.noise();
+    const Glow all = tree.glow(tree.root());
+    const double whole = all.strength * all.radius;
+    for (const auto& entry : refinement.entries()) clusters_.push_back(entry.cluster);
+    constexpr std::size_t block = CutWeights::block;
+    rows_ = (clusters_.size() + block - 1) / block * block;
+    values_.assign(columns * rows_, 0);
+    std::fill_n(column(radius), rows_, 1.0f);
+    for (std::size_t i = 0; i < clusters_.size(); ++i) {
+        const LightCluster& c = clusters_[i];
+        const LightBounds first = bounds(luminaires[tree.light(c.first)]);
+        Glow g = c.count == 1 ? glow(first) : tree.glow(c);
+        g.strength /= whole;
+        fill(i, g, first.luminance / whole);
+    }
+}
+
+void LightCut::fill(std::size_t entry, const Glow& g, double luminance_share) {
+    const Vec3 place = (g.centre - middle_) * scale_;
+    // Rounding must not carry any of it below a horizon that it is above.
+    const double rounding = 4e-7 * (max_abs_component(place) + 1e-3);
+    const double r = g.radius * scale_ + rounding;
+    column(x)[entry] = static_cast<float>(place.x);
+    column(y)[entry] = static_cast<float>(place.y);
+    column(z)[entry] = static_cast<float>(place.z);
+    column(radius)[entry] = static_cast<float>(r);
+    const double share = std::fmax(g.strength * g.radius, least_strength);
+    column(strength)[entry] = static_cast<float>(share / r);
+    column(axis_x)[entry] = static_cast<float>(g.axis.x);
+    column(axis_y)[entry] = static_cast<float>(g.axis.y);
+    column(axis_z)[entry] = static_cast<float>(g.axis.z);
+    column(evenness)[entry] = static_cast<float>(g.evenness);
+    const double covered = scale_ * scale_ / (std::numbers::pi * luminance_share);
+    column(seen)[entry] = static_cast<float>(std::clamp(covered, 0.0, 1e30));
+    flat_ = flat_ || g.axis != Vec3(0);
+}
+
+std::size_t LightCut::entry_of(std::uint32_t place) const {
+    const auto after = std::ranges::upper_bound(clusters_, place, {}, &LightCluster::first);
+    return static_cast<std::size_t>(after - clusters_.begin()) - 1;
+}
+
+void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
+    const Vec3 p = (point.position - middle_) * scale_;
+    const Place place{static_cast<float>(p.x),
+                      static_cast<float>(p.y),
+                      static_cast<float>(p.z),
+                      static_cast<float>(point.normal.x),
+                      static_cast<float>(point.normal.y),
+                      static_cast<float>(point.normal.z)};
+    const Columns c{column(x),
+                    column(y),
+                    column(z),
+                    column(radius),
+                    column(strength),
+                    column(seen),
+                    flat_ ? column(axis_x) : nullptr,
+                    column(axis_y),
+                    column(axis_z),
+                    column(evenness)};
+    weigh_rows(c, rows_, place, point.both_sides, result.weight.data());
+    sum_blocks(result.weight.data(), rows_, result.block_sum.data());
+    result.total = 0;
+    for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];
+    result.coverage = dot_rows(result.weight.data(), c.seen, rows_);
+}
+
+std::size_t LightCut::find(const CutWeights& weights, double& target) const {
+    // Rounding may carry the target past the end of the list or of a block: then the last that has
+    // a weight is taken.
+    std::size_t found = 0;
+    bool passed = false;
+    for (std::size_t i = 0; !passed && i < rows_ / CutWeights::block; ++i) {
+        const double sum = weights.block_sum[i];
+        if (!(sum > 0)) continue;
+        found = i;
+        passed = target < sum;
+        if (!passed) target -= sum;
+    }
+    std::size_t last = 0;
+    for (std::size_t i = found * CutWeights::block; i < (found + 1) * CutWeights::block; ++i) {
+        const double weight = weights.weight[i];
+        if (!(weight > 0)) continue;
+        last = i;
+        if (passed && target < weight) return i;
+        target -= weight;
+    }
+    target = weights.weight[last] * (1 - 0x1p-53);
+    return last;
+}
+
+std::size_t LightCut::memory_bytes() const {
+    return clusters_.capacity() * sizeof(LightCluster) + values_.capacity() * sizeof(float);
+}

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_tree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace {
+
+constexpr int bins = 16;
+/// Below this depth nodes are halved by number, so that luminaires in geometric progression make no
+/// endless tree.
+constexpr int halved_below = 64;
+/// Nodes with more luminaires are only cut across their longest side: which way matters little
+/// there, and time does.
+constexpr std::uint32_t many = 1u << 12;
+
+using Float3 = std::array<float, 3>;
+
+/// A luminaire on its way into the tree.
+struct Item {
+    Float3 low, high;
+    float intensity;
+    LightIndex light;
+
+    float middle(int axis) const { return low[axis] + high[axis]; }  // twice: no matter here
+};
+
+struct Bin {
+    Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+    float intensity = 0;
+    std::uint32_t count = 0;
+
+    void add(const Float3& other_low, const Float3& other_high) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], other_low[axis]);
+            high[axis] = std::max(high[axis], other_high[axis]);
+        }
+    }
+    void add(const Bin& other) {
+        add(other.low, other.high);
+        intensity += other.intensity;
+        count += other.count;
+    }
+    /// What the node costs: its surface times its strength, both as shares that never are quite 0.
+    float cost() const {
+        if (count == 0) return 0;
+        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
+        return (x * y + y * z + z * x) * (intensity + 1e-12f);
+    }
+};
+
+/// How flat luminaires shine on the whole: sums over a node, weighed by intensity.
+struct Shine {
+    Vec3 axis = Vec3(0);
+    double flat = 0, round = 0;
+};
+
+Shine join(const Shine& a, const Shine& b) {
+    const Vec3 turned = dot(a.axis, b.axis) < 0 ? -b.axis : b.axis;
+    return {a.axis + turned, a.flat + b.flat, a.round + b.round};
+}
+
+}  // namespace
+
+class LightTreeBuilder {
+public:
+    LightTreeBuilder(LightTree& tree, std::span<const Luminaire> luminaires)
+        : tree_(tree), luminaires_(luminaires) {
+        std::vector<LightBounds> lights;
+        lights.reserve(luminaires.size());
+        Box all;
+        double sum = 0;
+        for (const Luminaire& luminaire : luminaires) {
+            lights.push_back(bounds(luminaire));
+            all = join(all, lights.back().box);
+            sum += lights.back().intensity;
+        }
+        tree_.origin_ = all.centre();
+        tree_.size_ = max_component(all.size());
+        items_.reserve(lights.size());
+        for (const LightBounds& light : lights) {
+            Item item{};
+            for (int axis = 0; axis < 3; ++axis) {
+                item.low[axis] = below(light.box.low[axis] - tree_.origin_[axis]);
+                item.high[axis] = -below(tree_.origin_[axis] - light.box.high[axis]);
+            }
+            item.intensity = sum > 0 ? static_cast<float>(light.intensity / sum) : 0;
+            item.light = static_cast<LightIndex>(items_.size());
+            items_.push_back(item);
+        }
+        tree_.nodes_.reserve(2 * items_.size());
+        total_ = sum;
+    }
+
+    void build() {
+        // The second half waits on the stack while the first is finished: depth first.
+        std::vector<Work> waiting = {{0, static_cast<std::uint32_t>(items_.size()), 0}};
+        while (!waiting.empty()) {
+            const Work work = waiting.back();
+            waiting.pop_back();
+            LightTreeNode node;
+            Bin all;
+            for (std::uint32_t i = work.first; i < work.end; ++i)
+                all.add(items_[i].low, items_[i].high);
+            node.low = all.low;
+            node.high = all.high;
+            if (work.end - work.first > 1) {
+                const std::uint32_t middle = divide(work);
+                node.first_half = middle - work.first;
+                waiting.push_back({middle, work.end, work.depth + 1});
+                waiting.push_back({work.first, middle, work.depth + 1});
+            }
+            tree_.nodes_.push_back(node);
+        }
+        finish();
+    }
+
+private:
+    struct Work {
+        std::uint32_t first, end;
+        int depth;
+    };
+    struct Split {
+        float cost = INFINITY;
+        int axis = -1;
+        int bin = 0;  ///< first one of the second half
+        float low = 0, scale = 0;
+
+        int bin_of(const Item& item) const {
+            return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0, bins - 1);
+        }
+    };
+
+    /// The greatest number of single precision that is surely below.
+    static float below(double x) {
+        return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+    }
+
+    void consider(const Work& work, Split place, Split& best) const {
+        std::array<Bin, bins> bin;
+        for (std::uint32_t i = work.first; i < work.end; ++i) {
+            Bin& b = bin[place.bin_of(items_[i])];
+            b.add(items_[i].low, items_[i].high);
+            b.intensity += items_[i].intensity;
+            ++b.count;
+        }
+        std::array<float, bins> upper{};
+        Bin behind;
+        for (int b = bins - 1; b > 0; --b) {
+            behind.add(bin[b]);
+            upper[b] = behind.cost();
+        }
+        Bin before;
+        for (int b = 1; b < bins; ++b) {
+            before.add(bin[b - 1]);
+            if (before.count == 0 || before.count == work.end - work.first) continue;
+            place.cost = before.cost() + upper[b];
+            place.bin = b;
+            if (place.cost < best.cost) best = place;
+        }
+    }
+
+    /// Brings the luminaires of a node in order, and says where its second half begins.
+    std::uint32_t divide(const Work& work) {
+        Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+        for (std::uint32_t i = work.first; i < work.end; ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], items_[i].middle(axis));
+                high[axis] = std::max(high[axis], items_[i].middle(axis));
+            }
+        int longest = 0;
+        for (int axis = 1; axis < 3; ++axis)
+            if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
+        const auto begin = items_.begin() + work.first, end = items_.begin() + work.end;
+        Split best;
+        if (work.depth < halved_below)
+            for (int axis = 0; axis < 3; ++axis)
+                if (high[axis] > low[axis] && (work.end - work.first <= many || axis == longest))
+                    consider(work, {0, axis, 0, low[axis], bins / (high[axis] - low[axis])}, best);
+        if (best.axis >= 0) {
+            const auto middle = std::stable_partition(
+                begin, end, [&](const Item& item) { return best.bin_of(item) < best.bin; });
+            return static_cast<std::uint32_t>(middle - items_.begin());
+        }
+        const std::uint32_t half = work.first + (work.end - work.first) / 2;
+        std::nth_element(begin, items_.begin() + half, end, [&](const Item& a, const Item& b) {
+            return a.middle(longest) != b.middle(longest) ? a.middle(longest) < b.middle(longest)
+                                                          : a.light < b.light;
+        });
+        return half;
+    }
+
+    void finish() {
+        std::vector<double> intensities;
+        intensities.reserve(items_.size());
+        tree_.place_of_.resize(items_.size());
+        for (const Item& item : items_) {
+            tree_.place_of_[item.light] = static_cast<std::uint32_t>(tree_.order_.size());
+            tree_.order_.push_back(item.light);
+            intensities.push_back(bounds(luminaires_[item.light]).intensity);
+        }
+        items_ = {};
+        tree_.strengths_ = LightPlaces(intensities);
+        if (tree_.strengths_.total() > 0)
+            tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
+        shine(tree_.root());
+    }
+
+    /// Fills in how the nodes shine, from the leaves up. (The depth is bounded: see halved_below.)
+    Shine shine(const LightCluster& cluster) {
+        Shine sum;
+        if (cluster.count == 1) {
+            const LightBounds b = bounds(luminaires_[tree_.order_[cluster.first]]);
+            const bool flat = b.axis != Vec3(0);
+            sum = {b.intensity * b.axis, flat ? b.intensity : 0, flat ? 0 : b.intensity};
+        } else {
+            const auto [first, second] = tree_.halves(cluster);
+            const Shine before = shine(first);
+            sum = join(before, shine(second));
+        }
+        const double all = sum.flat + sum.round;
+        if (!(sum.flat > 0) || !(all > 0)) return sum;
+        LightTreeNode& node = tree_.nodes_[cluster.node];
+        const double spread = 1 - length(sum.axis) / sum.flat;
+        const double even = (sum.round + sum.flat * (flat_evenness + 0.5 * spread)) / all;
+        for (int axis = 0; axis < 3; ++axis)
+            node.axis[axis] = static_cast<std::int8_t>(std::lround(127 * sum.axis[axis] / all));
+        node.evenness = static_cast<std::uint8_t>(std::clamp(std::ceil(255 * even), 1.0, 255.0));
+        return sum;
+    }
+
+    LightTree& tree_;
+    std::span<const Luminaire> luminaires_;
+    std::vector<Item> items_;
+    double total_ = 0;
+};
+
+LightTree::LightTree(std::span<const Luminaire> luminaires) {
+    if (luminaires.empty()) return;
+    LightTreeBuilder(*this, luminaires).build();
+}
+
+Box LightTree::box(const LightCluster& c) const {
+    const LightTreeNode& n = nodes_[c.node];
+    return {origin_ + Vec3(n.low[0], n.low[1], n.low[2]),
+            origin_ + Vec3(n.high[0], n.high[1], n.high[2])};
+}
+
+Glow LightTree::glow(const LightCluster& c) const {
+    const LightTreeNode& n = nodes_[c.node];
+    const Box around = box(c);
+    const double rounding =
+        1e-15 * (max_abs_component(around.low) + max_abs_component(around.high));
+    const double radius = 0.5 * length(around.size()) + rounding + 1e-150;
+    return {around.centre(), radius, static_cast<double>(strength(c)) * unit_ / radius,
+            Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0, n.evenness / 255.0};
+}
+
+std::uint64_t LightTree::strength_before(const LightCluster& c) const {
+    return strengths_.before(c.first);
+}
+std::uint64_t LightTree::strength(const LightCluster& c) const {
+    return strengths_.end(c.first + c.count - 1) - strength_before(c);
+}
+
+bool LightTree::dark(const LightCluster& c) const { return strength(c) == 0; }
+
+double LightTree::share(const LightCluster& c, std::uint32_t place) const {
+    return static_cast<double>(strengths_.of(place)) / static_cast<double>(strength(c));
+}
+
+std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
+    if (c.count == 1) return c.first;
+    const std::uint64_t all = strength(c);
+    const auto drawn = static_cast<std::uint64_t>(u * static_cast<double>(all));
+    return strengths_.at(strength_before(c) + std::min(drawn, all - 1));
+}
+
+std::size_t LightTree::memory_bytes() const {
+    return nodes_.capacity() * sizeof(LightTreeNode) + order_.capacity() * sizeof(LightIndex) +
+           place_of_.capacity() * sizeof(std::uint32_t) + strengths_.memory_bytes();
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One luminaire, chosen by the lists of an octree's cells (the paper, section 4.3): those that are
+// bright in the cell in proportion to what they would give at the point if nothing were between,
+// the dim rest by a guess from a few of them. A luminaire has probability 0 only where it is bright
+// and all of it is below the horizon: the rest is never quite 0.
+#pragma once
+
+#include "base/random.h"
+#include "lighting/dim_set.h"
+#include "lighting/light_cells.h"
+#include "lighting/light_table.h"
+#include "lighting/settings.h"
+
+class BuiltPaperOctree {
+public:
+    BuiltPaperOctree(const LightOctree&, const LightScene&, int threads);
+
+    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
+    /// Looks at the same representatives of the dim luminaires as choose() with this key.
+    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    std::size_t memory_bytes() const;
+
+    std::size_t cells() const { return cells_.cells.size(); }
+    /// Number of luminaires that are bright around a point; points where no surface is have none.
+    std::size_t bright(const Vec3& point) const { return list_at(point).count; }
+
+private:
+    /// Unnormalised probabilities at a point.
+    struct Odds {
+        LightList list;
+        LightTable::Sums bright;
+        double dim = 0;  ///< of all dim luminaires together
+        double total() const { return bright.total + dim; }
+    };
+
+    LightList list_at(const Vec3& point) const;
+    DimSet dim_set(const LightList&) const;
+    /// Share of one dim luminaire in what all of them have.
+    double share(const DimSet&, LightIndex) const;
+    void weigh(const ShadingPoint&, const Key&, Odds&) const;
+    /// What all dim luminaires together give, guessed from some of them; 0 only when all are dark.
+    double guess_dim(const ShadingPoint&, const Key&, const DimSet&) const;
+
+    int representatives_;
+    LightCells cells_;  ///< without its lists, which are here:
+    std::vector<LightList> lists_;
+    LightTable table_;
+    LightPlaces places_;
+    std::vector<std::uint64_t> dim_before_;  ///< per row of the table: see DimSet
+};

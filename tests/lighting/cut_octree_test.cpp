@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/cut_octree.h"
+
+#include "lighting/linear_alpha.h"
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+#include <thread>
+
+namespace {
+
+struct Street {
+    std::vector<Luminaire> luminaires;
+    std::vector<Box> ground = {Box{Vec3(-50, 0, -50), Vec3(50, 0, 50)}};
+
+    explicit Street(int count) {
+        Draw draw(1);
+        for (int i = 0; i < count; ++i) {
+            const Vec3 place = 50.0 * draw.point();
+            luminaires.push_back(
+                glowing(SphereEmitter{{place.x, 1 + std::abs(place.y) / 10, place.z}, 0.05},
+                        std::pow(10, draw.between(0, 1))));
+        }
+    }
+    LightScene scene() const { return {luminaires, ground}; }
+    ShadingPoint point(Draw& draw) const {
+        return {Vec3(draw.between(-50, 50), 0, draw.between(-50, 50)), Vec3(0, 1, 0)};
+    }
+};
+
+/// Variance over squared mean of the choice where nothing is between.
+double noise(const Street& street, const BuiltCutOctree& built, const ShadingPoint& point) {
+    BuiltCutOctree::Weights weights;
+    built.weigh(point, weights);
+    double sum = 0, square = 0;
+    for (LightIndex light = 0; light < street.luminaires.size(); ++light) {
+        const double given = unoccluded(street.luminaires[light], point);
+        sum += given;
+        if (given > 0) square += given * given / built.expected(point, weights, light);
+    }
+    return square / (sum * sum) - 1;
+}
+
+}  // namespace
+
+TEST_CASE("the choice from cuts is nearly as good as that from all luminaires", "[lighting]") {
+    const Street street(3000);
+    const BuiltCutOctree built(LightOctree{}, street.scene());
+    Draw draw(2);
+    double sum = 0, worst = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double here = noise(street, built, street.point(draw));
+        sum += here;
+        worst = std::fmax(worst, here);
+    }
+    CHECK(sum / 300 < 0.25);
+    CHECK(worst < 2);
+}
+
+TEST_CASE("all chances add up to 1", "[lighting]") {
+    const Street street(500);
+    LightOctree settings;
+    settings.cut = 9;
+    const BuiltCutOctree built(settings, street.scene());
+    Draw draw(3);
+    for (int i = 0; i < 100; ++i) {
+        const ShadingPoint point = street.point(draw);
+        double sum = 0;
+        for (LightIndex light = 0; light < 500; ++light) sum += built.expected(point, Key{}, light);
+        CHECK(sum == Approx(1));
+    }
+}
+
+TEST_CASE("cells are made where they are asked for, whoever comes first", "[lighting]") {
+    const Street street(2000);
+    const BuiltCutOctree one(LightOctree{}, street.scene()), many(LightOctree{}, street.scene());
+    CHECK(one.cells() == 0);
+    std::vector<ShadingPoint> points;
+    Draw draw(4);
+    for (int i = 0; i < 400; ++i) points.push_back(street.point(draw));
+    std::vector<std::vector<double>> answers(2, std::vector<double>(points.size()));
+    const auto ask = [&](const BuiltCutOctree& built, std::vector<double>& out, std::size_t i) {
+        out[i] = built.expected(points[i], Key{}, static_cast<LightIndex>(5 * i));
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) ask(one, answers[0], i);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < 4; ++t)
+        threads.emplace_back([&, t] {
+            for (std::size_t i = points.size(); i-- > 0;)
+                if (i % 4 == t) ask(many, answers[1], i);
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(answers[0] == answers[1]);
+    CHECK(one.cells() > 0);
+    CHECK(one.cells() == many.cells());
+    CHECK(one.memory_bytes() == many.memory_bytes());
+}
+
+TEST_CASE("points far outside of the cells are answered as well", "[lighting]") {
+    const Street street(100);
+    const BuiltCutOctree built(LightOctree{}, street.scene());
+    for (const Vec3& position : {Vec3(1e6, 0, 0), Vec3(0, -1e4, 0), Vec3(-60, 0.2, 70)}) {
+        double sum = 0;
+        const ShadingPoint point{position, unit(-position), false};
+        for (LightIndex light = 0; light < 100; ++light) sum += built.expected(point, Key{}, light);
+        CHECK(sum == Approx(1));
+    }
+}

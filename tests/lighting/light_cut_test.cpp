@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_cut.h"
+
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Box cell{Vec3(-1), Vec3(1)};
+
+std::vector<Luminaire> lamps(int count) {
+    Draw draw(1);
+    std::vector<Luminaire> result;
+    for (int i = 0; i < count; ++i)
+        result.push_back(glowing(
+            emitter(i % emitter_kinds, draw.point(5), std::pow(10, draw.between(-2, -0.5)), draw),
+            std::pow(10, draw.between(-2, 2))));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a cut holds every luminaire once", "[lighting]") {
+    for (const int count : {1, 2, 15, 16, 17, 500})
+        for (const int most : {1, 7, 64, 256}) {
+            const std::vector<Luminaire> luminaires = lamps(count);
+            const LightTree tree(luminaires);
+            const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+            CHECK(cut.entries() <= static_cast<std::size_t>(most));
+            std::uint32_t next = 0;
+            for (std::size_t i = 0; i < cut.entries(); ++i) {
+                CHECK(cut.cluster(i).first == next);
+                next += cut.cluster(i).count;
+                for (std::uint32_t place = cut.cluster(i).first; place < next; ++place)
+                    CHECK(cut.entry_of(place) == i);
+            }
+            CHECK(next == luminaires.size());
+        }
+}
+
+TEST_CASE("more entries make less noise, and the bound is kept where they suffice", "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(200);
+    const LightTree tree(luminaires);
+    double last = std::numeric_limits<double>::infinity();
+    for (const int most : {1, 16, 64, 256}) {
+        const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+        CHECK(cut.noise() < last);
+        last = cut.noise();
+    }
+    CHECK(last == Approx(0).margin(1e-12));
+    const LightCut loose(tree, luminaires, cell, {0.5, 256}, 10);
+    CHECK(loose.noise() <= 0.5);
+    CHECK(loose.entries() < 150);
+}
+
+TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    Draw draw(2);
+    for (int i = 0; i < 40; ++i)
+        luminaires.push_back(
+            glowing(SphereEmitter{draw.point(5), 0.1}, std::pow(10, draw.between(-2, 2))));
+    const LightTree tree(luminaires);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    REQUIRE(cut.entries() == 40);
+    for (int i = 0; i < 100; ++i) {
+        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        CutWeights weights;
+        cut.weigh(point, weights);
+        double sum = 0, covered = 0;
+        for (const Luminaire& luminaire : luminaires) {
+            const double given = unoccluded(luminaire, point);
+            sum += given;
+            covered += given / (3.14159265358979 * luminance(luminaire.radiance));
+        }
+        CHECK(weights.coverage == Approx(covered).epsilon(0.01));
+        for (std::size_t entry = 0; entry < 40; ++entry) {
+            const LightIndex light = tree.light(cut.cluster(entry).first);
+            const double given = unoccluded(luminaires[light], point) / sum;
+            CHECK(weights.weight[entry] / weights.total ==
+                  Approx(given).epsilon(1e-3).margin(1e-5));
+            if (given > 0) CHECK(weights.weight[entry] > 0);
+        }
+    }
+}
+
+TEST_CASE("entries are found in proportion to their weights", "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(100);
+    const LightTree tree(luminaires);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 50}, 10);
+    CutWeights weights;
+    cut.weigh({Vec3(0.3), Vec3(0, 1, 0)}, weights);
+    std::vector<double> counted(cut.entries());
+    constexpr int draws = 20000;
+    for (int i = 0; i < draws; ++i) {
+        double target = (i + 0.5) / draws * weights.total;
+        const std::size_t entry = cut.find(weights, target);
+        CHECK(target >= 0);
+        CHECK(target < weights.weight[entry]);
+        ++counted[entry];
+    }
+    for (std::size_t i = 0; i < cut.entries(); ++i)
+        CHECK(std::abs(counted[i] / draws - weights.weight[i] / weights.total) < 2.0 / draws);
+    double beyond = 2 * weights.total;
+    CHECK(weights.weight[cut.find(weights, beyond)] > 0);
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_tree.h"
+
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+namespace {
+
+std::vector<Luminaire> lamps(int count, std::uint64_t seed) {
+    Draw draw(seed);
+    std::vector<Luminaire> result;
+    for (int i = 0; i < count; ++i)
+        result.push_back(glowing(emitter(i % emitter_kinds, draw.point(10) + Vec3(1000, 0, 0),
+                                         std::pow(10, draw.between(-3, 0)), draw),
+                                 std::pow(10, draw.between(-2, 2))));
+    return result;
+}
+
+/// Calls visit for every cluster of the tree.
+template <class Visit>
+void each_cluster(const LightTree& tree, const LightCluster& c, Visit visit) {
+    visit(c);
+    if (c.count == 1) return;
+    const auto [first, second] = tree.halves(c);
+    each_cluster(tree, first, visit);
+    each_cluster(tree, second, visit);
+}
+
+}  // namespace
+
+TEST_CASE("each luminaire has one place in the light tree", "[lighting]") {
+    for (const int count : {1, 2, 3, 100}) {
+        const std::vector<Luminaire> luminaires = lamps(count, 1);
+        const LightTree tree(luminaires);
+        REQUIRE(tree.lights() == luminaires.size());
+        std::set<LightIndex> found;
+        each_cluster(tree, tree.root(), [&](const LightCluster& c) {
+            if (c.count == 1) found.insert(tree.light(c.first));
+        });
+        CHECK(found.size() == luminaires.size());
+        for (LightIndex light = 0; light < luminaires.size(); ++light)
+            CHECK(tree.light(tree.place_of(light)) == light);
+    }
+}
+
+TEST_CASE("the sphere around a cluster holds its luminaires, its strength is theirs",
+          "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(200, 2);
+    const LightTree tree(luminaires);
+    each_cluster(tree, tree.root(), [&](const LightCluster& c) {
+        const Glow all = tree.glow(c);
+        double intensity = 0, shares = 0;
+        for (std::uint32_t place = c.first; place < c.first + c.count; ++place) {
+            const LightBounds b = bounds(luminaires[tree.light(place)]);
+            intensity += b.intensity;
+            shares += tree.share(c, place);
+            for (int axis = 0; axis < 3; ++axis) {
+                CHECK(tree.box(c).low[axis] <= b.box.low[axis]);
+                CHECK(tree.box(c).high[axis] >= b.box.high[axis]);
+            }
+            CHECK(farthest_distance2(b.box, all.centre) <= all.radius * all.radius);
+        }
+        CHECK(all.strength * all.radius == Approx(intensity).epsilon(1e-5));
+        CHECK(shares == Approx(1));
+    });
+}
+
+TEST_CASE("luminaires are drawn by their strength", "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(30, 3);
+    const LightTree tree(luminaires);
+    const auto [first, second] = tree.halves(tree.root());
+    std::vector<double> counted(30);
+    constexpr int draws = 20000;
+    for (int i = 0; i < draws; ++i) ++counted[tree.draw(second, (i + 0.5) / draws)];
+    for (std::uint32_t place = 0; place < 30; ++place) {
+        const double share = second.holds(place) ? tree.share(second, place) : 0;
+        CHECK(std::abs(counted[place] / draws - share) < 2.0 / draws);
+    }
+}
+
+TEST_CASE("no luminaire that a ray meets is left out", "[lighting]") {
+    const std::vector<Luminaire> luminaires = lamps(300, 4);
+    const LightTree tree(luminaires);
+    Draw draw(5);
+    int met = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const auto light = static_cast<LightIndex>(draw.number() * 300);
+        const Vec3 from = draw.point(12) + Vec3(1000, 0, 0);
+        const auto s = sample(luminaires[light], from, {draw.number(), draw.number()});
+        if (!s) continue;
+        ++met;
+        bool found = false;
+        tree.along(from, s->direction, [&](LightIndex other) { found = found || other == light; });
+        CHECK(found);
+    }
+    CHECK(met > 3000);
+}
+
+TEST_CASE("luminaires in geometric progression and in one place make a finite tree", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    for (int i = 0; i < 200; ++i)
+        luminaires.push_back(glowing(SphereEmitter{Vec3(std::pow(2.0, -i), 0, 0), 1e-3}));
+    for (int i = 0; i < 1000; ++i)
+        luminaires.push_back(glowing(SphereEmitter{Vec3(1, 1, 1), 1}, 1));
+    const LightTree tree(luminaires);
+    int deepest = 0;
+    const auto measure = [&](const auto& self, const LightCluster& c, int depth) -> void {
+        deepest = std::max(deepest, depth);
+        if (c.count == 1) return;
+        const auto [first, second] = tree.halves(c);
+        self(self, first, depth + 1);
+        self(self, second, depth + 1);
+    };
+    measure(measure, tree.root(), 0);
+    CHECK(deepest < 80);
+    CHECK(tree.memory_bytes() < 96 * luminaires.size() + 40000);
+}
