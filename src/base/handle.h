@@ -75,20 +75,20 @@ public:
     bool alone() const { return handle_detail::alone(content_); }
     /// The value for writing, which no other handle sees. Precondition: not null.
     T& edit() {
-        if (!alone()) *this = make(*content_);
+        if (!alone()) copy();
         return *content_;
     }
 
     template <class... Arguments>
     static Handle make(Arguments&&... arguments) {
-        Handle made;
-        made.content_ =
-            &(new handle_detail::Holder<T>(std::forward<Arguments>(arguments)...))->value;
-        return made;
+        return adopt(new handle_detail::Holder<T>(std::forward<Arguments>(arguments)...));
     }
+    /// Takes over a holder that has just been made.
+    static Handle adopt(handle_detail::Holder<T>* holder) { return Handle(&holder->value); }
 
 private:
     friend AnyHandle;
+    [[gnu::noinline]] void copy() { *this = make(*content_); }
     /// Takes over a share.
     explicit Handle(T* content) : content_(content) {}
 

@@ -4,9 +4,11 @@
 // reader.
 #pragma once
 
+#include "base/pool.h"
 #include "evaluate/constants.h"
 #include "evaluate/evaluator.h"
 #include "evaluate/memo.h"
+#include "evaluate/shape_plans.h"
 #include "evaluate/texture_store.h"
 #include "scene/scene.h"
 
@@ -23,6 +25,8 @@ struct Binder {
     Handle<Texture> default_texture = make_handle<Texture>();
     Camera default_camera = {};
     TextureStore textures = {};
+    Pool<Object> pool = {};  ///< where objects are made
+    ShapePlans plans = {};
     Constants constants = {};
     Memo<Transform> moves = {};      ///< each by itself
     Memo<Transform> movements = {};  ///< with those before it

@@ -10,7 +10,9 @@ constexpr int most_nodes = 200;
 
 class Search {
 public:
-    explicit Search(const Tree& tree) : tree_(tree) {}
+    /// `names` takes those on which the meaning depends; null: names are not constant.
+    explicit Search(const Tree& tree, std::vector<NameId>* names = nullptr)
+        : tree_(tree), names_(names) {}
 
     bool constant(NodeId id) {
         if (id == no_node) return true;
@@ -18,13 +20,13 @@ public:
         return std::visit([&](const auto& content) { return holds(content); }, tree_[id].content);
     }
 
-private:
     bool all(NodeId first) {
         for (NodeId id = first; id != no_node; id = tree_[id].next)
             if (!constant(id)) return false;
         return true;
     }
 
+private:
     bool holds(const node::Number&) { return true; }
     bool holds(const node::Literal&) { return true; }
     bool holds(const node::Text&) { return true; }
@@ -45,16 +47,24 @@ private:
     bool holds(const node::Layers& layers) { return all(layers.blocks); }
     bool holds(const node::Entry& entry) { return all(entry.body); }
     bool holds(const node::Braces& braces) { return all(braces.body); }
-    /// Names, calls, directives: they may mean something else the next time.
+    bool holds(const node::Name& name) {
+        if (names_) names_->push_back(name.name);
+        return names_ != nullptr;
+    }
+    /// Calls, directives: they may mean something else the next time.
     bool holds(const auto&) { return false; }
 
     const Tree& tree_;
+    std::vector<NameId>* names_;
     int count_ = 0;
 };
 
 }  // namespace
 
 bool is_constant(const Tree& tree, NodeId id) { return Search(tree).constant(id); }
+bool is_constant_but_names(const Tree& tree, NodeId first, std::vector<NameId>& names) {
+    return Search(tree, &names).all(first);
+}
 
 std::optional<std::uint64_t> Constants::number(const Element& element) {
     const auto [tree, node] = element.origin;

@@ -130,6 +130,18 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
     return wrong(Fault::wrong_type, kind_name(element.value));
 }
 
+bool set_fitting(const ItemInfo& info, void* item, std::size_t field, const Numbers& numbers) {
+    const FieldInfo& wanted = info.fields[field];
+    const bool vector = wanted.type == FieldType::vector3;
+    if (numbers.count > (vector ? 3 : 1) || (!vector && wanted.type != FieldType::number))
+        return false;
+    const Vec3 v = numbers.count == 3 ? numbers.vec3() : numbers.promoted(3).vec3();
+    for (int i = 0; i < (vector ? 3 : 1); ++i)
+        if (!std::isfinite(v[i]) || !wanted.range.contains(v[i])) return false;
+    info.set(item, field, vector ? FieldValue(v) : FieldValue(v.x));
+    return true;
+}
+
 std::optional<Colour> plain_colour(OpenBlock& block, const Element& element) {
     const Numbers* numbers = element.value.numbers();
     if (!numbers || numbers->is_colour()) {

@@ -17,6 +17,10 @@ struct Slot {
 /// components, missing ones are 0. Nothing, after a report, when it is something else.
 std::optional<FieldValue> converted(OpenBlock&, const Element&, FieldType, const Slot&);
 
+/// Sets a field of the item to numbers that are surely right for it and in its range. False:
+/// nothing has happened, and converted() must say why, or do more.
+bool set_fitting(const ItemInfo&, void* item, std::size_t field, const Numbers&);
+
 /// A colour that must be said to be one: `rgb <1, 0, 0>`, `Red`, not <1, 0, 0>.
 std::optional<Colour> plain_colour(OpenBlock&, const Element&);
 

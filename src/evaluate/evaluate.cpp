@@ -78,7 +78,9 @@ private:
             if (auto light = read_light(binder_, element))
                 scene_.lights.push_back(std::move(*light));
         } else if (makes_object(element.word)) {
-            if (ObjectHandle object = read_object(binder_, element)) add(std::move(object));
+            auto object =
+                read_object_into(scene_.objects, binder_.default_texture, binder_, element);
+            if (object && *object) add(std::move(*object));
         } else if (element.word == "camera"_word) {
             take_camera(element);
         } else if (element.word == "background"_word) {

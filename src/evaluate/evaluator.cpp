@@ -33,6 +33,10 @@ void Evaluator::declare(std::string_view name, Value value) {
     state_->scope.declare(state_->names.intern(name), std::move(value));
 }
 void Evaluator::walk(Body body, Take take) { state_->walk_whole(*body.tree, body.first, take); }
+bool Evaluator::compute(Body body, Numbers& result) {
+    return !state_->stopped_ && state_->compute(*body.tree, body.first, result);
+}
+const Value* Evaluator::find(NameId name) const { return state_->scope.find(name); }
 Value Evaluator::value_of(const Element& element) {
     return state_->one_value({&element, 1}, element.span);
 }

@@ -95,6 +95,12 @@ public:
     /// reported and comes as a broken value.
     void walk(Body, Take);
 
+    /// The numbers of an expression, when it can be computed without saying anything. False:
+    /// nothing has happened, and walk() must do it.
+    bool compute(Body, Numbers&);
+    /// What the name stands for now, or null.
+    const Value* find(NameId) const;
+
     /// The element as a value: a block becomes one by the meaning; a word that is no value is
     /// reported.
     Value value_of(const Element&);

@@ -17,12 +17,13 @@ public:
     /// What the element makes of the base: what it has made of it before, or a new one by make(),
     /// which is null when something is wrong. Elements without a number are not known again.
     template <class Make>
-    Handle<T> made(std::optional<std::uint64_t> element, Handle<Base> base, Make make) {
+    Handle<T> made(std::optional<std::uint64_t> element, const Handle<Base>& base, Make make) {
         if (!element) return make();
         const auto known = made_.find(*element);
         if (known != made_.end() && known->second.base == base) return known->second.result;
+        Handle<Base> before = base;  // which make() may change
         Handle<T> result = make();
-        if (result) made_[*element] = {std::move(base), result};
+        if (result) made_[*element] = {std::move(before), result};
         return result;
     }
 

@@ -25,7 +25,7 @@ struct ObjectDraft {
     explicit ObjectDraft(Binder& binder) : binder(binder), texture(binder.default_texture) {}
 
     Binder& binder;
-    ObjectHandle made = make_handle<Object>();  ///< its form; the rest is put in by finished()
+    ObjectHandle made = binder.pool.make();  ///< its form; the rest is put in by finished()
     /// What a declared name stands for; its form is not copied before it has to be.
     ObjectHandle declared;
     Switches switches;

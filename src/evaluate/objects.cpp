@@ -3,8 +3,10 @@
 
 #include "evaluate/confines.h"
 #include "evaluate/lights.h"
+#include "evaluate/models.h"
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
+#include "evaluate/sink.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
 
@@ -120,15 +122,15 @@ public:
         if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
         if (!makes_object(element.word)) return false;
         Binder& binder = block_.binder;
-        ObjectHandle made =
-            binder.objects.made(binder.constants.number(element), binder.default_texture,
-                                [&] { return read_object(binder, element); });
-        if (!made) {
-            block_.broken = true;
-            draft_.has_form = true;
-        } else if (welcome(element.span)) {
-            add(std::move(made));
+        if (row_goes_on()) {
+            std::optional<ObjectHandle> made =
+                read_object_into(together().children, {}, binder, element);
+            if (made) take_made(std::move(*made), element.span);
+            return true;
         }
+        take_made(binder.objects.made(binder.constants.number(element), binder.default_texture,
+                                      [&] { return read_object(binder, element); }),
+                  element.span);
         return true;
     }
 
@@ -146,6 +148,22 @@ public:
     }
 
 private:
+    Union& together() { return std::get<Union>(draft_.made.edit().form); }
+    /// Whether a sphere may be put to the others without further ado.
+    bool row_goes_on() {
+        return kind_ == Kind::together && !draft_.modified && !block_.broken &&
+               together().csg == Csg::together;
+    }
+
+    void take_made(ObjectHandle made, Span span) {
+        if (!made) {
+            block_.broken = true;
+            draft_.has_form = true;
+        } else if (welcome(span)) {
+            add(std::move(made));
+        }
+    }
+
     bool take_declared(const Element& element) {
         const Handle<Object> object = element.value.handle<Object>();
         const Handle<PlacedLight> light = element.value.handle<PlacedLight>();
@@ -164,9 +182,8 @@ private:
 
     void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
-            auto& together = std::get<Union>(draft_.made.edit().form);
-            append_lights(*made, together.lights);
-            together.children.push_back(std::move(made));
+            append_lights(*made, together().lights);
+            together().children.push_back(std::move(made));
             return;
         }
         draft_.made = std::move(made);
@@ -201,8 +218,10 @@ private:
 
 class ObjectReader {
 public:
-    ObjectReader(Binder& binder, const Element& element)
+    /// With `values`, those of a shape that have been computed already.
+    ObjectReader(Binder& binder, const Element& element, const LeadingValues* values = nullptr)
         : element_(element),
+          values_(values),
           block_(binder, binder.evaluator.spelling(element.word), element.word_span),
           draft_(binder) {
         block_.effectless = effectless_words;
@@ -221,14 +240,14 @@ public:
 
 private:
     template <class... Fields>
-    void read_with(ContentReader& content, Fields&... fields) {
+    void read_with(Body body, ContentReader& content, Fields&... fields) {
         const auto apply = [&](const Movement& movement) { draft_.move(movement); };
         TransformReader moves(block_, apply);
         LookReader look(block_, draft_);
         ConfineReader confines(block_, draft_);
         ItemReader switches(block_, Switches::vocabulary, &draft_.switches);
         switches.repeatable();
-        block_.read(element_.body, fields..., content, look, confines, moves, switches);
+        block_.read(body, fields..., content, look, confines, moves, switches);
     }
 
     void read_shape(std::size_t kind) {
@@ -239,9 +258,18 @@ private:
         ContentReader content(block_, draft_, ContentReader::Kind::shape);
         const auto declared = [&] { return draft_.declared != nullptr; };
         ShapeReader reader{fields, declared};
-        read_with(content, reader);
+        if (values_) take_values(fields);
+        read_with(values_ ? values_->rest : element_.body, content, reader);
         if (block_.broken || draft_.declared) return;
         check(shape);
+    }
+
+    void take_values(ItemReader& fields) {
+        for (std::size_t i = 0; i < values_->count; ++i) {
+            const Tree& tree = *element_.body.tree;
+            fields.take(Sink::value_element(values_->numbers[i], tree, values_->nodes[i]));
+            ++block_.taken;
+        }
     }
 
     /// The fields of a shape, which a declared object stands for as well.
@@ -264,7 +292,7 @@ private:
         block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
         if (together) draft_.made.edit().form = Union{{}, {}, csg()};
         ContentReader content(block_, draft_, kind);
-        read_with(content);
+        read_with(element_.body, content);
     }
 
     Csg csg() const {
@@ -290,19 +318,56 @@ private:
     }
 
     const Element& element_;
+    const LeadingValues* values_;
     OpenBlock block_;
     ObjectDraft draft_;
 };
 
+/// As read_object_into(), for shapes only; without a row, there is always an object.
+std::optional<ObjectHandle> read_shape(Binder& binder, const Element& element, std::size_t kind,
+                                       const RowEnd* row) {
+    const ItemInfo& info = *Kinds<Shape>::infos[kind];
+    ShapePlan* plan = binder.plans.find(binder.evaluator, element, info);
+    if (!plan)
+        return binder.objects.made(binder.constants.number(element), binder.default_texture,
+                                   [&] { return ObjectReader(binder, element).read(); });
+    const LeadingValues values = plan->compute(binder.evaluator, element.body);
+    const bool complete = plan->complete(values);
+    const Object* model =
+        complete ? plan->model(binder.evaluator, binder.default_texture) : nullptr;
+    if (model && row && joins(*row, *model, values, element.span)) return std::nullopt;
+    if (model) {
+        if (ObjectHandle made = like(*model, info, values, binder.pool)) {
+            made.edit().span = element.span;
+            return made;
+        }
+    }
+    const Diagnostics& diagnostics = binder.evaluator.diagnostics();
+    const std::size_t said = diagnostics.all().size();
+    ObjectHandle made = ObjectReader(binder, element, &values).read();
+    if (made && complete && diagnostics.all().size() == said)
+        plan->learn(binder.evaluator, binder.default_texture, made);
+    return made;
+}
+
 }  // namespace
+
+std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
+                                             const Handle<Texture>& texture, Binder& binder,
+                                             const Element& element) {
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    if (kind == Kinds<Shape>::count) return read_object(binder, element);
+    const RowEnd row{list, texture};
+    return read_shape(binder, element, kind, &row);
+}
 
 ObjectHandle read_object(Binder& binder, const Element& element) {
     if (element.word == "light_source"_word) {
         std::optional<PlacedLight> light = read_light(binder, element);
         return light ? as_object(std::move(*light)) : nullptr;
     }
-    const bool holds_objects = Kinds<Shape>::find(element.word) == Kinds<Shape>::count;
-    if (!holds_objects) return ObjectReader(binder, element).read();
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    if (kind != Kinds<Shape>::count) return *read_shape(binder, element, kind, nullptr);
     if (binder.nesting >= deepest_nesting) {
         binder.evaluator.report(
             error(Fault::recursion_limit, element.word_span,

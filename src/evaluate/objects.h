@@ -20,3 +20,10 @@ inline bool makes_object(NameId word) {
 /// The object of such a block, as a part: without a texture when the text gives none. Null after a
 /// report.
 ObjectHandle read_object(Binder&, const Element& block);
+
+/// The same for one of several objects in a row: a sphere that is like the one before it is put to
+/// the end of `list`, and there is nothing more to do with it (none is returned). Objects there
+/// have this texture when they have none of their own.
+std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
+                                             const Handle<Texture>& texture, Binder&,
+                                             const Element& block);

@@ -145,6 +145,13 @@ public:
     /// Has been reported: nobody needs to hear of it again.
     bool broken() const { return is(Absence::broken); }
     bool is(Absence why) const { return kind_ == absence_kind && absence_ == why; }
+    /// Whether both are the same thing: equal numbers, or one shared part.
+    bool identical(const Value& other) const {
+        if (kind_ != other.kind_) return false;
+        if (kind_ >= first_shared) return shared_.get() == other.shared_.get();
+        if (kind_ == numbers_kind) return numbers_ == other.numbers_;
+        return kind_ == macro_kind ? macro_ == other.macro_ : absence_ == other.absence_;
+    }
     /// Whether both are of the same kind; all numbers are one kind.
     bool same_kind(const Value& other) const { return kind_ == other.kind_; }
 

@@ -109,11 +109,14 @@ std::span<const ObjectHandle> children(const Object& object) {
                     : std::span<const ObjectHandle>();
 }
 
+bool is_row(const Object& object) { return std::holds_alternative<SphereRow>(object.form); }
+
 /// A union of one object that adds nothing is written as that object: a copy of a declared union is
 /// read as such a union.
 const Object& essence(const Object& object) {
     const Object* result = &object;
-    while (children(*result).size() == 1 && modifiers(*result).empty())
+    while (children(*result).size() == 1 && modifiers(*result).empty() &&
+           !is_row(*children(*result).front()))
         result = children(*result).front().get();
     return *result;
 }
@@ -192,35 +195,43 @@ private:
             if (!apart) continue;
             std::string name = message("Object_", names_.size() + 1);
             out_ += message("#declare ", name, " = ");
-            write(*object, 0);
+            if (is_row(*object)) out_ += "union {\n";
+            write(*object, is_row(*object) ? 1 : 0);
+            if (is_row(*object)) out_ += "}\n";
             names_.emplace(object, std::move(name));
         }
     }
 
     void refer(const Object& referred, std::size_t depth) {
         const Object& object = essence(referred);
-        out_.append(4 * depth, ' ');
         const auto name = names_.find(&object);
-        if (name == names_.end())
-            write(object, depth);
-        else
-            out_ += message("object { ", name->second, " }\n");
+        if (name == names_.end()) return write(object, depth);
+        out_.append(4 * depth, ' ');
+        out_ += message("object { ", name->second, " }\n");
     }
 
+    /// A row as so many spheres.
     void write(const Object& object, std::size_t depth) {
-        if (const auto* shape = std::get_if<Shape>(&object.form)) {
-            Shape copy = *shape;
-            const ItemInfo& info = *Kinds<Shape>::infos[copy.index()];
-            out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(copy)));
-            for (const std::string& each : modifiers(object)) out_ += " " + each;
-            out_ += " }\n";
+        if (const auto* shape = std::get_if<Shape>(&object.form))
+            return write(*shape, object, depth);
+        if (const auto* row = std::get_if<SphereRow>(&object.form)) {
+            for (const Sphere& sphere : row->spheres) write(sphere, object, depth);
             return;
         }
+        out_.append(4 * depth, ' ');
         out_ += message(keyword(std::get<Union>(object.form).csg), " {\n");
         for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
         for (const std::string& each : modifiers(object))
             out_ += std::string(4 * depth + 4, ' ') + each + "\n";
         out_ += std::string(4 * depth, ' ') + "}\n";
+    }
+
+    void write(Shape shape, const Object& object, std::size_t depth) {
+        const ItemInfo& info = *Kinds<Shape>::infos[shape.index()];
+        out_.append(4 * depth, ' ');
+        out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(shape)));
+        for (const std::string& each : modifiers(object)) out_ += " " + each;
+        out_ += " }\n";
     }
 
     std::string out_;

@@ -45,6 +45,13 @@ struct Union {
     Csg csg = Csg::together;
 };
 
+/// Spheres that are alike in all but place and size, as one object of a scene or a union: loops
+/// make them by the million. Never empty.
+struct SphereRow {
+    std::vector<Sphere> spheres;
+    std::vector<Span> spans;  ///< of each
+};
+
 /// What cuts an object without closing it, and what rays must meet to see it. In the space after
 /// the object's transform.
 struct Confines {
@@ -57,9 +64,9 @@ struct PartTextures {
     std::vector<Handle<Texture>> list;
 };
 
-/// One object: a shape or a union, where it stands and how it looks.
+/// One object: a shape, a union or a row, where it stands and how it looks.
 struct Object {
-    std::variant<Shape, Union> form;
+    std::variant<Shape, Union, SphereRow> form;
     Handle<Transform> transform;  ///< of the form; null: none
     Handle<Texture>
         texture;  ///< in the space after the transform; null: the parent's, or the default

@@ -31,18 +31,26 @@ public:
         visitor_.enter(object);
         const Handle<Transform> transform = combined(object.transform, outer);
         const bool swapped = object.inverse != inverse;
-        PartRef part = std::holds_alternative<Union>(object.form)
-                           ? group(std::get<Union>(object.form), transform, swapped)
-                           : leaf(object, transform, swapped);
+        PartRef part = content(object, transform, swapped);
         if (object.confines) part = confined(part, *object.confines, outer);
         visitor_.leave();
         return part;
     }
 
 private:
-    PartRef leaf(const Object& object, const Handle<Transform>& transform, bool inverse) {
-        visitor_.leaf(object);
-        return builder_.add({shapes_.built(std::get<Shape>(object.form)), transform, inverse});
+    PartRef content(const Object& object, const Handle<Transform>& transform, bool inverse) {
+        if (const auto* parts = std::get_if<Union>(&object.form))
+            return group(*parts, transform, inverse);
+        const auto leaf = [&](const BuiltShape& shape) {
+            visitor_.leaf(object);
+            return builder_.add({shape, transform, inverse});
+        };
+        const auto* row = std::get_if<SphereRow>(&object.form);
+        if (!row) return leaf(shapes_.built(std::get<Shape>(object.form)));
+        std::vector<PartRef> parts;
+        for (const Sphere& sphere : row->spheres) parts.push_back(leaf(sphere));
+        return builder_.add(inverse ? Combination::common : Combination::together,
+                            std::move(parts));
     }
 
     /// Light sources, and what has been left out of the scene.

@@ -71,13 +71,19 @@ Box extent_of(const Union& group) {
     return box;
 }
 
+Box extent_of(const SphereRow& row) {
+    Box box;
+    for (const Sphere& sphere : row.spheres) box = join(box, bounds(sphere));
+    return box;
+}
+Box extent_of(const Shape& shape) {
+    return visit_shape([](const auto& content) { return extent_of(content); }, shape);
+}
+
 }  // namespace
 
 Box extent(const Object& object) {
-    Box box = std::holds_alternative<Union>(object.form)
-                  ? extent_of(std::get<Union>(object.form))
-                  : visit_shape([](const auto& shape) { return extent_of(shape); },
-                                std::get<Shape>(object.form));
+    Box box = std::visit([](const auto& form) { return extent_of(form); }, object.form);
     if (object.transform) box = object.transform->box(box);
     if (object.confines) box = confined(box, *object.confines);
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};

@@ -48,6 +48,6 @@ bool has_inside(const Object& object) {
     if (const auto* group = std::get_if<Union>(&object.form))
         return std::ranges::all_of(group->children,
                                    [](const ObjectHandle& child) { return has_inside(*child); });
-    return visit_shape([](const auto& shape) { return solid(shape); },
-                       std::get<Shape>(object.form));
+    const auto* shape = std::get_if<Shape>(&object.form);
+    return !shape || visit_shape([](const auto& content) { return solid(content); }, *shape);
 }

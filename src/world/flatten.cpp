@@ -62,10 +62,13 @@ public:
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
-        ++world_.objects;
         const std::uint32_t material = material_index(here);
-        if (all_ || glows_[material])
-            place(std::get<Shape>(object.form), here, material, object.span);
+        const auto* row = std::get_if<SphereRow>(&object.form);
+        world_.objects += row ? row->spheres.size() : 1;
+        if (!all_ && !glows_[material]) return;
+        if (!row) return place(std::get<Shape>(object.form), here, material, object.span);
+        for (std::size_t i = 0; i < row->spheres.size(); ++i)
+            place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
     }
 
     void finish() {
@@ -162,11 +165,7 @@ private:
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-            const double scale = here.transform ? here.transform->uniform_scale() : 1;
-            if (scale == 0) return add_shape(*sphere, here.transform, material, span);
-            const Vec3 centre =
-                here.transform ? here.transform->point(sphere->centre) : sphere->centre;
-            add_sphere({centre, sphere->radius * scale}, material, span);
+            place_sphere(*sphere, here.transform, material, span);
         } else if (const auto* flat = std::get_if<Shared<Triangle>>(&shape)) {
             add_triangle({(*flat)->corner1, (*flat)->corner2, (*flat)->corner3},
                          here.transform.get(), material, span);
@@ -184,6 +183,14 @@ private:
         } else {
             add_shape(shapes_.built(shape), here.transform, material, span);
         }
+    }
+
+    void place_sphere(const Sphere& sphere, const Handle<Transform>& transform,
+                      std::uint32_t material, Span span) {
+        const double scale = transform ? transform->uniform_scale() : 1;
+        if (scale == 0) return add_shape(sphere, transform, material, span);
+        const Vec3 centre = transform ? transform->point(sphere.centre) : sphere.centre;
+        add_sphere({centre, sphere.radius * scale}, material, span);
     }
 
     void add_mesh(const Mesh& mesh, const Transform* transform, std::uint32_t material, Span span) {

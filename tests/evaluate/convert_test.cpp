@@ -36,3 +36,21 @@ TEST_CASE("no field takes what is not finite", "[evaluate]") {
     CHECK(done.said[0].fault == Fault::division_by_zero);
     CHECK(done.said[1].message == "`centre` of `sphere` must be finite, but it is inf");
 }
+
+TEST_CASE("numbers that surely fit a field are set, others left to the long way", "[evaluate]") {
+    Sphere sphere;
+    const ItemInfo& info = Sphere::vocabulary;
+    CHECK(set_fitting(info, &sphere, 0, Numbers::vector(Vec3(1, 2, 3))));
+    CHECK(set_fitting(info, &sphere, 1, Numbers::scalar(4)));
+    CHECK((sphere.centre == Vec3(1, 2, 3) && sphere.radius == 4));
+    CHECK(set_fitting(info, &sphere, 0, Numbers::scalar(7)));
+    CHECK(sphere.centre == Vec3(7));
+    CHECK(set_fitting(info, &sphere, 0, Numbers{{1, 2}, 2}));
+    CHECK(sphere.centre == Vec3(1, 2, 0));
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(set_fitting(info, &sphere, 0, Numbers::scalar(infinity)));
+    CHECK_FALSE(set_fitting(info, &sphere, 0, Numbers{{1, 2, 3, 4}, 4}));
+    CHECK_FALSE(set_fitting(info, &sphere, 1, Numbers{{1, 2}, 2}));
+    CHECK_FALSE(set_fitting(info, &sphere, 1, Numbers::scalar(-1)));
+    CHECK((sphere.centre == Vec3(1, 2, 0) && sphere.radius == 4));
+}

@@ -7,11 +7,11 @@
 
 TEST_CASE("a scene is what its text says, in order", "[evaluate]") {
     const Script done =
-        run("#version 3.7; camera { location -z } light_source { y, 1 } #for (I, 1, 3) sphere { "
-            "I*x, 1 } #end background { rgb 1 }");
+        run("#version 3.7; camera { location -z } light_source { y, 1 } #for (I, 1, 3) torus { "
+            "I, 0.5 } #end background { rgb 1 }");
     REQUIRE(done.text.empty());
     CHECK(done.scene.objects.size() == 3);
-    CHECK(done.shape<Sphere>(2).centre == Vec3(3, 0, 0));
+    CHECK(done.shape<Torus>(2).major == 3);
     CHECK(done.scene.lights.size() == 1);
     CHECK(done.object(1).span.source == 0);
     CHECK(done.object(1).span.known());

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes many shared values one behind the other in large blocks of memory: cheaper than one by one,
+// and a block goes back to the system as soon as the last value in it is gone. For values that are
+// made together and given up together, as the objects of a scene are.
+#pragma once
+
+#include "base/handle.h"
+
+#include <new>
+
+template <class T>
+class Pool {
+public:
+    Pool() = default;
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+    ~Pool() { leave_block(); }
+
+    /// A handle to a new value, which may outlive the pool.
+    template <class... Arguments>
+    Handle<T> make(Arguments&&... arguments) {
+        if (!block_ || used_ == capacity) start_block();
+        void* const place = block_->places + used_++ * sizeof(Place);
+        return Handle<T>::adopt(new (place) Place(std::forward<Arguments>(arguments)...));
+    }
+
+private:
+    struct Place : handle_detail::Holder<T> {
+        template <class... Arguments>
+        explicit Place(Arguments&&... arguments)
+            : handle_detail::Holder<T>(std::forward<Arguments>(arguments)...) {
+            this->destroy = [](const handle_detail::Header* header) {
+                const auto* place = static_cast<const Place*>(header);
+                place->~Place();
+                // Blocks lie at multiples of their size.
+                release(reinterpret_cast<Block*>(reinterpret_cast<std::uintptr_t>(place) &
+                                                 ~(block_size - 1)),
+                        1);
+            };
+        }
+    };
+    static constexpr std::size_t block_size = std::size_t{1} << 18;
+    static constexpr std::size_t capacity = (block_size - 16) / sizeof(Place);
+    struct Block {
+        /// Places that hold a value, or may still get one.
+        std::atomic<std::size_t> claimed = capacity;
+        alignas(16) std::byte places[block_size - 16];
+    };
+    static_assert(sizeof(Block) == block_size && alignof(Place) <= 16);
+
+    static void release(Block* block, std::size_t places) {
+        if (places == 0 || block->claimed.fetch_sub(places) > places) return;
+        block->~Block();
+        ::operator delete(block, std::align_val_t(block_size));
+    }
+    void leave_block() {
+        if (block_) release(block_, capacity - used_);
+    }
+    void start_block() {
+        leave_block();
+        block_ = new (::operator new(sizeof(Block), std::align_val_t(block_size))) Block;
+        used_ = 0;
+    }
+
+    Block* block_ = nullptr;
+    std::size_t used_ = 0;  ///< places of the block that have been given away
+};

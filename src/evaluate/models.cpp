@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/models.h"
+
+#include "evaluate/convert.h"
+
+namespace {
+
+/// A longer row would save nothing more, and take twice its room while it grows.
+constexpr std::size_t most_spheres = 2048;
+
+/// Gives a shape its leading values; false when something is wrong with them.
+bool set_values(void* shape, const ItemInfo& item, const LeadingValues& values) {
+    for (std::size_t i = 0; i < values.count; ++i)
+        if (!set_fitting(item, shape, i, values.numbers[i])) return false;
+    return true;
+}
+
+bool alike(const Object& row, const Object& model, const Handle<Texture>& texture) {
+    return row.texture == texture && row.transform == model.transform &&
+           row.interior == model.interior && row.part_textures == model.part_textures &&
+           row.no_shadow == model.no_shadow && row.no_image == model.no_image &&
+           row.no_reflection == model.no_reflection && row.hollow == model.hollow &&
+           row.double_illuminate == model.double_illuminate;
+}
+
+void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span) {
+    const Handle<Texture>& texture = model.texture ? model.texture : end.texture;
+    ObjectHandle* last = end.list.empty() ? nullptr : &end.list.back();
+    const SphereRow* row = last && last->alone() ? std::get_if<SphereRow>(&(*last)->form) : nullptr;
+    if (!row || row->spheres.size() >= most_spheres || !alike(**last, model, texture)) {
+        last = &end.list.emplace_back(make_handle<Object>(model));
+        last->edit().form = SphereRow{};
+        last->edit().texture = texture;
+        last->edit().span = span;
+    }
+    auto& open = std::get<SphereRow>(last->edit().form);
+    open.spheres.push_back(sphere);
+    open.spans.push_back(span);
+}
+
+}  // namespace
+
+ObjectHandle like(const Object& model, const ItemInfo& item, const LeadingValues& values,
+                  Pool<Object>& pool) {
+    ObjectHandle made = pool.make(model);
+    Shape& shape = std::get<Shape>(made.edit().form);
+    const bool good =
+        set_values(Kinds<Shape>::address(shape), item, values) && problem(shape).empty();
+    return good ? made : nullptr;
+}
+
+bool joins(const RowEnd& end, const Object& model, const LeadingValues& values, Span span) {
+    const auto& shape = std::get<Shape>(model.form);
+    // What is inverse or confined is a solid of its own.
+    if (!std::holds_alternative<Sphere>(shape) || model.confines || model.inverse) return false;
+    Sphere sphere;
+    if (!set_values(&sphere, Sphere::vocabulary, values)) return false;
+    add(end, model, sphere, span);
+    return true;
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/pool.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+namespace {
+
+/// Counts how many of it there are.
+struct Counted {
+    explicit Counted(int& count) : count(count) { ++count; }
+    ~Counted() { --count; }
+    int& count;
+    double more[7] = {};
+};
+
+}  // namespace
+
+TEST_CASE("values of a pool live as long as their handles, in whatever order these go", "[base]") {
+    const std::size_t step = GENERATE(1u, 7u, 4999u);
+    int count = 0;
+    constexpr std::size_t many = 10000;
+    std::vector<Handle<Counted>> held;
+    {
+        Pool<Counted> pool;
+        for (std::size_t i = 0; i < many; ++i) held.push_back(pool.make(count));
+        CHECK(count == static_cast<int>(many));
+        for (std::size_t i = 0; i < many; i += 2) held[i] = nullptr;
+        CHECK(count == static_cast<int>(many / 2));
+        held[0] = pool.make(count);
+    }
+    CHECK(count == static_cast<int>(many / 2) + 1);
+    for (std::size_t i = 0; i < many; ++i) held[i * step % many] = nullptr;
+    for (Handle<Counted>& handle : held) handle = nullptr;
+    CHECK(count == 0);
+}
+
+TEST_CASE("a pool that has made nothing holds nothing", "[base]") {
+    const Pool<Counted> pool;
+    Pool<std::vector<int>> vectors;
+    CHECK(vectors.make(3, 7)->size() == 3);
+    const Handle<std::vector<int>> one = vectors.make(2, 5), other = vectors.make(1, 4);
+    CHECK(*one == std::vector{5, 5});
+    CHECK(*other == std::vector{4});
+}
