@@ -143,21 +143,20 @@ private:
             return say(is_check() ? "" : dump(tree, names_));
         }
         statistics_.parse = time_now();
-        const Scene scene = evaluate_scene(main, folder_of(output));
+        Scene scene = evaluate_scene(main, folder_of(output));
         statistics_.parse = time_now() - statistics_.parse;
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
-        if (is_check() && options_.stats_file.empty()) {
+        if (options_.task != Task::dump_world)
             review(scene, survey(scene, diagnostics_), diagnostics_);
-            return say("");
-        }
+        if (say_diagnostics()) return exit_status::scene;
+        if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         const World world =
-            compile(scene, {options_.render.threads, options_.render.light_sampler}, diagnostics_);
+            compile(std::move(scene), {options_.render.threads, options_.render.light_sampler},
+                    diagnostics_);
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));
-        review(scene, world, diagnostics_);
-        if (say_diagnostics()) return exit_status::scene;
         if (is_check()) return finish(world);
         Output fitting = output;
         fitting.format.gamma = scene.settings.assumed_gamma;

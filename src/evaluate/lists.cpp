@@ -4,6 +4,10 @@
 #include "evaluate/bind.h"
 #include "text/message.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace {
 
 class ListReader : public SimpleReader {
@@ -27,6 +31,24 @@ public:
         return true;
     }
 
+    /// Takes the numbers and vectors that a long list is made of, without a detour by elements:
+    /// what is left of the body.
+    Body take_plain(Body body) {
+        const Tree& tree = *body.tree;
+        if (const auto* count = tree.get_if<node::Number>(body.first)) {
+            const double wanted = tree.numbers[count->number];
+            if (!(wanted >= 0 && wanted < 1e9 && std::floor(wanted) == wanted)) return body;
+            count_ = wanted;
+            count_span_ = tree.span(body.first);
+            body.first = tree[body.first].next;
+            ++block_.taken;
+            reserve(std::min(static_cast<std::size_t>(wanted), tree.nodes.size()));
+            while (body.first != no_node && take_literal(tree, body.first))
+                body.first = tree[body.first].next;
+        }
+        return body;
+    }
+
     void finish() {
         if (block_.broken) return;
         const std::size_t found = type_ == FieldType::faces ? faces.size() : vectors.size();
@@ -46,6 +68,32 @@ public:
     std::vector<Face> faces;
 
 private:
+    void reserve(std::size_t count) {
+        if (type_ == FieldType::faces)
+            faces.reserve(count);
+        else
+            vectors.reserve(count);
+    }
+
+    /// False: it is no vector of three numbers that are right here.
+    bool take_literal(const Tree& tree, NodeId id) {
+        const auto* literal = tree.get_if<node::Literal>(id);
+        if (!literal || literal->count != 3) return false;
+        const double* at = &tree.numbers[literal->first_number];
+        const Vec3 v(at[0], at[1], at[2]);
+        const double most =
+            type_ == FieldType::faces ? 2147483647.0 : std::numeric_limits<double>::max();
+        if (!(max_abs_component(v) <= most)) return false;
+        if (type_ != FieldType::faces)
+            vectors.push_back(v);
+        else if (glm::floor(v) == v)
+            faces.push_back({static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)});
+        else
+            return false;
+        ++block_.taken;
+        return true;
+    }
+
     std::optional<FieldValue> converted_as(const Element& element, FieldType type,
                                            std::string_view what) {
         return converted(
@@ -95,7 +143,7 @@ private:
 
 std::optional<FieldValue> read_counted_list(OpenBlock& block, Body body, FieldType type) {
     ListReader reader(block, type);
-    block.read(body, reader);
+    block.read(reader.take_plain(body), reader);
     if (block.broken) return std::nullopt;
     if (type == FieldType::faces) return std::move(reader.faces);
     return std::move(reader.vectors);

@@ -8,6 +8,9 @@
 #include "surface/pigment_map.h"
 #include "text/message.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace {
 
 constexpr std::string_view pigment_form =
@@ -217,6 +220,18 @@ void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first
                            "too many pigments are nested here: each level can double the work"));
 }
 
+/// The commonest pigment by far, nothing but `rgb ...`. False: it is something else.
+bool read_colour_alone(Evaluator& evaluator, Body body, Pigment& pigment) {
+    const bool alone =
+        body.tree->get_if<node::Prefixed>(body.first) && (*body.tree)[body.first].next == no_node;
+    Numbers colour;
+    if (!alone || !evaluator.compute(body, colour)) return false;
+    if (!std::ranges::all_of(colour.at, [](double part) { return std::isfinite(part); }))
+        return false;
+    pigment = {colour.to_colour(), nullptr, {}};
+    return true;
+}
+
 }  // namespace
 
 bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
@@ -237,6 +252,7 @@ bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
 }
 
 bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
+    if (read_colour_alone(binder.evaluator, element.body, pigment)) return true;
     OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
     read_content(block, element.body, pigment);

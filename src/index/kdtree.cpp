@@ -51,11 +51,20 @@ public:
     std::vector<std::uint32_t> take_items() { return std::move(items_); }
 
 private:
+    struct Sides {
+        Box below, above;
+    };
+    struct Halves {
+        std::vector<Fragment> below, above;
+        std::size_t size() const { return below.size() + above.size(); }
+    };
+
     void build(std::size_t node, std::size_t first, const Box& cell, Allowance);
     void make_leaf(std::size_t node, std::size_t first);
     std::size_t divide(std::size_t first, const std::pair<Box, Box>& cells, const Split&);
-    void fork(std::uint32_t children, std::size_t lower_first, const std::pair<Box, Box>& cells,
-              Allowance);
+    Sides sides(const Fragment&, const std::pair<Box, Box>& cells, const Split&) const;
+    Halves take_halves(const std::pair<Box, Box>& cells, const Split&);
+    void fork(std::uint32_t children, Halves, const std::pair<Box, Box>& cells, Allowance);
     void adopt(std::size_t node, const Subtree&);
 
     const Task& task_;
@@ -82,14 +91,17 @@ void Subtree::build(std::size_t node, std::size_t first, const Box& cell, Allowa
     if (!split.found()) return make_leaf(node, first);
 
     const auto cells = halves(cell, split);
-    const std::size_t lower_first = divide(first, cells, split);
+    const bool forks = count > fork_limit;
+    Halves apart;
+    const std::size_t lower_first = forks ? 0 : divide(first, cells, split);
+    if (forks) apart = take_halves(cells, split);
+    const std::size_t parts = forks ? apart.size() : fragments_.size() - first;
     --allowance.depth;
-    allowance.duplication *=
-        static_cast<double>(count) / static_cast<double>(fragments_.size() - first);
+    allowance.duplication *= static_cast<double>(count) / static_cast<double>(parts);
     const auto children = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node] = KdNode::inner(split.axis, split.position, children);
     nodes_.insert(nodes_.end(), 2, KdNode::leaf(0, 0));
-    if (count > fork_limit) return fork(children, lower_first, cells, allowance);
+    if (forks) return fork(children, std::move(apart), cells, allowance);
     build(children, lower_first, cells.first, allowance);
     build(children + 1, first, cells.second, allowance);
 }
@@ -101,49 +113,70 @@ void Subtree::make_leaf(std::size_t node, std::size_t first) {
     fragments_.resize(first);
 }
 
-/// Replaces the fragments from `first` on by those above the plane, then those below it; returns
-/// where these begin. Items keep their order. Only boxes that lie on both sides need clipping.
-std::size_t Subtree::divide(std::size_t first, const std::pair<Box, Box>& cells,
-                            const Split& split) {
-    const Box lower_cell = grown(cells.first, task_.slack);
-    const Box upper_cell = grown(cells.second, task_.slack);
-    const auto clipped = [&](const Fragment& f, const Box& side) {
+/// The parts of a fragment on both sides of a plane; empty boxes where there are none. Only boxes
+/// that lie on both sides need clipping.
+Subtree::Sides Subtree::sides(const Fragment& f, const std::pair<Box, Box>& cells,
+                              const Split& split) const {
+    const auto clipped = [&](const Box& cell) {
+        const Box side = grown(cell, task_.slack);
         const Box box = clip(f.box, side);
         if (box.empty() || !task_.clip_item) return box;
         return clip(box, task_.clip_item(f.item, side));
     };
+    const bool is_below = reaches_below(f.box.low[split.axis], split.position, task_.slack);
+    const bool is_above = reaches_above(f.box.high[split.axis], split.position, task_.slack);
+    if (is_below && is_above) return {clipped(cells.first), clipped(cells.second)};
+    return {is_below ? f.box : Box(), is_above ? f.box : Box()};
+}
+
+/// Replaces the fragments from `first` on by those above the plane, then those below it; returns
+/// where these begin. Items keep their order.
+std::size_t Subtree::divide(std::size_t first, const std::pair<Box, Box>& cells,
+                            const Split& split) {
     const std::size_t end = fragments_.size();
     std::size_t above = first;
     for (std::size_t i = first; i < end; ++i) {
         const Fragment f = fragments_[i];
-        const bool is_below = reaches_below(f.box.low[split.axis], split.position, task_.slack);
-        const bool is_above = reaches_above(f.box.high[split.axis], split.position, task_.slack);
-        const bool on_both = is_below && is_above;
-        const Box below_box = on_both ? clipped(f, lower_cell) : f.box;
-        const Box above_box = on_both ? clipped(f, upper_cell) : f.box;
-        if (is_above && !above_box.empty()) fragments_[above++] = {above_box, f.item};
-        if (is_below && !below_box.empty()) fragments_.push_back({below_box, f.item});
+        const Sides part = sides(f, cells, split);
+        if (!part.above.empty()) fragments_[above++] = {part.above, f.item};
+        if (!part.below.empty()) fragments_.push_back({part.below, f.item});
     }
     fragments_.erase(fragments_.begin() + static_cast<std::ptrdiff_t>(above),
                      fragments_.begin() + static_cast<std::ptrdiff_t>(end));
     return above;
 }
 
-/// Builds the halves side by side, with the same result as one after the other: each apart, then
-/// appended in order. Such a cell is always the root of its subtree, so the stack holds nothing but
-/// its fragments, and their memory can be given back before the halves are built.
-void Subtree::fork(std::uint32_t children, std::size_t lower_first,
-                   const std::pair<Box, Box>& cells, Allowance allowance) {
-    const auto middle = fragments_.begin() + static_cast<std::ptrdiff_t>(lower_first);
-    std::vector<Fragment> below(middle, fragments_.end());
-    std::vector<Fragment> above(fragments_.begin(), middle);
+/// The same for all fragments of a large cell, which is always the root of its subtree: each half
+/// gets the room that it needs and not more, and that of the whole is given back.
+Subtree::Halves Subtree::take_halves(const std::pair<Box, Box>& cells, const Split& split) {
+    std::size_t below = 0, above = 0;
+    for (const Fragment& f : fragments_) {
+        below += reaches_below(f.box.low[split.axis], split.position, task_.slack);
+        above += reaches_above(f.box.high[split.axis], split.position, task_.slack);
+    }
+    Halves result;
+    result.below.reserve(below);
+    result.above.reserve(above);
+    for (const Fragment& f : fragments_) {
+        const Sides part = sides(f, cells, split);
+        if (!part.above.empty()) result.above.push_back({part.above, f.item});
+        if (!part.below.empty()) result.below.push_back({part.below, f.item});
+    }
     std::vector<Fragment>().swap(fragments_);
+    return result;
+}
+
+/// Builds the halves side by side, with the same result as one after the other: each apart, then
+/// appended in order.
+void Subtree::fork(std::uint32_t children, Halves halves, const std::pair<Box, Box>& cells,
+                   Allowance allowance) {
     std::optional<Subtree> lower;
     std::optional<Subtree> upper;
     oneapi::tbb::parallel_invoke(
-        [&] { lower.emplace(task_, std::move(below), cells.first, allowance); },
-        [&] { upper.emplace(task_, std::move(above), cells.second, allowance); });
+        [&] { lower.emplace(task_, std::move(halves.below), cells.first, allowance); },
+        [&] { upper.emplace(task_, std::move(halves.above), cells.second, allowance); });
     adopt(children, *lower);
+    lower.reset();
     adopt(children + 1, *upper);
 }
 

@@ -10,6 +10,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tree,
              Diagnostics& diagnostics)
@@ -117,9 +119,30 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// A number of few digits without an exponent, as nearly all are. Both integers are exact as
+/// doubles, so their quotient is rounded as it has to be.
+std::optional<double> convert_short(const char*& p, const char* end) {
+    constexpr int most_digits = 15;
+    constexpr auto powers = std::array{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                       1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    std::int64_t digits = 0;
+    int count = 0, behind_point = 0;
+    const char* at = p;
+    for (; at < end && is_digit(*at) && count <= most_digits; ++at, ++count)
+        digits = 10 * digits + (*at - '0');
+    if (at < end && *at == '.')
+        for (++at; at < end && is_digit(*at) && count <= most_digits; ++at, ++count, ++behind_point)
+            digits = 10 * digits + (*at - '0');
+    const bool goes_on = at < end && (*at == 'e' || *at == 'E');
+    if (count == 0 || count > most_digits || goes_on) return std::nullopt;
+    p = at;
+    return static_cast<double>(digits) / powers[static_cast<std::size_t>(behind_point)];
+}
+
 double convert(const char*& p, const char* end) {
     const bool negative = *p == '-';
     if (*p == '-' || *p == '+') ++p;
+    if (const auto value = convert_short(p, end)) return negative ? -*value : *value;
     double value = 0;
     // What the scanner takes and from_chars does not, an exponent without digits, counts as no
     // exponent.

@@ -15,10 +15,15 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 std::vector<std::uint32_t> find_line_starts(std::string_view text) {
     std::vector<std::uint32_t> starts;
     starts.push_back(text.starts_with(byte_order_mark) ? 3 : 0);
-    for (std::size_t end = text.find_first_of("\r\n"); end != std::string_view::npos;) {
+    // Looking for one of two characters takes ten times as long, and matters in files of 100 MB.
+    const bool returns = text.find('\r') != std::string_view::npos;
+    const auto line_end = [&](std::size_t from) {
+        return returns ? text.find_first_of("\r\n", from) : text.find('\n', from);
+    };
+    for (std::size_t end = line_end(0); end != std::string_view::npos;) {
         const std::size_t next = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
         starts.push_back(static_cast<std::uint32_t>(next));
-        end = text.find_first_of("\r\n", next);
+        end = line_end(next);
     }
     return starts;
 }

@@ -68,14 +68,8 @@ World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     return world;
 }
 
-}  // namespace
-
-World survey(const Scene& scene, Diagnostics& diagnostics) {
-    return flattened(scene, Flatten::luminaires, diagnostics);
-}
-
-World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, Flatten::everything, diagnostics);
+/// What a flattened world still lacks.
+void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
     std::vector<Box> boxes(world.leaves_begin() + world.composites.size());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
@@ -87,5 +81,23 @@ World compile(const Scene& scene, const CompileOptions& options, Diagnostics& di
     const std::vector<Plane> planes = world_planes(world);
     world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes, planes},
                           options.threads);
+}
+
+}  // namespace
+
+World survey(const Scene& scene, Diagnostics& diagnostics) {
+    return flattened(scene, Flatten::luminaires, diagnostics);
+}
+
+World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world = flattened(scene, Flatten::everything, diagnostics);
+    build_indices(world, options);
+    return world;
+}
+
+World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world = flattened(scene, Flatten::everything, diagnostics);
+    scene.objects = {};
+    build_indices(world, options);
     return world;
 }

@@ -17,6 +17,10 @@ struct CompileOptions {
 /// complete all the same.
 World compile(const Scene&, const CompileOptions&, Diagnostics&);
 
+/// The same for a scene that is not needed any more: its objects are given up before the index
+/// structures are built, which then have more room.
+World compile(Scene&&, const CompileOptions&, Diagnostics&);
+
 /// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
 /// its materials and luminaires, but no ray can ask it.
 World survey(const Scene&, Diagnostics&);

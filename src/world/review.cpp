@@ -23,20 +23,44 @@ bool dark(const World& world) {
            std::ranges::none_of(world.materials, shows_itself);
 }
 
-/// The first solid object around the point that does not say `hollow`. Null: none.
-const Object* around(const Scene& scene, const Vec3& point) {
-    Solids solids;
-    for (const ObjectHandle& object : scene.objects) {
-        const auto* shape = std::get_if<Shape>(&object->form);
-        const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;
-        const bool apart = sphere && !object->transform && !object->inverse
-                               ? length(point - sphere->centre) >= sphere->radius
-                               : !object->inverse && !contains(extent(*object), point);
-        if (apart || object->hollow || object->no_image || !has_inside(*object)) continue;
-        if (solids.inside(object, point)) return object.get();
+class Surroundings {
+public:
+    /// The first solid object of a scene around the point that does not say `hollow`. Null: none.
+    const Object* first(const Scene& scene, const Vec3& point) {
+        for (const ObjectHandle& object : scene.objects)
+            if (!object->hollow && !object->no_image && may_hold(*object, point) &&
+                has_inside(*object) && holds(object, point))
+                return object.get();
+        return nullptr;
     }
-    return nullptr;
-}
+
+private:
+    /// A quick answer, for most objects.
+    static bool may_hold(const Object& object, const Vec3& point) {
+        if (object.inverse) return true;
+        const auto* shape = std::get_if<Shape>(&object.form);
+        const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;
+        return sphere && !object.transform ? length(point - sphere->centre) < sphere->radius
+                                           : contains(extent(object), point);
+    }
+
+    /// Unions and rows are not made one solid for the sake of one point.
+    bool holds(const ObjectHandle& object, const Vec3& point) {
+        const auto* group = std::get_if<Union>(&object->form);
+        const auto* row = std::get_if<SphereRow>(&object->form);
+        const bool parts = row || (group && group->csg == Csg::together);
+        if (!parts || object->confines || object->inverse) return solids_.inside(object, point);
+        const Vec3 within = object->transform ? object->transform->inverse_point(point) : point;
+        if (row)
+            return std::ranges::any_of(row->spheres,
+                                       [&](const Sphere& each) { return inside(each, within); });
+        return std::ranges::any_of(group->children, [&](const ObjectHandle& child) {
+            return may_hold(*child, within) && holds(child, within);
+        });
+    }
+
+    Solids solids_;
+};
 
 }  // namespace
 
@@ -45,7 +69,7 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(
             warning(Fault::no_camera, {}, "there is no camera: the picture is seen from the origin")
                 .with_help("camera { location <0, 2, -10> look_at 0 }"));
-    if (const Object* object = around(scene, world.camera.location))
+    if (const Object* object = Surroundings().first(scene, world.camera.location))
         diagnostics.add(warning(Fault::camera_inside, object->span,
                                 "the camera is inside of this object, which is not hollow")
                             .with_help("the word `hollow` in the object says that this is meant"));

@@ -26,6 +26,17 @@ TEST_CASE("lists may be written by loops", "[evaluate]") {
     CHECK(done.shape<Shared<Mesh>>()->vertices[3] == Vec3(3, 9, 0));
 }
 
+TEST_CASE("plain vectors and others may follow each other in a list", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; mesh2 { vertex_vectors { 6, <0, 0, 0>, <-1, .5, 2>, 2*x, <0, 1, 0>, <1, "
+            "2>, 7 } face_indices { 3 <0, 1, 2>, <1, 2, 3> <1, 1 + 1, 3> } }");
+    REQUIRE(done.text.empty());
+    const Mesh& mesh = *done.shape<Shared<Mesh>>();
+    CHECK(mesh.vertices == std::vector<Vec3>{Vec3(0), Vec3(-1, .5, 2), Vec3(2, 0, 0), Vec3(0, 1, 0),
+                                             Vec3(1, 2, 0), Vec3(7)});
+    CHECK(mesh.faces == std::vector<Face>{{0, 1, 2}, {1, 2, 3}, {1, 2, 3}});
+}
+
 TEST_CASE("wrong lists are told of once", "[evaluate]") {
     const std::string head = "mesh2 { vertex_vectors { 3, 0, x, y } ";
     CHECK(complaint("mesh2 { vertex_vectors { 2, 0, x, y } face_indices { 1, <0, 1, 2> } }") ==
@@ -36,6 +47,10 @@ TEST_CASE("wrong lists are told of once", "[evaluate]") {
               .rfind("error wrong-type: `vertex_vectors` of `mesh2` must be a list", 0) == 0);
     CHECK(complaint(head + "face_indices { 1, <0, 1, 0.5> } }") ==
           "error bad-index: an entry of `face_indices` must be three whole numbers");
+    CHECK(complaint(head + "face_indices { 2, <0, 1, 2>, <0, 1, 3000000000> } }") ==
+          "error bad-index: an entry of `face_indices` must be three whole numbers");
+    CHECK(complaint(head + "face_indices { 2, <0, 1, 2> } }") ==
+          "error wrong-count: `face_indices` has 1 entry, but its count is 2");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0 } }") ==
           "error not-implemented: textures of single faces are not available in this version");
     CHECK(complaint(head + "face_indices { 1, \"a\" } }") ==

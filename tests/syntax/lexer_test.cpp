@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
+#include <cstdlib>
+
 namespace {
 
 struct Lexed {
@@ -133,4 +136,22 @@ TEST_CASE("tokens are dumped with place, kind and text", "[syntax]") {
     Diagnostics diagnostics;
     CHECK(dump_tokens(sources.add("test", "box {\n 1 }"), sources, names, diagnostics) ==
           "1:1 word box\n1:5 { {\n2:2 number 1\n2:4 } }\n");
+}
+
+TEST_CASE("numbers of any length are the nearest doubles", "[syntax]") {
+    std::uint64_t state = 1;
+    const auto next = [&] {
+        return (state = state * 6364136223846793005u + 1442695040888963407u) >> 33;
+    };
+    for (int i = 0; i < 20000; ++i) {
+        std::string digits;
+        for (std::uint64_t n = next() % 20; n > 0; --n)
+            digits += static_cast<char>('0' + next() % 10);
+        digits.insert(next() % (digits.size() + 1), ".");
+        if (digits == ".") continue;
+        INFO(digits);
+        const Lexed lexed(digits);
+        REQUIRE(lexed.tree.numbers.size() == 1);
+        REQUIRE(lexed.tree.numbers[0] == std::strtod(digits.c_str(), nullptr));
+    }
 }

@@ -51,6 +51,15 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"light_source { 0, 1 } box { 0, 1 rotate y translate z } camera { location "
          "<.6, .5, 1.2> }",
          "camera-inside "},
+        {"light_source { 0, 1 } union { box { 3, 4 } sphere { 0, 2 } translate z } camera { "
+         "location 2*z look_at 0 }",
+         "camera-inside "},
+        {"light_source { 0, 1 } union { box { 3, 4 } sphere { 0, 2 } translate 9*z } camera { "
+         "location z look_at 0 }",
+         ""},
+        {"light_source { 0, 1 } #for (I, 1, 5) sphere { I*x, 0.4 } #end camera { location "
+         "4*x look_at 0 }",
+         "camera-inside "},
         {"light_source { 0, 1 } box { 3, 4 inverse } camera { location z look_at 0 }",
          "camera-inside "},
         {"#default { camera { location -z } } plane { y, -1 } light_source { 0, 1 }", "no-camera "},
