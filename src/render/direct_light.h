@@ -16,7 +16,7 @@ public:
     Vec3 operator()(const Shading&, const Key&, RayCounts&);
 
 private:
-    Vec3 from_sources(const Shading&, RayCounts&) const;
+    Vec3 from_sources(const Shading&, const Key&, RayCounts&) const;
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
     Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&) const;
 
