@@ -14,7 +14,10 @@ enum class Purpose : std::uint32_t {
     light_choice,
     light_representative,
     light_u,
-    light_v
+    light_v,
+    grain,
+    jitter_u,
+    jitter_v
 };
 
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces

@@ -3,24 +3,34 @@
 
 #include "vocabulary/schema.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace {
 
-template <class T>
-consteval auto camera_schema(std::string_view name, std::string_view help) {
+/// What all cameras have; some have values of their own before or behind it.
+template <class T, std::size_t N = 0, std::size_t M = 0>
+consteval auto camera_schema(std::string_view name, std::string_view help,
+                             const std::array<Field<T>, N>& before = {},
+                             const std::array<Field<T>, M>& behind = {}) {
     using F = Field<T>;
-    return schema<T>(name, help, F{"location", &T::location, item, "where it stands"},
-                     F{"direction", &T::direction, item,
-                       "towards the middle of the picture; its length is the distance of the "
-                       "picture plane (default z)"},
-                     F{"right", &T::right, item,
-                       "from the left edge of the picture to the right (default 1.33 x)"},
-                     F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
-                     F{"sky", &T::sky, item, "what look_at keeps upright"},
-                     F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
-                     F{"angle", &T::angle, item, "degrees from the left edge to the right",
-                       Range{0, 360, true}});
+    const std::array<F, 7> common = {
+        F{"location", &T::location, item, "where it stands"},
+        F{"direction", &T::direction, item,
+          "towards the middle of the picture; its length is the distance of the "
+          "picture plane (default z)"},
+        F{"right", &T::right, item,
+          "from the left edge of the picture to the right (default 1.33 x)"},
+        F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
+        F{"sky", &T::sky, item, "what look_at keeps upright"},
+        F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
+        F{"angle", &T::angle, item, "degrees from the left edge to the right",
+          Range{0, 360, true}}};
+    Schema<T, N + common.size() + M> result{name, help, {}};
+    auto to = std::copy(before.begin(), before.end(), result.fields.begin());
+    to = std::copy(common.begin(), common.end(), to);
+    std::copy(behind.begin(), behind.end(), to);
+    return result;
 }
 
 }  // namespace
@@ -31,14 +41,67 @@ const ItemInfo Perspective::vocabulary = described<Perspective>(
 const ItemInfo Orthographic::vocabulary = described<Orthographic>(
     [] { return camera_schema<Orthographic>("orthographic", "All rays are parallel."); });
 
+const ItemInfo Fisheye::vocabulary = described<Fisheye>([] {
+    return camera_schema<Fisheye>(
+        "fisheye", "A round picture; equal angles are equal lengths from its middle.");
+});
+
+const ItemInfo UltraWideAngle::vocabulary = described<UltraWideAngle>([] {
+    return camera_schema<UltraWideAngle>("ultra_wide_angle", "Wide angles, with edges that bend.");
+});
+
+const ItemInfo Omnimax::vocabulary = described<Omnimax>(
+    [] { return camera_schema<Omnimax>("omnimax", "A wide picture for a dome."); });
+
+const ItemInfo Panoramic::vocabulary = described<Panoramic>([] {
+    return camera_schema<Panoramic>("panoramic", "Half a turn; upright lines stay straight.");
+});
+
+const ItemInfo CylinderCamera::vocabulary = described<CylinderCamera>([] {
+    return camera_schema<CylinderCamera>(
+        "cylinder",
+        "The picture on a cylinder: 1 upright, 2 lying, 3 and 4 with rays from its axis.",
+        std::array{Field<CylinderCamera>{"type", &CylinderCamera::type, positional, "1 to 4",
+                                         between(1, 4)}});
+});
+
+const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
+    return camera_schema<SphericalCamera>(
+        "spherical", "All around: longitude to the right, latitude upwards.",
+        std::array<Field<SphericalCamera>, 0>{},
+        std::array{maybe(Field<SphericalCamera>{
+            "vertical_angle", &SphericalCamera::vertical_angle, following,
+            "degrees from the bottom to the top; half of the angle when left out"})});
+});
+
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
-Projection untransformed(const View& view, bool parallel) {
-    Projection f{view.location, view.direction.value_or(Vec3(0, 0, 1)),
-                 view.right.value_or(Vec3(1.33, 0, 0)), view.up.value_or(Vec3(0, 1, 0)), parallel};
-    if (view.angle)
+// Which lens each camera has, and the field that it has without `angle`.
+Lens lens_of(const Perspective&) { return Lens::flat; }
+Lens lens_of(const Orthographic&) { return Lens::parallel; }
+Lens lens_of(const Fisheye&) { return Lens::fisheye; }
+Lens lens_of(const UltraWideAngle&) { return Lens::ultra_wide; }
+Lens lens_of(const Omnimax&) { return Lens::omnimax; }
+Lens lens_of(const Panoramic&) { return Lens::panoramic; }
+Lens lens_of(const CylinderCamera& camera) {
+    return static_cast<Lens>(static_cast<int>(Lens::cylinder1) + camera.type - 1);
+}
+Lens lens_of(const SphericalCamera&) { return Lens::spherical; }
+
+Projection untransformed(const View& view, Lens lens) {
+    const bool parallel = lens == Lens::parallel;
+    const bool flat = parallel || lens == Lens::flat;
+    Projection f{view.location,
+                 view.direction.value_or(Vec3(0, 0, 1)),
+                 view.right.value_or(Vec3(1.33, 0, 0)),
+                 view.up.value_or(Vec3(0, 1, 0)),
+                 parallel || lens == Lens::cylinder3 || lens == Lens::cylinder4,
+                 lens};
+    f.angle = view.angle.value_or(lens == Lens::spherical ? 360 : 90) * radians_per_degree;
+    f.vertical_angle = f.angle / 2;
+    if (view.angle && flat)
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
@@ -72,11 +135,12 @@ std::string problem(const Camera& camera) {
     const View& view = view_of(camera);
     if (view.look_at && *view.look_at == view.location)
         return "`look_at` must not be the camera's own location";
-    if (view.angle && *view.angle >= 180)
+    const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
+    if (view.angle && *view.angle >= 180 && (lens == Lens::flat || lens == Lens::parallel))
         return "`angle` of a flat picture must be below 180 degrees";
     for (const auto& vector : {view.direction, view.right, view.up})
         if (vector && *vector == Vec3(0)) return "`direction`, `right` and `up` must not be zero";
-    const Projection f = untransformed(view, std::holds_alternative<Orthographic>(camera));
+    const Projection f = untransformed(view, lens);
     if (dot(cross(f.right, f.up), f.direction) == 0)
         return "`direction`, `right` and `up` must not lie in one plane";
     return {};
@@ -84,7 +148,11 @@ std::string problem(const Camera& camera) {
 
 Projection projection(const Camera& camera) {
     const View& view = view_of(camera);
-    Projection f = untransformed(view, std::holds_alternative<Orthographic>(camera));
+    Projection f =
+        untransformed(view, std::visit([](const auto& c) { return lens_of(c); }, camera));
+    if (const auto* around = std::get_if<SphericalCamera>(&camera);
+        around && around->vertical_angle)
+        f.vertical_angle = *around->vertical_angle * radians_per_degree;
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);
     f.right = view.transform.direction(f.right);
@@ -92,7 +160,84 @@ Projection projection(const Camera& camera) {
     return f;
 }
 
+namespace {
+
+/// A direction by its angle from the middle of a round picture, towards (p, q).
+Vec3 around_middle(const Projection& f, double angle, double p, double q) {
+    const double radius = std::sqrt(p * p + q * q);
+    if (radius == 0) return unit(f.direction);
+    return std::sin(angle) / radius * (p * unit(f.right) + q * unit(f.up)) +
+           std::cos(angle) * unit(f.direction);
+}
+
+Vec3 fisheye(const Projection& f, double u, double v) {
+    const double p = 2 * u * length(f.right), q = 2 * v * length(f.up);
+    const double radius = std::sqrt(p * p + q * q);
+    return radius > 1 ? Vec3(0) : around_middle(f, 0.5 * radius * f.angle, p, q);
+}
+
+/// The film's shape and the lens's polynomial are those of the Omnimax system, as POV-Ray has them.
+Vec3 omnimax(const Projection& f, double u, double v) {
+    constexpr double film = 1.283458;
+    const double aspect = length(f.right) / length(f.up);
+    double x = 2 * u, y = 2 * v;
+    if (aspect > film) {
+        x *= aspect / film;
+        y = (y - 1) / film + 1;
+    } else if (aspect > 1) {
+        y = (y - 1) / aspect + 1;
+    } else {
+        y /= aspect;
+    }
+    const double r = std::sqrt(x * x + y * y);
+    if (r > 1) return Vec3(0);
+    const double angle = 1.411269 * r - 0.09439 * r * r * r + 0.25674 * r * r * r * r * r;
+    if (r > 0 && y / r * std::sin(angle) < -std::cos(angle)) return Vec3(0);
+    return around_middle(f, angle, x, y);
+}
+
+Vec3 spherical(const Projection& f, double u, double v) {
+    const double longitude = u * f.angle, latitude = v * f.vertical_angle;
+    const Vec3 up = unit(f.up), ahead = unit(f.direction), side = cross(up, ahead);
+    const double upwards = dot(side, f.right) > 0 ? 1 : -1;
+    return std::cos(latitude) * (std::sin(longitude) * side + std::cos(longitude) * ahead) +
+           upwards * std::sin(latitude) * up;
+}
+
+}  // namespace
+
 Ray Projection::ray(double u, double v) const {
-    if (parallel) return {location + u * right + v * up, unit(direction)};
-    return {location, unit(direction + u * right + v * up)};
+    const double a = u * angle, b = v * angle * length(up) / length(right);
+    const Vec3 side = unit(right), above = unit(up), ahead = unit(direction);
+    const auto from_here = [&](const Vec3& towards) { return Ray{location, unit(towards)}; };
+    switch (lens) {
+        case Lens::flat:
+            break;
+        case Lens::parallel:
+            return {location + u * right + v * up, ahead};
+        case Lens::fisheye:
+            return from_here(fisheye(*this, u, v));
+        case Lens::ultra_wide:
+            return from_here(std::sin(a) * side + std::sin(b) * above +
+                             std::cos(a) * std::cos(b) * ahead);
+        case Lens::omnimax:
+            return from_here(omnimax(*this, u, v));
+        case Lens::panoramic: {
+            const double around = std::numbers::pi * (0.5 - u);
+            return from_here(std::cos(around) * right + std::tan(std::numbers::pi * v) * up +
+                             std::sin(around) * direction);
+        }
+        case Lens::cylinder1:
+            return from_here(std::sin(a) * side + v * up + std::cos(a) * ahead);
+        case Lens::cylinder2:
+            return from_here(u * right + std::sin(v * angle) * above + std::cos(v * angle) * ahead);
+        case Lens::cylinder3:
+            return {location + v * up, unit(std::sin(a) * side + std::cos(a) * ahead)};
+        case Lens::cylinder4:
+            return {location + u * right,
+                    unit(std::sin(v * angle) * above + std::cos(v * angle) * ahead)};
+        case Lens::spherical:
+            return from_here(spherical(*this, u, v));
+    }
+    return from_here(direction + u * right + v * up);
 }

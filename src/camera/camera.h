@@ -30,16 +30,64 @@ struct Perspective : View {
 struct Orthographic : View {
     static const ItemInfo vocabulary;
 };
+/// A round picture: equal angles are equal lengths from its middle.
+struct Fisheye : View {
+    static const ItemInfo vocabulary;
+};
+/// Wide angles, with edges that bend.
+struct UltraWideAngle : View {
+    static const ItemInfo vocabulary;
+};
+/// For a dome: a fisheye of 180 degrees whose lower part is left out.
+struct Omnimax : View {
+    static const ItemInfo vocabulary;
+};
+/// Half a turn, straight upright lines.
+struct Panoramic : View {
+    static const ItemInfo vocabulary;
+};
+/// The picture on a cylinder: 1 upright, 2 lying; 3 and 4 the same with rays that start on its
+/// axis.
+struct CylinderCamera : View {
+    int type = 1;
+
+    static const ItemInfo vocabulary;
+};
+/// All around: longitude and latitude.
+struct SphericalCamera : View {
+    std::optional<double> vertical_angle;
+
+    static const ItemInfo vocabulary;
+};
 /// Every camera; the first is the one that a block without a type means.
-using Camera = std::variant<Perspective, Orthographic>;
+using Camera = std::variant<Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic,
+                            CylinderCamera, SphericalCamera>;
+
+/// How points of the picture become directions; cylinders are counted from the first.
+enum class Lens : std::uint8_t {
+    flat,
+    parallel,
+    fisheye,
+    ultra_wide,
+    omnimax,
+    panoramic,
+    cylinder1,
+    cylinder2,
+    cylinder3,
+    cylinder4,
+    spherical
+};
 
 /// A camera ready to send rays.
 struct Projection {
     Vec3 location, direction, right, up;
-    bool parallel = false;  ///< rays start on the picture plane and run along direction
+    bool parallel = false;  ///< rays start apart from each other
+    Lens lens = Lens::flat;
+    double angle = 0;  ///< of the field, in radians, where the lens has one
+    double vertical_angle = 0;
 
     /// Ray through (u, v): (-1/2, -1/2) is the bottom left corner, (1/2, 1/2) the top right.
-    /// Direction of unit length.
+    /// Direction of unit length; zero where the picture has no ray.
     Ray ray(double u, double v) const;
 };
 

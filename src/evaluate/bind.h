@@ -30,6 +30,11 @@ public:
     /// What the word means when no number follows it.
     void alone(std::string_view word, double value);
 
+    /// The field whose word came last and whose value has not; empty: none.
+    std::string_view expected() const {
+        return word_ >= 0 ? info_->fields[static_cast<std::size_t>(word_)].name
+                          : std::string_view();
+    }
     /// The field that the last take() stored, or -1.
     int stored() const { return stored_; }
     /// How many values without a word have come.

@@ -20,6 +20,12 @@ struct DeclaredCamera {
     Camera camera;
 };
 
+/// A material as a value of the language.
+struct DeclaredMaterial {
+    Handle<Texture> texture;    ///< null: none
+    Handle<Interior> interior;  ///< null: none
+};
+
 struct Binder {
     Evaluator& evaluator;
     Handle<Texture> default_texture = make_handle<Texture>();

@@ -27,6 +27,15 @@ constexpr auto structure = std::array{
     Structure{"camera", ""},
     Structure{"background", ""},
     Structure{"texture", "object"},
+    Structure{"material", "object"},
+    Structure{"texture_map", "texture"},
+    Structure{"tiles", "texture"},
+    Structure{"tile2", "tiles"},
+    Structure{"irid", "finish"},
+    Structure{"albedo", "finish"},
+    Structure{"looks_like", "light_source"},
+    Structure{"sky_sphere", ""},
+    Structure{"fog", ""},
     Structure{"pigment", "texture"},
     Structure{"normal", "texture"},
     Structure{"finish", "texture"},
@@ -57,12 +66,7 @@ struct Elsewhere {
     std::string_view block, word;
 };
 constexpr auto unavailable_here = std::array{
-    Elsewhere{"interior", "fade_distance"},
-    Elsewhere{"interior", "fade_power"},
     Elsewhere{"finish", "ior"},
-    Elsewhere{"texture", "checker"},
-    Elsewhere{"texture", "gradient"},
-    Elsewhere{"light_source", "falloff"},
 };
 
 /// Words that follow a word without effect, and need not be spoken of.
@@ -205,17 +209,17 @@ std::string_view OpenBlock::in_other_case(std::string_view word) const {
 }
 
 void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
+    if (contains(effectless, word)) {
+        if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
+            report(warning(Fault::no_effect, element.word_span,
+                           message('`', word, "` has no effect in this version")));
+        return;
+    }
     if (const std::string_view declared = in_other_case(word); !declared.empty()) {
         report(error(Fault::unknown_name, element.word_span,
                      message('`', word, "` is a word of the language, and has no place here"))
                    .with_help(message("did you mean `", declared, "`, which is declared?")));
         broken = true;
-        return;
-    }
-    if (contains(effectless, word)) {
-        if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
-            report(warning(Fault::no_effect, element.word_span,
-                           message('`', word, "` has no effect in this version")));
         return;
     }
     const bool elsewhere = std::ranges::none_of(

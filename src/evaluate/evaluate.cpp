@@ -9,6 +9,7 @@
 #include "evaluate/objects.h"
 #include "evaluate/patterns.h"
 #include "evaluate/settings.h"
+#include "evaluate/surroundings.h"
 #include "evaluate/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
@@ -24,8 +25,7 @@ public:
         if (element.kind == Element::Kind::block) return take_block(element);
         if (element.kind == Element::Kind::value) {
             if (const auto object = element.value.handle<Object>()) return add(another(object));
-            if (const auto light = element.value.handle<PlacedLight>())
-                return scene_.lights.push_back({light->light, element.span});
+            if (const auto light = element.value.handle<PlacedLight>()) return add_light(*light);
         }
         stray(element);
     }
@@ -75,8 +75,7 @@ private:
     void take_block(const Element& element) {
         top_.resume();
         if (element.word == "light_source"_word) {
-            if (auto light = read_light(binder_, element))
-                scene_.lights.push_back(std::move(*light));
+            if (const auto light = read_light(binder_, element)) add_light(*light);
         } else if (makes_object(element.word)) {
             auto object =
                 read_object_into(scene_.objects, binder_.default_texture, binder_, element);
@@ -85,11 +84,22 @@ private:
             take_camera(element);
         } else if (element.word == "background"_word) {
             read_background(binder_, element, scene_.background);
+        } else if (element.word == "sky_sphere"_word) {
+            SkySphere sky;
+            if (read_sky_sphere(binder_, element, sky)) scene_.sky = std::move(sky);
+        } else if (element.word == "fog"_word) {
+            Fog fog;
+            if (read_fog(binder_, element, fog)) scene_.fogs.push_back(fog);
         } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, given_);
         } else {
             stray(element);
         }
+    }
+
+    void add_light(const PlacedLight& light) {
+        scene_.lights.push_back({light.light, light.span});
+        if (light.looks_like) add(light.looks_like);
     }
 
     /// The default texture is the one in force at the end of the object's statement.
@@ -121,9 +131,10 @@ private:
             Handle<Texture> made = draft.shared(binder_.textures);
             if (&element == &elements.front())
                 result.replace(std::move(made));
-            else if (!cover(block, element.word_span, result, std::move(made)))
-                return Absence::broken;
+            else
+                result.replace(layered(block, element.word_span, result.handle(), std::move(made)));
         }
+        if (block.broken) return Absence::broken;
         return result.shared(binder_.textures);
     }
 
@@ -142,6 +153,10 @@ private:
         if (word == "pattern"_word) return pattern_function(element);
         if (word == "finish"_word)
             return read_part(element, binder_.default_texture->finish, read_finish);
+        if (word == "material"_word) return read_part(element, DeclaredMaterial{}, read_material);
+        if (word == "texture_map"_word) return read_part(element, TextureMap{}, read_texture_map);
+        if (word == "sky_sphere"_word) return read_part(element, SkySphere{}, read_sky_sphere);
+        if (word == "fog"_word) return read_part(element, Fog{}, read_fog);
         if (word == "interior"_word) return read_part(element, Interior{}, read_interior);
         if (word == "color_map"_word || word == "colour_map"_word)
             return read_part(element, ColourMap{}, read_colour_map);

@@ -1,21 +1,65 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/lights.h"
 
+#include "evaluate/objects.h"
 #include "evaluate/transforms.h"
 
 PlacedLight moved(PlacedLight placed, const Transform& transform) {
-    std::visit([&](auto& light) { light.location = transform.point(light.location); },
-               placed.light);
+    std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);
+    if (placed.looks_like) {
+        ObjectHandle& object = placed.looks_like;
+        const Handle<Transform>& before = object->transform;
+        object.edit().transform =
+            make_handle<Transform>(before ? before->then(transform) : transform);
+    }
     return placed;
 }
 
+namespace {
+
+/// looks_like { ... }
+class LookReader : public SimpleReader {
+public:
+    LookReader(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "looks_like"_word) return false;
+        Element inner = element;
+        inner.word = "object"_word;
+        ObjectHandle object = read_object(block_.binder, inner);
+        block_.broken |= !object;
+        if (!object) return true;
+        ObjectHandle whole = make_handle<Object>();
+        whole.edit().form.emplace<Union>().children.push_back(std::move(object));
+        whole.edit().no_shadow = true;
+        whole.edit().span = element.span;
+        whole.edit().transform = make_handle<Transform>(Transform::translation(location()));
+        placed_.looks_like = std::move(whole);
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("looks_like"); }
+
+private:
+    Vec3 location() const {
+        return std::visit([](const auto& light) { return light.location; }, placed_.light);
+    }
+
+    OpenBlock& block_;
+    PlacedLight& placed_;
+};
+
+}  // namespace
+
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);
+    block.effectless = "media_interaction media_attenuation photons";
     PlacedLight placed{Kinds<Light>::make(0), element.span};
     block.item = Kinds<Light>::infos[0];
     ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));
     auto declared = named<PlacedLight>(block, [&](const Handle<PlacedLight>& other) {
-        placed.light = other->light;
+        placed = *other;
+        placed.span = element.span;
         fields.rebind(*Kinds<Light>::infos[placed.light.index()],
                       Kinds<Light>::address(placed.light));
         fields.complete();
@@ -24,7 +68,11 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
         placed = moved(std::move(placed), transform);
     };
     TransformReader moves(block, apply);
-    block.read(element.body, declared, fields, moves);
+    LookReader look(block, placed);
+    block.read(element.body, declared, fields, look, moves);
     if (block.broken) return std::nullopt;
-    return placed;
+    const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
+    if (!wrong.empty())
+        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    return block.broken ? std::nullopt : std::optional(std::move(placed));
 }

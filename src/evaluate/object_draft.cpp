@@ -121,6 +121,9 @@ ObjectHandle another(const ObjectHandle& declared) {
 ObjectHandle as_object(PlacedLight light) {
     ObjectHandle whole = make_handle<Object>();
     whole.edit().span = light.span;
-    whole.edit().form.emplace<Union>().lights.push_back(std::move(light));
+    Union& together = whole.edit().form.emplace<Union>();
+    if (light.looks_like) together.children.push_back(std::move(light.looks_like));
+    light.looks_like = nullptr;
+    together.lights.push_back(std::move(light));
     return whole;
 }

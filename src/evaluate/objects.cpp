@@ -43,6 +43,8 @@ public:
             good = take_texture(element);
         else if (element.word == "interior"_word)
             good = take_interior(element);
+        else if (element.word == "material"_word)
+            good = take_material(element);
         else
             return false;
         draft_.modified = true;
@@ -51,7 +53,8 @@ public:
     }
 
     void add_words(WordList& words) const {
-        words.insert(words.end(), {"texture", "pigment", "normal", "finish", "interior"});
+        words.insert(words.end(),
+                     {"texture", "pigment", "normal", "finish", "interior", "material"});
     }
 
 private:
@@ -83,9 +86,24 @@ private:
             made_of(block_.binder.constants.number(element), block_.binder.default_texture,
                     [&](TextureDraft& made) { return read_texture(block_.binder, element, made); });
         if (!texture) return false;
-        if (draft_.textured && !cover(block_, element.word_span, draft_.texture, texture))
-            return false;
-        own().replace(texture);
+        put_on(texture, element.word_span);
+        return true;
+    }
+
+    /// Over what the object has already.
+    void put_on(Handle<Texture> texture, Span span) {
+        if (draft_.textured) texture = layered(block_, span, draft_.texture.handle(), texture);
+        own().replace(std::move(texture));
+    }
+
+    bool take_material(const Element& element) {
+        DeclaredMaterial material;
+        if (!read_material(block_.binder, element, material)) return false;
+        if (material.texture) put_on(material.texture, element.word_span);
+        if (material.interior) {
+            draft_.made.edit().interior = material.interior;
+            draft_.furnished = true;
+        }
         return true;
     }
 
@@ -170,7 +188,7 @@ private:
         if (!object && !(light && kind_ != Kind::shape)) return false;
         if (!welcome(element.span)) return true;
         if (!object) {
-            add(as_object({light->light, element.span}));
+            add(as_object({light->light, element.span, light->looks_like}));
         } else if (kind_ == Kind::together) {
             add(object);
         } else {

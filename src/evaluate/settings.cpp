@@ -113,7 +113,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     block.item = &GlobalSettings::vocabulary;
     block.effectless =
         "charset utf8 ascii sys hf_gray_16 max_intersections "
-        "irid_wavelength mm_per_unit "
+        "mm_per_unit "
         "radiosity photons subsurface";
     const double gamma = settings.assumed_gamma;
     ItemReader fields(block, *block.item, &settings);

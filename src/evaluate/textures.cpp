@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/textures.h"
 
+#include "evaluate/colour_maps.h"
 #include "evaluate/normals.h"
+#include "evaluate/patterns.h"
 #include "evaluate/transforms.h"
-#include "vocabulary/manual.h"
+#include "surface/texture_map.h"
+#include "text/message.h"
 
 namespace {
 
-/// pigment { } and finish { } in a texture, or parts that were declared.
+/// pigment { }, normal { } and finish { } in a texture, or parts that were declared.
 class PartReader : public SimpleReader {
 public:
     PartReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
@@ -49,69 +52,215 @@ private:
     TextureDraft& draft_;
 };
 
-/// reflection amount, reflection { ... }, reflection_exponent: the part of a finish that has two
-/// forms.
-class ReflectionReader {
-public:
-    ReflectionReader(OpenBlock& block, Reflection& reflection)
-        : block_(block), reflection_(reflection) {}
+Handle<Texture> read_whole(Binder& binder, const Element& element) {
+    TextureDraft draft(binder.default_texture);
+    return read_texture(binder, element, draft) ? draft.shared(binder.textures) : nullptr;
+}
 
-    bool waiting() const { return waiting_; }
-    bool wants() const { return waiting_; }
+/// tiles { texture { A } tile2 texture { B } }
+class TilesReader : public SimpleReader {
+public:
+    explicit TilesReader(OpenBlock& block) : block_(block) {}
 
     bool take(const Element& element) {
-        if (element.kind == Element::Kind::value && waiting_) {
-            waiting_ = false;
-            const auto value = converted(block_, element, FieldType::rgb,
-                                         {[] { return std::string("`reflection` of `finish`"); },
-                                          [] { return usage(Reflection::vocabulary); }});
-            if (value) reflection_.least = reflection_.greatest = std::get<Vec3>(*value);
-            return true;
-        }
-        const bool named =
-            (element.kind == Element::Kind::word || element.kind == Element::Kind::block) &&
-            element.word == "reflection"_word;
-        const bool unknown = element.kind == Element::Kind::word &&
-                             !block_.binder.evaluator.names().reserved(element.word);
-        if (waiting_ && !unknown) finish();
-        if (!named) return false;
-        span_ = element.word_span;
-        if (element.kind == Element::Kind::block)
-            read(element);
-        else
-            waiting_ = true;
+        if (element.kind == Element::Kind::word && element.word == "tile2"_word) return true;
+        if (element.kind != Element::Kind::block || element.word != "texture"_word) return false;
+        if (map.size() == 2) return false;
+        const Handle<Texture> texture = read_whole(block_.binder, element);
+        block_.broken |= !texture;
+        // The first one has the odd cubes.
+        map.insert(map.begin(), {0, texture});
         return true;
     }
 
     void finish() {
-        if (!std::exchange(waiting_, false)) return;
-        block_.report(
-            error(Fault::missing, span_, "`reflection` of `finish` needs a colour or a block")
-                .with_help(usage(Reflection::vocabulary)));
+        if (!block_.broken && map.size() < 2)
+            block_.report(error(Fault::wrong_count, block_.span, "`tiles` needs two textures")
+                              .with_help(block_.help()));
+        if (map.size() == 2) map[1].value = 1;
     }
 
-    void add_words(WordList& words) const { words.push_back("reflection"); }
+    TextureMap map;
 
 private:
-    void read(const Element& element) {
-        OpenBlock inner(block_.binder, "reflection", element.word_span);
-        inner.item = &Reflection::vocabulary;
-        Reflection made;
-        ItemReader fields(inner, *inner.item, &made);
-        fields.alone("metallic", 1);
-        inner.read(element.body, fields);
-        if (fields.positional_given() < 2) {
-            made.greatest = made.least;
-            if (made.fresnel) made.least = Vec3(0);
-        }
+    OpenBlock& block_;
+};
+
+/// A pattern with the textures that it chooses from.
+class ChoiceReader {
+public:
+    explicit ChoiceReader(OpenBlock& block) : block_(block), pattern_(block, draft_) {}
+
+    bool waiting() const { return pattern_.named() && pattern_.waiting(); }
+    bool wants() const { return pattern_.named() && pattern_.wants(); }
+
+    bool take(const Element& element) {
+        if (pattern_.names_pattern(element) || pattern_.named())
+            if (pattern_.take(element)) return true;
+        return element.kind == Element::Kind::block && take_block(element);
+    }
+
+    void finish() {
+        pattern_.finish();
+        if (!pattern_.named() || block_.broken || !map_.empty()) return;
+        block_.report(error(Fault::missing, block_.span,
+                            "a texture with a pattern needs a `texture_map`, or a list of textures")
+                          .with_help("texture { gradient y texture_map { [0 ...] [1 ...] } }"));
+    }
+
+    void add_words(WordList& words) const {
+        pattern_.add_words(words);
+        words.insert(words.end(), {"texture_map", "tiles"});
+    }
+
+    /// Whether there is a pattern; otherwise the texture is a plain one.
+    bool named() const { return pattern_.named() || tiles_; }
+    void move(const Transform& transform) { draft_.move(transform); }
+
+    /// Precondition: named(), and the block is not broken.
+    Handle<PatternedTexture> made() const {
+        return make_handle<PatternedTexture>(draft_.use(), draft_.transform, map_);
+    }
+
+private:
+    bool take_block(const Element& element) {
+        if (element.word == "texture_map"_word)
+            take_map(element);
+        else if (element.word == "tiles"_word)
+            take_tiles(element);
+        else if (element.word == "texture"_word && pattern_.named() && choices(*draft_.pattern) > 0)
+            take_list_entry(element);
+        else
+            return false;
+        return true;
+    }
+
+    void take_map(const Element& element) {
+        TextureMap map;
+        block_.broken |= !read_texture_map(block_.binder, element, map);
+        if (block_.broken) return;
+        if (!pattern_.named())
+            block_.report(error(Fault::misplaced, element.word_span,
+                                "`texture_map` needs a pattern before it")
+                              .with_help(block_.help()));
+        else if (std::holds_alternative<Average>(*draft_.pattern))
+            check_weights(block_, element.word_span, map);
+        map_ = std::move(map);
+    }
+
+    void take_tiles(const Element& element) {
+        OpenBlock inner(block_.binder, "tiles", element.word_span);
+        inner.form = "{ texture { ... } tile2 texture { ... } }";
+        TilesReader reader(inner);
+        inner.read(element.body, reader);
         block_.broken |= inner.broken;
-        reflection_ = made;
+        tiles_ = true;
+        draft_.pattern = Checker{};
+        name_pattern(*draft_.pattern, draft_.modifiers, draft_.wave);
+        map_ = std::move(reader.map);
+    }
+
+    /// The next texture behind checker and its kin; those that are missing are the default texture.
+    void take_list_entry(const Element& element) {
+        const auto count = static_cast<std::size_t>(choices(*draft_.pattern));
+        if (listed_ == count) {
+            block_.report(
+                error(Fault::wrong_count, element.word_span,
+                      message("this pattern takes ", count, " textures, but here is one more")));
+            return;
+        }
+        if (listed_ == 0) {
+            map_.clear();
+            for (std::size_t i = 0; i < count; ++i)
+                map_.push_back({static_cast<double>(i), block_.binder.default_texture});
+        }
+        Handle<Texture> texture = read_whole(block_.binder, element);
+        block_.broken |= !texture;
+        map_[listed_++].texture = std::move(texture);
     }
 
     OpenBlock& block_;
-    Reflection& reflection_;
-    bool waiting_ = false;
-    Span span_;
+    PatternDraft draft_;
+    PatternReader pattern_;
+    TextureMap map_;
+    std::size_t listed_ = 0;
+    bool tiles_ = false;
+};
+
+/// What stands in the braces of a texture, or behind the number of an entry.
+template <class... First>
+void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... first) {
+    auto declared =
+        named<Texture>(block, [&](const Handle<Texture>& texture) { draft.replace(texture); });
+    PartReader parts(block, draft);
+    ChoiceReader choice(block);
+    const auto apply = [&](const Transform& transform) {
+        if (choice.named())
+            choice.move(transform);
+        else
+            draft.move(transform);
+    };
+    TransformReader moves(block, apply);
+    block.read(body, first..., declared, choice, parts, moves);
+    if (block.broken) return;
+    if (choice.named()) draft.edit().choice = choice.made();
+    if (nesting(draft.now()).too_deep())
+        block.report(error(Fault::recursion_limit, block.span,
+                           "too many textures are nested here: each level can double the work"));
+}
+
+/// The lowest layer of `above` gets `below` under it.
+Texture stacked(Texture above, const Handle<Texture>& below) {
+    above.below = above.below ? make_handle<Texture>(stacked(*above.below, below)) : below;
+    return above;
+}
+
+/// texture and interior of a material.
+class MaterialReader : public SimpleReader {
+public:
+    MaterialReader(OpenBlock& block, DeclaredMaterial& material)
+        : block_(block), material_(material) {}
+
+    bool take(const Element& element) {
+        if (element.kind == Element::Kind::value) return take_declared(element);
+        if (element.kind != Element::Kind::block) return false;
+        if (element.word == "texture"_word) {
+            Handle<Texture> texture = read_whole(block_.binder, element);
+            block_.broken |= !texture;
+            if (texture) put_on(std::move(texture), element.word_span);
+        } else if (element.word == "interior"_word) {
+            Interior interior = material_.interior ? *material_.interior : Interior{};
+            block_.broken |= !read_interior(block_.binder, element, interior);
+            material_.interior = make_handle<Interior>(interior);
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.insert(words.end(), {"texture", "interior"}); }
+
+private:
+    bool take_declared(const Element& element) {
+        if (const auto texture = element.value.handle<Texture>())
+            put_on(texture, element.span);
+        else if (const auto interior = element.value.handle<Interior>())
+            material_.interior = interior;
+        else
+            return false;
+        return true;
+    }
+
+    void put_on(Handle<Texture> texture, Span span) {
+        material_.texture = material_.texture && !inherited_
+                                ? layered(block_, span, material_.texture, std::move(texture))
+                                : std::move(texture);
+        inherited_ = false;
+    }
+
+    OpenBlock& block_;
+    DeclaredMaterial& material_;
+    bool inherited_ = material_.texture != nullptr;  ///< the texture is that of a declared material
 };
 
 }  // namespace
@@ -119,45 +268,58 @@ private:
 bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
     OpenBlock block(binder, "texture", element.word_span);
     block.form = "{ [Name] pigment { ... } normal { ... } finish { ... } [transformations] }";
+    read_content(block, element.body, draft);
+    return !block.broken;
+}
+
+bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
+    OpenBlock block(binder, "texture_map", element.word_span);
+    block.form = "{ [0 Texture] [1 pigment { ... } finish { ... }] }";
     auto declared =
-        named<Texture>(block, [&](const Handle<Texture>& texture) { draft.replace(texture); });
-    PartReader parts(block, draft);
-    const auto apply = [&](const Transform& transform) { draft.move(transform); };
+        named<TextureMap>(block, [&](const Handle<TextureMap>& other) { map = *other; });
+    const auto read_entry = [&](OpenBlock& entry, Body body) {
+        EntryNumber number(entry);
+        TextureDraft draft(binder.default_texture);
+        read_content(entry, body, draft, number);
+        if (!entry.broken) map.push_back({*number.value, draft.shared(binder.textures)});
+    };
+    MapEntries entries(block, read_entry);
+    block.read(element.body, declared, entries);
+    report_empty(block, map.size());
+    return !block.broken;
+}
+
+bool read_material(Binder& binder, const Element& element, DeclaredMaterial& material) {
+    OpenBlock block(binder, "material", element.word_span);
+    block.form = "{ [Name] texture { ... } interior { ... } [transformations] }";
+    auto declared = named<DeclaredMaterial>(
+        block, [&](const Handle<DeclaredMaterial>& other) { material = *other; });
+    MaterialReader parts(block, material);
+    const auto apply = [&](const Transform& transform) {
+        if (!material.texture) return;
+        TextureDraft draft(material.texture);
+        draft.move(transform);
+        material.texture = draft.handle();
+    };
     TransformReader moves(block, apply);
     block.read(element.body, declared, parts, moves);
     return !block.broken;
 }
 
-bool read_finish(Binder& binder, const Element& element, Finish& finish) {
-    OpenBlock block(binder, "finish", element.word_span);
-    block.item = &Finish::vocabulary;
-    auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
-    ItemReader fields(block, *block.item, &finish);
-    fields.alone("metallic", 1);
-    ReflectionReader reflection(block, finish.reflection);
-    block.read(element.body, declared, fields, reflection);
-    return !block.broken;
-}
-
-bool read_interior(Binder& binder, const Element& element, Interior& interior) {
-    OpenBlock block(binder, "interior", element.word_span);
-    block.item = &Interior::vocabulary;
-    auto declared =
-        named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
-    ItemReader fields(block, *block.item, &interior);
-    block.read(element.body, declared, fields);
-    return !block.broken;
-}
-
-bool cover(OpenBlock& block, Span span, TextureDraft& below, Handle<Texture> above) {
-    const Reflection& lower = below.now().finish.reflection;
-    const bool hidden =
-        !transparent(above->pigment) && lower.least == Vec3(0) && lower.greatest == Vec3(0);
-    below.replace(std::move(above));
-    if (hidden) return true;
-    block.report(
-        error(Fault::not_implemented, span, "layers of textures are not available in this version")
-            .with_help(
-                "this texture lets one below it be seen: give only one, or make this one opaque"));
-    return false;
+Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& below,
+                        Handle<Texture> above) {
+    if (above->choice) return above;  // it hides what is below
+    if (!transparent(*above)) {
+        // Reflections below are seen all the same.
+        const Reflection& lower = below->finish.reflection;
+        if (!below->choice && !below->below && lower.least == Vec3(0) && lower.greatest == Vec3(0))
+            return above;
+    }
+    if (below->choice) {
+        block.report(error(Fault::misplaced, span,
+                           "a texture that chooses by a pattern cannot be seen through another")
+                         .with_help("put both textures into its `texture_map`"));
+        return above;
+    }
+    return make_handle<Texture>(stacked(*above, below));
 }

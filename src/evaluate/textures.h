@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// texture, pigment, pigment_map, finish and interior blocks. Each starts from what is there before:
-// the default texture, or what the object has already. Called by the readers of objects, of
+// texture, texture_map, material, pigment and pigment_map blocks. Each starts from what is there
+// before: the default texture, or what the object has already. Called by the readers of objects, of
 // #declare and of #default.
 #pragma once
 
 #include "evaluate/bind.h"
+#include "evaluate/finishes.h"
 #include "scene/scene.h"
+#include "surface/texture_map.h"
 
 /// A texture that is being written: shared with where it comes from until something changes.
 class TextureDraft {
@@ -42,10 +44,11 @@ private:
 /// been reported.
 bool read_texture(Binder&, const Element& block, TextureDraft&);
 bool read_pigment(Binder&, const Element& block, Pigment&);
-bool read_finish(Binder&, const Element& block, Finish&);
 bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
-bool read_interior(Binder&, const Element& block, Interior&);
 
-/// Puts a texture over another. Layers are not available, so it has to hide what is below; false
-/// after a report.
-bool cover(OpenBlock&, Span, TextureDraft& below, Handle<Texture> above);
+bool read_texture_map(Binder&, const Element& block, TextureMap&);
+bool read_material(Binder&, const Element& block, DeclaredMaterial&);
+
+/// A texture over another; the one above alone where a pattern chooses one of the two, which is
+/// reported.
+Handle<Texture> layered(OpenBlock&, Span, const Handle<Texture>& below, Handle<Texture> above);

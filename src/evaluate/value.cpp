@@ -25,7 +25,8 @@ std::string_view kind_name(const Value& value) {
         "a string",       "an array",     "a function",   "an object",     "a texture",
         "a pigment",      "a finish",     "an interior",  "a transform",   "a camera",
         "a light source", "a colour map", "an open file", "a pigment map", "a normal",
-        "a normal map",   "a slope map",  "a spline"};
+        "a normal map",   "a slope map",  "a spline",     "a texture map", "a material",
+        "a sky sphere",   "a fog"};
     if (const Numbers* found = value.numbers())
         return numbers[static_cast<std::size_t>(found->count) - 1];
     if (value.absent()) return "nothing";

@@ -23,7 +23,9 @@ struct Bump;
 struct ColourStop;
 struct DataFile;
 struct DeclaredCamera;
+struct DeclaredMaterial;
 struct Finish;
+struct Fog;
 struct Interior;
 struct MacroData;
 struct NormalStop;
@@ -31,9 +33,11 @@ struct Object;
 struct Pigment;
 struct PigmentStop;
 struct PlacedLight;
+struct SkySphere;
 struct SlopeStop;
 class Spline;
 struct Texture;
+struct TextureStop;
 class Transform;
 
 /// One to five numbers: a float, a vector, or with five a colour (red, green, blue, filter,
@@ -76,10 +80,11 @@ struct SharedKinds {
         return at;
     }
 };
-using ValueKinds = SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish,
-                               Interior, Transform, DeclaredCamera, PlacedLight,
-                               std::vector<ColourStop>, DataFile, std::vector<PigmentStop>, Bump,
-                               std::vector<NormalStop>, std::vector<SlopeStop>, Spline>;
+using ValueKinds =
+    SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
+                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile,
+                std::vector<PigmentStop>, Bump, std::vector<NormalStop>, std::vector<SlopeStop>,
+                Spline, std::vector<TextureStop>, DeclaredMaterial, SkySphere, Fog>;
 
 /// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {

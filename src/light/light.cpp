@@ -1,24 +1,143 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "light/light.h"
 
+#include "base/transform.h"
 #include "vocabulary/schema.h"
+
+#include <algorithm>
+#include <numbers>
 
 const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     using F = Field<PointLight>;
     return schema<PointLight>(
-        "light_source", "A light without size that shines in all directions.",
+        "light_source", "A light: a point, a cone, a beam, or a grid of points.",
         F{"location", &PointLight::location, positional, "where it is"},
         maybe(
             as_colour(F{"colour", &PointLight::colour, positional, "its colour, of any strength"})),
+        chooses("spotlight", &PointLight::beam, cone, "shines in a cone"),
+        chooses("cylinder", &PointLight::beam, parallel_beam, "shines in a beam of equal width"),
+        F{"parallel", &PointLight::parallel, flag, "all its light has one direction"},
+        F{"point_at", &PointLight::point_at, item, "where its axis leads"},
+        F{"radius", &PointLight::radius, item,
+          "half width of the bright middle: degrees (30), or a length (0.75) of a cylinder"},
+        F{"falloff", &PointLight::falloff, item,
+          "half width at which there is no more light: degrees (45), or a length (1)"},
+        F{"tightness", &PointLight::tightness, item, "how fast it weakens away from the axis"},
         F{"fade_distance", &PointLight::fade_distance, item,
           "distance at which it has its colour, when it fades; 0: never", at_least(0)},
         F{"fade_power", &PointLight::fade_power, item,
           "how fast it fades: 2 is nature's way; 0: it does not", at_least(0)},
         F{"shadowless", &PointLight::shadowless, flag,
-          "nothing stops its light; gives no highlights"});
+          "nothing stops its light; gives no highlights"},
+        F{"area_light", &PointLight::area1, item, "a grid of lights: one side of it"},
+        F{"area_side", &PointLight::area2, following, "the other side"},
+        F{"area_size1", &PointLight::size1, following, "lights along the first side",
+          between(1, 1000)},
+        F{"area_size2", &PointLight::size2, following, "lights along the other", between(1, 1000)},
+        F{"adaptive", &PointLight::adaptive, item,
+          "asks only some lights of the grid where all agree: it is divided so often in any case",
+          at_least(0)},
+        F{"jitter", &PointLight::jitter, flag, "moves the lights of the grid at random"},
+        F{"circular", &PointLight::circular, flag, "a disc instead of a rectangle"},
+        F{"orient", &PointLight::orient, flag, "turns the grid towards each point"},
+        F{"area_illumination", &PointLight::area_illumination, flag,
+          "each light of the grid lights by itself; otherwise only shadows differ"});
 });
 
-double fading(const PointLight& light, double distance) {
+namespace {
+
+double smooth(double x) {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+double cosine_of(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+
+Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
+
+double faded(const PointLight& light, double distance) {
     if (light.fade_power <= 0 || light.fade_distance <= 0) return 1;
     return 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power));
+}
+
+/// The share of a cone's light in the direction of a point.
+double in_cone(const PointLight& light, double cosine) {
+    if (cosine <= 0) return 0;
+    const double bright = cosine_of(light.radius.value_or(30));
+    const double dark = cosine_of(light.falloff.value_or(45));
+    double share = light.tightness == 0 ? 1 : std::pow(cosine, light.tightness);
+    if (bright > 0 && cosine < bright)
+        share *= cosine < dark ? 0 : smooth((cosine - dark) / (bright - dark));
+    return share;
+}
+
+/// The share of a beam's light at a distance from its axis.
+double in_beam(const PointLight& light, double away) {
+    const double bright = light.radius.value_or(0.75), dark = light.falloff.value_or(1);
+    if (away >= dark) return 0;
+    const double inside = 1 - away / dark;
+    double share = light.tightness == 0 ? 1 : std::pow(inside, light.tightness);
+    if (bright > 0 && away > bright) share *= smooth(inside / (1 - bright / dark));
+    return share;
+}
+
+}  // namespace
+
+std::string problem(const PointLight& light) {
+    const bool aimed = light.beam != all_around || light.parallel;
+    if (aimed && light.point_at == light.location)
+        return "`point_at` must not be the light's own location";
+    return {};
+}
+
+PointLight transformed(PointLight light, const Transform& transform) {
+    light.location = transform.point(light.location);
+    light.point_at = transform.point(light.point_at);
+    light.area1 = transform.direction(light.area1);
+    light.area2 = transform.direction(light.area2);
+    return light;
+}
+
+Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point) {
+    const Vec3 offset = from - point;
+    const double distance = length(offset);
+    if (distance == 0) return {Vec3(0, 1, 0), 0, Vec3(0)};
+    Incidence result{offset / distance, distance, light.colour};
+    const bool along_axis = light.parallel || light.beam == parallel_beam;
+    if (light.beam == cone && !along_axis)
+        result.colour *= in_cone(light, -dot(axis_of(light), result.direction));
+    if (along_axis) {
+        const Vec3 axis = axis_of(light);
+        const double ahead = -dot(offset, axis);
+        if (light.beam == parallel_beam)
+            result.colour *= ahead < 0 ? 0 : in_beam(light, length(offset + ahead * axis));
+        result.direction = -axis;
+        result.distance = ahead;
+    }
+    result.colour *= faded(light, std::abs(result.distance));
+    return result;
+}
+
+Vec3 grid_point(const PointLight& light, double place1, double place2, const Vec3& direction) {
+    const auto along = [](double place, int size) {
+        return size > 1 ? place / (size - 1) - 0.5 : 0.0;
+    };
+    double a = along(place1, light.size1), b = along(place2, light.size2);
+    if (light.circular || light.orient) {
+        a += 0.001;
+        b += 0.001;
+        const double scale = std::max(std::abs(a), std::abs(b)) / std::sqrt(a * a + b * b);
+        a *= scale;
+        b *= scale;
+    }
+    Vec3 side1 = light.area1, side2 = light.area2;
+    if (light.orient) {
+        const double size = length(light.area1);
+        const Vec3 upright =
+            std::abs(std::abs(direction.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+        side1 = unit(cross(direction, upright));
+        side2 = size * unit(cross(direction, side1));
+        side1 *= size;
+    }
+    return light.location + a * side1 + b * side2;
 }

@@ -2,28 +2,121 @@
 #include "render/direct_light.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace {
 
 using std::numbers::pi;
 
-Vec3 from_source(const World& world, const PointLight& light, const Shading& s, RayCounts& rays) {
-    const Vec3 offset = light.location - s.position;
-    const double distance = length(offset);
-    if (distance == 0) return Vec3(0);
-    const Vec3 direction = offset / distance;
-    const Vec3 answer = response(s, direction, !light.shadowless);
-    if (answer == Vec3(0)) return Vec3(0);
-    Vec3 colour = light.colour * fading(light, distance);
-    if (!light.shadowless) {
-        ++rays.shadow;
-        colour *= world.transmittance({s.position, direction}, s.tolerance, distance);
+/// Light of one source at a point, with what it needs.
+class SourceLight {
+public:
+    SourceLight(const World& world, const PointLight& light, const Shading& s, const Key& key,
+                RayCounts& rays)
+        : world_(world), light_(light), s_(s), key_(key), rays_(rays) {}
+
+    Vec3 seen() {
+        const Incidence central = incidence(light_, light_.location, s_.position);
+        direction_ = central.direction;
+        const Vec3 answer =
+            light_.is_area() && light_.area_illumination ? grid_answer() : answer_to(central);
+        if (answer == Vec3(0) || light_.shadowless) return answer;
+        return answer * (light_.is_area() ? grid_shadow() : passed(central));
     }
-    return answer * colour;
+
+private:
+    Vec3 answer_to(const Incidence& light) const {
+        if (light.colour == Vec3(0)) return Vec3(0);
+        const double grain = s_.finish->crand == 0 ? 0 : uniform(key_, Purpose::grain);
+        return response(s_, light.direction, !light_.shadowless, grain) * light.colour *
+               iridescence(world_, s_, light.direction);
+    }
+
+    Vec3 grid_answer() const {
+        Vec3 sum(0);
+        for (int i = 0; i < light_.size1; ++i)
+            for (int j = 0; j < light_.size2; ++j)
+                sum +=
+                    answer_to(incidence(light_, grid_point(light_, i, j, direction_), s_.position));
+        return sum / static_cast<double>(light_.size1 * light_.size2);
+    }
+
+    Vec3 passed(const Incidence& light) {
+        if (light.distance <= 0) return Vec3(1);
+        ++rays_.shadow;
+        return world_.transmittance({s_.position, light.direction}, s_.tolerance, light.distance);
+    }
+
+    /// The share of light that arrives from the whole grid.
+    Vec3 grid_shadow() {
+        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
+        return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
+    }
+
+    struct Part {
+        int first1, first2, last1, last2;
+    };
+
+    /// The mean over a part of the grid, from its corners; divided where they differ. The parts'
+    /// weights are POV-Ray's.
+    Vec3 mean(const Part& p, int level) {
+        const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
+                                            at(p.first1, p.last2), at(p.last1, p.last2)};
+        const bool divisible = p.last1 - p.first1 > 1 || p.last2 - p.first2 > 1;
+        if (!divisible || (light_.adaptive && level >= *light_.adaptive && alike(corner)))
+            return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+        const int low1 = (p.first1 + p.last1) / 2, high1 = (p.first1 + p.last1 + 1) / 2;
+        const int low2 = (p.first2 + p.last2) / 2, high2 = (p.first2 + p.last2 + 1) / 2;
+        return 0.25 * (mean({p.first1, p.first2, low1, low2}, level + 1) +
+                       mean({high1, p.first2, p.last1, low2}, level + 1) +
+                       mean({p.first1, high2, low1, p.last2}, level + 1) +
+                       mean({high1, high2, p.last1, p.last2}, level + 1));
+    }
+
+    bool alike(const std::array<Vec3, 4>& corner) const {
+        const auto differ = [&](const Vec3& a, const Vec3& b) {
+            const Vec3 d = glm::abs(a - b) * light_.colour;
+            return d.x + d.y + d.z > 0.1;
+        };
+        return !differ(corner[0], corner[1]) && !differ(corner[2], corner[3]) &&
+               !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
+    }
+
+    /// The share of light from one light of the grid; asked once.
+    Vec3 at(int i, int j) {
+        const int index = i * light_.size2 + j;
+        Vec3& known = corners_[static_cast<std::size_t>(index)];
+        if (known.x >= 0) return known;
+        double place1 = i, place2 = j;
+        if (light_.jitter) {
+            const Key key = key_.with_branch(static_cast<std::uint32_t>(index));
+            place1 += uniform(key, Purpose::jitter_u) - 0.5;
+            place2 += uniform(key, Purpose::jitter_v) - 0.5;
+        }
+        const Vec3 offset = grid_point(light_, place1, place2, direction_) - s_.position;
+        const double distance = length(offset);
+        return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
+    }
+
+    const World& world_;
+    const PointLight& light_;
+    const Shading& s_;
+    const Key key_;
+    RayCounts& rays_;
+    Vec3 direction_ = Vec3(0);
+    std::vector<Vec3> corners_;
+};
+
+ShadingPoint point_of(const Shading& s) {
+    return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
 }
 
-ShadingPoint point_of(const Shading& s) { return {s.position, s.normal, s.both_sides}; }
+/// What the surface sends on of light from there.
+Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, const Key& key) {
+    const double grain = s.finish->crand == 0 ? 0 : uniform(key, Purpose::grain);
+    return response(s, direction, true, grain) * iridescence(world, s, direction);
+}
 
 Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
@@ -55,10 +148,14 @@ double surface_share(double greatest, double coverage) {
 
 }  // namespace
 
-Vec3 DirectLight::from_sources(const Shading& s, RayCounts& rays) const {
+Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) const {
     Vec3 sum(0);
-    for (const Light& light : world_.lights)
-        sum += std::visit([&](const auto& l) { return from_source(world_, l, s, rays); }, light);
+    std::uint32_t number = 0;
+    for (const Light& light : world_.lights) {
+        const Key own = Key{key.pixel, key.sample, key.path * 31u + 7u * ++number, 0};
+        sum += std::visit(
+            [&](const auto& l) { return SourceLight(world_, l, s, own, rays).seen(); }, light);
+    }
     return sum;
 }
 
@@ -71,7 +168,7 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     const Luminaire& luminaire = world_.luminaires[pick.light];
     const auto point = sample(luminaire, point_of(s), place_on_light(key));
     if (!point) return Vec3(0);
-    const Vec3 answer = response(s, point->direction, true);
+    const Vec3 answer = answer_to(world_, s, point->direction, key);
     if (answer == Vec3(0)) return Vec3(0);
     const Vec3 sent = radiance(luminaire, point->position);
     if (sent == Vec3(0)) return Vec3(0);
@@ -149,7 +246,7 @@ Vec3 DirectLight::from_line(const Octree& octree, const Octree::Weights& weights
         if (!drawn) return Vec3(0);
         direction = drawn->direction;
     }
-    const Vec3 answer = response(s, direction, true);
+    const Vec3 answer = answer_to(world_, s, direction, key);
     if (answer == Vec3(0)) return Vec3(0);
     meet_along(octree.tree(), s, direction);
     const Vec3 seen = seen_along(s, direction, rays, [](const Met&) { return 1.0; });
@@ -190,7 +287,7 @@ Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Shading& s, const Ke
 Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const Key& key,
                                RayCounts& rays) {
     const Vec3 direction = scattered(s, place_on_light(key));
-    const Vec3 answer = response(s, direction, true);
+    const Vec3 answer = answer_to(world_, s, direction, key);
     const double own = scattered_density(s, direction);
     if (answer == Vec3(0) || !(own > 0)) return Vec3(0);
     meet_along(bvh.tree(), s, direction);
@@ -223,7 +320,7 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
 Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) {
     Vec3 sum(0);
     if (!answers_light(s)) return sum;
-    sum = from_sources(s, rays);
+    sum = from_sources(s, key, rays);
     if (!world_.luminaires.empty()) sum += from_luminaires(s, key, rays);
     return sum;
 }

@@ -41,22 +41,37 @@ Shading shading_at(const World& world, const Ray& ray, const Hit& hit) {
     s.view = ray.direction;
     s.true_normal = facing(hit.normal);
     s.tolerance = hit.tolerance;
-    s.finish = &material.texture->finish;
-    SurfaceView view{s.position, facing(hit.smooth_normal), s.view};
-    PatternScene scene = world.pattern_scene();
-    scene.view = &view;
-    if (material.texture->normal.pattern)
-        view.normal = bumped(material.texture->normal, view.normal, s.position, scene);
-    s.normal = view.normal;
-    s.colour = evaluate(material.texture->pigment, hit.position, scene);
-    s.opacity = world.opacity(s.colour);
+    s.normal = facing(hit.smooth_normal);
     s.both_sides = material.double_illuminate;
     return s;
 }
 
+Shading with_layer(const World& world, Shading s, const Layer& layer) {
+    s.normal = layer.normal;
+    s.finish = layer.finish;
+    s.colour = layer.colour;
+    s.opacity = world.opacity(layer.colour);
+    return s;
+}
+
+Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
+    const Irid& irid = s.finish->irid;
+    if (irid.amount == 0) return Vec3(1);
+    double thickness = irid.thickness;
+    if (irid.turbulence != 0)
+        thickness *=
+            1 + irid.turbulence * (2 * scalar_turbulence(s.position, {5, 0.5, 2},
+                                                         world.pattern_scene().noise_generator) -
+                                   1);
+    const double phase =
+        2 * pi * thickness * (std::abs(dot(s.normal, direction)) + std::abs(dot(s.normal, s.view)));
+    const Vec3 turns = Vec3(phase) / world.settings.irid_wavelength;
+    return Vec3(1) + irid.amount * Vec3(std::cos(turns.x), std::cos(turns.y), std::cos(turns.z));
+}
+
 bool answers_light(const Shading& s) {
-    return (s.finish->diffuse != 0 && s.colour.rgb != Vec3(0)) || s.finish->phong != 0 ||
-           s.finish->specular != 0;
+    return ((s.finish->diffuse != 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
+           s.finish->phong != 0 || s.finish->specular != 0;
 }
 
 Vec3 own_radiance(const World& world, const Shading& s) {
@@ -64,14 +79,17 @@ Vec3 own_radiance(const World& world, const Shading& s) {
            (s.finish->ambient * world.settings.ambient_light + s.finish->emission);
 }
 
-Vec3 response(const Shading& s, const Vec3& to_light, bool highlights) {
+Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double grain) {
     const Finish& f = *s.finish;
     const double signed_cosine = dot(s.normal, to_light);
-    if (signed_cosine < 1e-10 && !s.both_sides) return Vec3(0);
+    const bool behind = signed_cosine < 1e-10;
+    if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
     const double cosine = std::abs(signed_cosine);
     const double falloff = f.brilliance == 1 ? cosine : std::pow(cosine, f.brilliance);
-    Vec3 result = s.colour.rgb * (f.diffuse * falloff * s.opacity);
-    if (!highlights || (f.phong == 0 && f.specular == 0)) return result;
+    const bool back = behind && f.diffuse_back != 0;
+    Vec3 result = s.colour.rgb *
+                  ((back ? f.diffuse_back : f.diffuse) * falloff * s.opacity - f.crand * grain);
+    if (back || !highlights || (f.phong == 0 && f.specular == 0)) return result;
 
     const Vec3 tint =
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);

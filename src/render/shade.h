@@ -5,7 +5,7 @@
 
 #include "world/world.h"
 
-/// A hit, seen from a direction, with the look of the surface there.
+/// A hit, seen from a direction, with the look of one layer of the surface there.
 struct Shading {
     Vec3 position;
     Vec3 view;         ///< unit, direction of the ray that sees it
@@ -18,7 +18,24 @@ struct Shading {
     bool both_sides = false;
 };
 
+/// What all layers at a hit have in common.
 Shading shading_at(const World&, const Ray&, const Hit&);
+
+/// The same for one layer.
+Shading with_layer(const World&, Shading, const Layer&);
+
+/// Where patterns are asked at a hit.
+struct SurfacePlace {
+    SurfacePlace(const World& world, const Shading& s)
+        : view{s.position, s.normal, s.view}, scene(world.pattern_scene()) {
+        scene.view = &view;
+    }
+    SurfacePlace(const SurfacePlace&) = delete;
+    SurfacePlace& operator=(const SurfacePlace&) = delete;
+
+    SurfaceView view;
+    PatternScene scene;
+};
 
 /// Whether light from anywhere would change what is seen.
 bool answers_light(const Shading&);
@@ -26,10 +43,15 @@ bool answers_light(const Shading&);
 /// Radiance that the surface sends to the viewer by itself.
 Vec3 own_radiance(const World&, const Shading&);
 
+/// By what light from a direction, or a reflection towards it, is multiplied where the finish is
+/// iridescent.
+Vec3 iridescence(const World&, const Shading&, const Vec3& direction);
+
 /// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance
 /// pi) comes from a unit direction; the cosine is in it. Zero where the direction is below the
 /// horizon.
-Vec3 response(const Shading&, const Vec3& to_light, bool highlights);
+/// `grain` is a random number for `crand`, the same for all channels.
+Vec3 response(const Shading&, const Vec3& to_light, bool highlights, double grain = 0);
 
 /// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the
 /// index of refraction in front of the surface over the one behind it.

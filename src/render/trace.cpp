@@ -23,6 +23,7 @@ Tracer::Tracer(const World& world, int shadow_rays)
 }
 
 Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
+    if (ray.direction == Vec3(0)) return Vec3(0);
     ++rays_.camera;
     Path path;
     path.ray = ray;
@@ -54,38 +55,84 @@ Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitiv
     return result;
 }
 
+bool Tracer::in_the_open(const Path& path) const {
+    return std::ranges::all_of(path.solids,
+                               [&](PrimitiveIndex solid) { return world_.material(solid).hollow; });
+}
+
 Vec3 Tracer::follow(const Path& path) {
     if (path.level >= world_.settings.max_trace_level || path.weight < world_.settings.adc_bailout)
         return Vec3(0);
     Hit hit;
-    if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit))
-        return world_.background.radiance();
+    const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+    Vec3 seen = met ? surface(path, hit) : world_.sky_radiance(path.ray.direction);
+    if (world_.fogs.empty() || !in_the_open(path)) return seen;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double distance = met ? length(hit.position - path.ray.origin) : infinity;
+    return fogged(world_.fogs, path.ray, distance, seen, world_.pattern_scene().noise_generator);
+}
 
+/// What all textures that are mixed at a hit show together.
+Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const Shading s = shading_at(world_, path.ray, hit);
-    Vec3 result = own_radiance(world_, s) + direct_light_(s, path.key, rays_);
+    const SurfacePlace place(world_, s);
+    Vec3 sum(0);
+    for_layers(*world_.material(hit.primitive).texture, s.position, s.normal, place.scene,
+               [&](double weight, std::span<const Layer> layers) {
+                   if (weight >= world_.settings.adc_bailout)
+                       sum += weight * layered(path, hit, s, layers);
+               });
+    return sum;
+}
 
-    const Vec3 passing = s.colour.passing();
-    const bool clear = grey(passing) > world_.settings.adc_bailout;
-    const Finish& finish = *s.finish;
-    const bool mirror = finish.reflection.greatest != Vec3(0) || finish.reflection.least != Vec3(0);
-    if (!clear && !mirror) return result;
-
-    const Interface surface =
-        clear || finish.reflection.fresnel ? interface_at(path, hit.primitive) : Interface{1, {}};
-    const Vec3 amount = reflectivity(s, surface.ratio);
-    const double cosine = -dot(s.view, s.normal);
+/// What a stack of layers shows: each through those above it, reflections of all, and what is
+/// behind.
+Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
+                     std::span<const Layer> layers) {
+    const double bailout = world_.settings.adc_bailout;
+    const bool asks = world_.material(hit.primitive).transparent ||
+                      std::ranges::any_of(layers, [](const Layer& layer) {
+                          return layer.finish->reflection.fresnel;
+                      });
+    const Interface surface = asks ? interface_at(path, hit.primitive) : Interface{1, {}};
+    const auto kept = [&](const Shading& s) {
+        const Vec3 clear = s.colour.passing();
+        return s.finish->conserve_energy
+                   ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.ratio), Vec3(0), Vec3(1))
+                   : clear;
+    };
+    Vec3 behind(1);
+    for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
+    const bool clear = grey(behind) > bailout;
+    const Shading top = with_layer(world_, common, layers.front());
+    const double cosine = -dot(top.view, top.normal);
     const bool total = clear && surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
-    if (total) return result + reflected(path, s, Vec3(1));
-    if (amount != Vec3(0)) result += reflected(path, s, amount);
-    if (clear) {
-        const Vec3 kept =
-            finish.conserve_energy ? glm::clamp(Vec3(1) - amount, Vec3(0), Vec3(1)) : Vec3(1);
-        result += transmitted(path, s, surface, passing * kept);
+    Vec3 result(0), through(1);
+    for (const Layer& layer : layers) {
+        const double share = &layer == layers.data() ? 1 : grey(through);
+        if (share <= bailout) break;
+        const Shading s = with_layer(world_, common, layer);
+        result += through * (own_radiance(world_, s) + direct_light_(s, path.key, rays_));
+        const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
+        if (amount != Vec3(0)) result += reflected(path, s, amount, share);
+        through *= kept(s);
     }
+    // Total reflection: nothing is lost.
+    if (total) return result + faded(path, hit) * reflected(path, top, Vec3(1), 1);
+    if (clear) result += faded(path, hit) * transmitted(path, top, surface, behind);
     return result;
 }
 
-Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount) {
+/// What the inside of a solid leaves of the light along the part of a ray that ends at its surface.
+Vec3 Tracer::faded(const Path& path, const Hit& hit) const {
+    if (path.solids.empty() || world_.solid(path.solids.back()) != world_.solid(hit.primitive))
+        return Vec3(1);
+    const auto& interior = world_.material(path.solids.back()).interior;
+    if (!interior || interior->fade_distance == 0) return Vec3(1);
+    return attenuation(*interior, length(hit.position - path.ray.origin));
+}
+
+Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, double share) {
     Vec3 direction = mirrored(path.ray.direction, s.normal);
     // A smooth normal may mirror the ray into the surface; the true one brings it out again.
     if (dot(direction, s.true_normal) < 0) direction = mirrored(direction, s.true_normal);
@@ -93,17 +140,18 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount) {
     next.ray = {s.position, unit(direction)};
     next.tolerance = s.tolerance;
     next.level = path.level + 1;
-    next.weight = path.weight * max_component(amount);
+    next.weight = path.weight * share * max_component(amount);
     next.kind = RayKind::reflected;
     next.key = path.key.bounced(reflection);
     ++rays_.scattered;
     const Vec3 seen = follow(next);
+    const Vec3 tinted = amount * iridescence(world_, s, next.ray.direction);
     const double exponent = s.finish->reflection.exponent;
-    if (exponent == 1) return amount * seen;
+    if (exponent == 1) return tinted * seen;
     const auto dimmed = [&](double channel) {
         return channel > 0 ? std::pow(channel, 1 / exponent) : 0.0;
     };
-    return amount * Vec3(dimmed(seen.x), dimmed(seen.y), dimmed(seen.z));
+    return tinted * Vec3(dimmed(seen.x), dimmed(seen.y), dimmed(seen.z));
 }
 
 Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& surface,

@@ -39,7 +39,11 @@ private:
     };
 
     Vec3 follow(const Path&);
-    Vec3 reflected(const Path&, const Shading&, const Vec3& amount);
+    Vec3 surface(const Path&, const Hit&);
+    Vec3 layered(const Path&, const Hit&, const Shading&, std::span<const Layer>);
+    bool in_the_open(const Path&) const;
+    Vec3 faded(const Path&, const Hit&) const;
+    Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share);
     Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);
     Interface interface_at(const Path&, PrimitiveIndex) const;
     double ior(const Solids&) const;

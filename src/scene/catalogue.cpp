@@ -9,8 +9,10 @@
 
 namespace {
 
-constexpr auto surface = std::array{&BumpSettings::vocabulary, &Finish::vocabulary,
-                                    &Reflection::vocabulary, &Interior::vocabulary};
+constexpr auto surface =
+    std::array{&BumpSettings::vocabulary, &Finish::vocabulary, &Reflection::vocabulary,
+               &Irid::vocabulary, &Interior::vocabulary};
+constexpr auto surroundings = std::array{&SkySphere::vocabulary, &Fog::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary};
 
@@ -34,6 +36,7 @@ constexpr auto groups = std::array{
     ItemGroup{"Warps", "What moves points before a pattern, in the order of the text.",
               Kinds<Warp>::infos, "warp"},
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
+    ItemGroup{"Surroundings", "What lies around the objects, and between them.", surroundings},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
     ItemGroup{"Light samplers",
               "How luminaires are chosen at each point: global_settings { light_sampler { name ... "

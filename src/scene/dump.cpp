@@ -35,22 +35,6 @@ std::string block_text(const T& item) {
     return message(T::vocabulary.name, " { ", fields, fields.empty() ? "" : " ", "}");
 }
 
-std::string reflection_text(const Reflection& reflection) {
-    const Reflection none;
-    const std::string fields = written_fields(Reflection::vocabulary, &reflection);
-    return fields == written_fields(Reflection::vocabulary, &none)
-               ? ""
-               : message("reflection { ", fields, " }");
-}
-
-std::string finish_text(const Finish& finish) {
-    const std::string fields = written_fields(Finish::vocabulary, &finish);
-    const std::string reflection = reflection_text(finish.reflection);
-    if (fields.empty() && reflection.empty()) return {};
-    return message(" finish { ", fields, fields.empty() || reflection.empty() ? "" : " ",
-                   reflection, " }");
-}
-
 std::string settings_text(const Scene& scene) {
     const GlobalSettings& settings = scene.settings;
     std::string text = written_fields(GlobalSettings::vocabulary, &settings);
@@ -96,10 +80,7 @@ std::vector<std::string> modifiers(const Object& object) {
     for (const ObjectFlag& flag : object_flags)
         if (object.*flag.member) result.emplace_back(flag.name);
     if (object.interior) result.push_back(block_text(*object.interior));
-    if (object.texture)
-        result.push_back(message("texture { ", dump(object.texture->pigment),
-                                 dump(object.texture->normal), finish_text(object.texture->finish),
-                                 " }"));
+    if (object.texture) result.push_back(dump(*object.texture));
     return result;
 }
 
@@ -176,6 +157,8 @@ public:
         out_ = message("#version ", scene.language_version, ";\n", settings_text(scene));
         if (!(scene.background.colour == Colour()))
             out_ += message("background { ", colour_text(scene.background.colour), " }\n");
+        if (scene.sky) out_ += dump(*scene.sky);
+        for (const Fog& fog : scene.fogs) out_ += block_text(fog) + "\n";
         out_ += camera_text(scene.camera);
         for (const PlacedLight& light : scene.lights) out_ += light_text(light.light);
         declare_shared(scene.objects);

@@ -3,6 +3,7 @@
 
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
+#include "surface/texture_map.h"
 
 namespace {
 
@@ -89,6 +90,37 @@ std::string map_text(const NormalMap& map) {
     return message(" normal_map { ", text, "}");
 }
 
+std::string reflection_text(const Reflection& reflection) {
+    const Reflection none;
+    const std::string fields = written_fields(Reflection::vocabulary, &reflection);
+    return fields == written_fields(Reflection::vocabulary, &none)
+               ? ""
+               : message("reflection { ", fields, " }");
+}
+
+std::string finish_text(const Finish& finish) {
+    const std::string fields = written_fields(Finish::vocabulary, &finish);
+    std::string text = fields;
+    const auto add = [&](const std::string& block) {
+        text += message(text.empty() || block.empty() ? "" : " ", block);
+    };
+    add(reflection_text(finish.reflection));
+    if (finish.irid.amount != 0)
+        add(message("irid { ", written_fields(Irid::vocabulary, &finish.irid), " }"));
+    return text.empty() ? text : message(" finish { ", text, " }");
+}
+
+/// What stands in the braces of one layer.
+std::string layer_content(const Texture& texture) {
+    if (!texture.choice)
+        return message(dump(texture.pigment), dump(texture.normal), finish_text(texture.finish));
+    const PatternedTexture& choice = *texture.choice;
+    std::string text = message(use_text(choice.use), " texture_map { ");
+    for (const TextureStop& stop : choice.map)
+        text += message("[", stop.value, " ", layer_content(*stop.texture), "] ");
+    return message(text, "}", matrix_text(choice.transform));
+}
+
 }  // namespace
 
 std::string matrix_text(const Transform& transform) {
@@ -122,4 +154,15 @@ std::string dump(const Bump& bump) {
                    settings.substr(std::min(settings.size(), settings.find(' '))),
                    std::visit([](const auto& map) { return map_text(map); }, normal.map),
                    matrix_text(bump.transform), " }");
+}
+
+std::string dump(const Texture& texture) {
+    const std::string own = message("texture { ", layer_content(texture), " }");
+    return texture.below ? message(dump(*texture.below), " ", own) : own;
+}
+
+std::string dump(const SkySphere& sky) {
+    std::string text = "sky_sphere { ";
+    for (const Pigment& pigment : sky.pigments) text += dump(pigment) + " ";
+    return message(text, written_fields(SkySphere::vocabulary, &sky), " }\n");
 }

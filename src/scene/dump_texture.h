@@ -2,6 +2,7 @@
 // Pigments, normals and their patterns as text that reads back as the same, for dump(Scene).
 #pragma once
 
+#include "backdrop/sky_sphere.h"
 #include "surface/texture.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
@@ -14,6 +15,12 @@ std::string dump(const Pigment&);
 
 /// " normal { ... }"; nothing for a smooth one.
 std::string dump(const Bump&);
+
+/// "texture { ... }", one for each layer, the lowest first.
+std::string dump(const Texture&);
+
+/// A line of its own.
+std::string dump(const SkySphere&);
 
 /// The item in an alternative of a variant as "name fields".
 template <class Variant>

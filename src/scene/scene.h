@@ -4,6 +4,8 @@
 #pragma once
 
 #include "backdrop/background.h"
+#include "backdrop/fog.h"
+#include "backdrop/sky_sphere.h"
 #include "base/handle.h"
 #include "base/transform.h"
 #include "camera/camera.h"
@@ -15,6 +17,7 @@
 #include "text/span.h"
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -27,6 +30,7 @@ using ObjectHandle = Handle<Object>;
 struct PlacedLight {
     Light light;
     Span span;
+    ObjectHandle looks_like = {};  ///< stands at the light, casts no shadow; null: none
 };
 
 /// How several objects make one.
@@ -88,6 +92,8 @@ struct Scene {
     Camera camera;
     bool camera_given = false;  ///< otherwise it is the default
     Background background;
+    std::optional<SkySphere> sky;
+    std::vector<Fog> fogs;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none
     bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7,

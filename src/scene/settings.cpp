@@ -19,6 +19,8 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
           between(1, 3)},
         F{"number_of_waves", &GlobalSettings::number_of_waves, item,
           "how many points ripples and waves run out from", between(1, 1000)},
+        as_colour(F{"irid_wavelength", &GlobalSettings::irid_wavelength, item,
+                    "wavelengths of red, green and blue light for iridescence"}),
         F{"adc_bailout", &GlobalSettings::adc_bailout, item,
           "rays that can change the pixel by less than this are dropped", at_least(0)});
 });

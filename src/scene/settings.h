@@ -15,6 +15,7 @@ struct GlobalSettings {
     int max_trace_level = 5;
     int noise_generator = 2;
     int number_of_waves = 10;
+    Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads

@@ -75,7 +75,7 @@ double polished(const Line& line, double t) {
     const double distance = length(radial);
     const double change = dot(radial, line.radial_step) / distance - line.radius_step;
     const double step = (distance - line.radius - t * line.radius_step) / change;
-    return std::abs(step) <= 1e-9 * std::abs(t) ? t - step : t;
+    return std::isfinite(t) && std::abs(step) <= 1e-9 * std::abs(t) ? t - step : t;
 }
 
 /// The same, computed from the point where the line is deepest: there b vanishes, and a grazing

@@ -3,6 +3,7 @@
 
 #include "surface/map_place.h"
 #include "surface/normal_map.h"
+#include "surface/normal_space.h"
 #include "vocabulary/schema.h"
 
 #include <numbers>
@@ -101,34 +102,6 @@ Vec3 tilted_by_slope(const BumpPoint& at) {
     }
     return at.normal - 0.1 * at.amount() / step * rise;
 }
-
-/// In and out of the space of a pattern: through all transformations of its list, not the warps.
-class NormalSpace {
-public:
-    NormalSpace(const std::vector<WarpStep>& steps, const Transform& outside)
-        : steps_(steps), outside_(outside) {}
-
-    Vec3 enter(Vec3 normal) const {
-        normal = back(outside_, normal);
-        for (std::size_t i = steps_.size(); i-- > 0;)
-            if (const auto* step = std::get_if<Transform>(&steps_[i])) normal = back(*step, normal);
-        return normal;
-    }
-    Vec3 leave(Vec3 normal) const {
-        for (const WarpStep& any : steps_)
-            if (const auto* step = std::get_if<Transform>(&any)) normal = step->normal(normal);
-        return outside_.normal(normal);
-    }
-
-private:
-    static Vec3 back(const Transform& transform, const Vec3& n) {
-        const auto& rows = transform.forward().rows;
-        return {dot(n, rows[0]), dot(n, rows[1]), dot(n, rows[2])};
-    }
-
-    const std::vector<WarpStep>& steps_;
-    const Transform& outside_;
-};
 
 Vec3 changed(const Bump&, const Vec3& normal, const Vec3& point, const PatternScene&,
              bool keep_length);

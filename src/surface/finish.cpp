@@ -18,6 +18,15 @@ const ItemInfo Reflection::vocabulary = described<Reflection>([] {
         F{"metallic", &Reflection::metallic, item, "tints the reflection with the pigment"});
 });
 
+const ItemInfo Irid::vocabulary = described<Irid>([] {
+    using F = Field<Irid>;
+    return schema<Irid>("irid", "Colours as of a film of oil, which change with the angle.",
+                        F{"amount", &Irid::amount, positional, "how strongly light is tinted"},
+                        F{"thickness", &Irid::thickness, item, "of the film"},
+                        F{"turbulence", &Irid::turbulence, item,
+                          "how much the thickness differs from place to place"});
+});
+
 const ItemInfo Finish::vocabulary = described<Finish>([] {
     using F = Field<Finish>;
     return schema<Finish>(
@@ -28,6 +37,8 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
                     "radiance that it emits, times the pigment: makes it a luminaire"}),
         F{"diffuse", &Finish::diffuse, item,
           "share of the light that it scatters in all directions, times the pigment"},
+        maybe(F{"diffuse_back", &Finish::diffuse_back, following,
+                "the same for light that comes from behind"}),
         F{"brilliance", &Finish::brilliance, item,
           "exponent of the cosine of the light's angle in diffuse scattering", at_least(0)},
         F{"phong", &Finish::phong, item, "strength of the Phong highlight"},
@@ -38,6 +49,7 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
           "width of the Blinn highlight: its exponent is 1/roughness", above(0)},
         F{"metallic", &Finish::metallic, item,
           "tints highlights with the pigment; 1 when no number follows"},
+        F{"crand", &Finish::crand, item, "graininess: diffuse light varies by this much"},
         F{"conserve_energy", &Finish::conserve_energy, flag,
           "what is reflected does not also pass through"});
 });

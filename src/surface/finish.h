@@ -17,18 +17,31 @@ struct Reflection {
     friend bool operator==(const Reflection&, const Reflection&) = default;
 };
 
+/// Colours as of a film of oil: by interference, at the angles of light and view.
+struct Irid {
+    double amount = 0;  ///< 0: none
+    double thickness = 0;
+    double turbulence = 0;
+
+    static const ItemInfo vocabulary;
+    friend bool operator==(const Irid&, const Irid&) = default;
+};
+
 struct Finish {
     Vec3 ambient = Vec3(0.1);
     Vec3 emission = Vec3(0);
     double diffuse = 0.6;
+    double diffuse_back = 0;  ///< for light that comes from behind
     double brilliance = 1;
     double phong = 0;
     double phong_size = 40;
     double specular = 0;
     double roughness = 0.05;
+    double crand = 0;
     double metallic = 0;
     bool conserve_energy = false;
     Reflection reflection;
+    Irid irid;
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Finish&, const Finish&) = default;

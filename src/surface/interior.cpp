@@ -5,6 +5,21 @@
 
 const ItemInfo Interior::vocabulary = described<Interior>([] {
     using F = Field<Interior>;
-    return schema<Interior>("interior", "What is inside a solid.",
-                            F{"ior", &Interior::ior, item, "index of refraction", above(0)});
+    return schema<Interior>(
+        "interior", "What is inside a solid.",
+        F{"ior", &Interior::ior, item, "index of refraction", above(0)},
+        F{"fade_distance", &Interior::fade_distance, item,
+          "way by which light is dimmed to half; 0: it is not"},
+        F{"fade_power", &Interior::fade_power, item,
+          "how fast it is dimmed; from 1000 on exponentially, as nature does", at_least(0)},
+        as_colour(
+            F{"fade_color", &Interior::fade_color, item, "colour of light that has gone far"}));
 });
+
+Vec3 attenuation(const Interior& interior, double distance) {
+    if (std::abs(interior.fade_distance) < 1e-10) return Vec3(1);
+    const double way = distance / interior.fade_distance;
+    const Vec3& kept = interior.fade_color;
+    if (interior.fade_power >= 1000) return glm::exp((kept - Vec3(1)) * way);
+    return kept + (Vec3(1) - kept) / (1 + std::pow(way, interior.fade_power));
+}

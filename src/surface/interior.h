@@ -6,6 +6,13 @@
 
 struct Interior {
     double ior = 1;
+    double fade_distance = 0;  ///< 0: light is not dimmed
+    double fade_power = 0;
+    Vec3 fade_color = Vec3(0);
 
     static const ItemInfo vocabulary;
 };
+
+/// The share of light that is left after a distance inside, per channel. From a power of 1000 on it
+/// falls exponentially, else by 1 / (1 + (distance / fade_distance)^fade_power).
+Vec3 attenuation(const Interior&, double distance);

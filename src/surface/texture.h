@@ -1,28 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface's look: pigment, normal and finish.
+// A surface's look: pigment, normal and finish, or others that a pattern chooses from; and what
+// lies below, where it can be seen through. Made by the evaluator, asked by world and renderer.
 #pragma once
 
+#include "base/function_ref.h"
 #include "surface/bump.h"
 #include "surface/finish.h"
 #include "surface/pigment.h"
+
+#include <span>
+
+struct PatternedTexture;  // this and the entries of maps: texture_map.h
 
 struct Texture {
     Pigment pigment;
     Bump normal;
     Finish finish;
+    Handle<PatternedTexture> choice;  ///< instead of the three above; null: none
+    Handle<Texture> below;            ///< the next layer; null: this is the lowest
 
-    /// Looks the same wherever it is moved to.
-    bool plain() const { return !pigment.pattern && !normal.pattern; }
+    /// Looks the same wherever it is moved to, and is all there is.
+    bool plain() const { return !pigment.pattern && !normal.pattern && !choice && !below; }
 };
 
 /// The texture after a transformation of the object that carries it.
-inline Texture transformed(Texture texture, const Transform& transform) {
-    texture.pigment.transform = texture.pigment.transform.then(transform);
-    texture.normal.transform = texture.normal.transform.then(transform);
-    return texture;
-}
+Texture transformed(Texture, const Transform&);
 
 /// Radiance that the surface emits at most; 0 when it is no luminaire.
-inline Vec3 greatest_emission(const Texture& texture) {
-    return glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
-}
+Vec3 greatest_emission(const Texture&);
+
+/// Whether its emission differs from place to place.
+bool varied(const Texture&);
+
+/// Whether light can pass through it anywhere.
+bool transparent(const Texture&);
+
+Nesting nesting(const Texture&);
+
+/// One layer at a point of a surface.
+struct Layer {
+    Colour colour;
+    Vec3 normal;  ///< unit, on the side of the viewer
+    const Finish* finish = nullptr;
+};
+
+/// The layers of one plain texture, the top one first; the weights of all at a point add up to 1.
+using UseLayers = FunctionRef<void(double weight, std::span<const Layer>)>;
+
+/// Calls `use` for each plain texture that counts at a point of the surface. `normal` is unit and
+/// on the side of the viewer.
+void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const PatternScene&,
+                UseLayers use);
+
+/// The share of light that passes through all layers at a point, per channel.
+Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
+
+/// The radiance that all layers emit at a point. `opacity` is the share of a layer's colour that is
+/// its own, which depends on the version of the language.
+Vec3 emission(const Texture&, const Vec3& point, const PatternScene&,
+              FunctionRef<double(const Colour&)> opacity);

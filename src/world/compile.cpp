@@ -63,6 +63,8 @@ World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
     world.background = scene.background;
+    world.sky = scene.sky;
+    world.fogs = scene.fogs;
     for (const PlacedLight& placed : scene.lights) world.lights.push_back(placed.light);
     flatten(scene, world, diagnostics, what);
     return world;

@@ -18,22 +18,23 @@ struct Inherited {
     Handle<Transform> transform;               ///< null: none
     const Handle<Texture>* texture = nullptr;  ///< in world space
     const Handle<Interior>* interior = nullptr;
-    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
+         hollow = false;
 };
 
 /// What primitives of one material have in common.
 struct MaterialKey {
     const Texture* texture;
     const Interior* interior;
-    bool no_shadow, no_image, no_reflection, double_illuminate;
+    bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
 
     friend bool operator==(const MaterialKey&, const MaterialKey&) = default;
 };
 struct MaterialHash {
     std::size_t operator()(const MaterialKey& key) const {
         const std::hash<const void*> of;
-        const int switches =
-            key.no_shadow | key.no_image << 1 | key.no_reflection << 2 | key.double_illuminate << 3;
+        const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
+                             key.double_illuminate << 3 | key.hollow << 4;
         return of(key.texture) * 31 + of(key.interior) * 16 + static_cast<std::size_t>(switches);
     }
 };
@@ -109,6 +110,7 @@ private:
         here.no_image |= object.no_image;
         here.no_reflection |= object.no_reflection;
         here.double_illuminate |= object.double_illuminate;
+        here.hollow |= object.hollow;
         return here;
     }
 
@@ -141,7 +143,8 @@ private:
     std::uint32_t material_index(const Inherited& look) {
         const Interior* interior = look.interior ? look.interior->get() : nullptr;
         const MaterialKey key{look.texture->get(), interior,           look.no_shadow,
-                              look.no_image,       look.no_reflection, look.double_illuminate};
+                              look.no_image,       look.no_reflection, look.double_illuminate,
+                              look.hollow};
         if (last_key_ != key) {
             last_key_ = key;
             const auto next = static_cast<std::uint32_t>(world_.materials.size());
@@ -154,10 +157,11 @@ private:
 
     void add_material(const Inherited& look) {
         const Texture& texture = **look.texture;
-        const bool clear = transparent(texture.pigment);
-        world_.materials.push_back(
-            {*look.texture, look.interior ? *look.interior : Handle<Interior>(), clear,
-             look.no_shadow, look.no_image, look.no_reflection, look.double_illuminate});
+        const bool clear = transparent(texture);
+        world_.materials.push_back({*look.texture,
+                                    look.interior ? *look.interior : Handle<Interior>(), clear,
+                                    look.no_shadow, look.no_image, look.no_reflection,
+                                    look.double_illuminate, look.hollow});
         world_.any_transparent |= clear;
         world_.any_left_out |= look.no_image || look.no_reflection;
         glows_.push_back(greatest_emission(texture) != Vec3(0));
@@ -295,7 +299,7 @@ private:
             luminaire.primitive = first[glow.kind] + glow.index;
             const Texture& texture = *world_.material(luminaire.primitive).texture;
             luminaire.radiance = greatest_emission(texture);
-            luminaire.varying = texture.pigment.pattern != nullptr;
+            luminaire.varying = varied(texture);
             if (emitting_area(luminaire.emitter) > 0)
                 world_.luminaires.push_back(std::move(luminaire));
             else

@@ -14,11 +14,13 @@ constexpr double noticeable_ambient = 0.3;
 double greatest(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
 
 bool shows_itself(const Material& material) {
-    return greatest(material.texture->finish.ambient) >= noticeable_ambient;
+    const Texture& texture = *material.texture;
+    return texture.choice || texture.below ||
+           greatest(texture.finish.ambient) >= noticeable_ambient;
 }
 
 bool dark(const World& world) {
-    return world.lights.empty() && world.luminaires.empty() &&
+    return world.lights.empty() && world.luminaires.empty() && !world.sky &&
            greatest(world.background.radiance()) <= 0 &&
            std::ranges::none_of(world.materials, shows_itself);
 }

@@ -165,6 +165,28 @@ bool World::may_pass(std::uint32_t item) const {
                                  : composites[item - leaves_begin()].transparent;
 }
 
+/// What the insides of one item leave of light that passes through its surfaces.
+Vec3 World::dimmed(std::vector<Passage>& passages) const {
+    const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
+        const auto& interior = material(each.primitive).interior;
+        return interior && interior->fade_distance != 0 && interior->fade_power > 0;
+    });
+    if (!fades) return Vec3(1);
+    std::ranges::sort(passages, {}, &Passage::t);
+    // An odd number of surfaces: the light starts inside.
+    Vec3 left(1);
+    double entered = 0;
+    bool inside = passages.size() % 2 == 1;
+    for (const Passage& each : passages) {
+        const auto& interior = material(each.primitive).interior;
+        if (inside && interior && interior->fade_power > 0)
+            left *= attenuation(*interior, each.t - entered);
+        entered = each.t;
+        inside = !inside;
+    }
+    return left;
+}
+
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
@@ -191,9 +213,8 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         found.clear();
         collect(item, ray, range, found);
         for (const Passage& each : found)
-            passed *=
-                evaluate(material(each.primitive).texture->pigment, ray.at(each.t), pattern_scene())
-                    .passing();
+            passed *= passing(*material(each.primitive).texture, ray.at(each.t), pattern_scene());
+        passed *= dimmed(found);
     }
     return passed;
 }
@@ -222,9 +243,14 @@ std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
 }
 
 Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
-    const Texture& texture = *material(primitive).texture;
-    const Colour colour = evaluate(texture.pigment, point, pattern_scene());
-    return colour.rgb * texture.finish.emission * opacity(colour);
+    return ::emission(*material(primitive).texture, point, pattern_scene(),
+                      [&](const Colour& colour) { return opacity(colour); });
+}
+
+Vec3 World::sky_radiance(const Vec3& direction) const {
+    if (!sky) return background.radiance();
+    return radiance(*sky, direction, background.radiance(), pattern_scene(),
+                    language_version < 3.7);
 }
 
 double World::opacity(const Colour& colour) const {

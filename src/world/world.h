@@ -24,6 +24,7 @@ struct Material {
     bool no_image = false;
     bool no_reflection = false;
     bool double_illuminate = false;
+    bool hollow = false;
 };
 
 struct SpherePrimitive {
@@ -90,6 +91,9 @@ public:
     /// Radiance that the primitive emits at a point of its surface.
     Vec3 emission(PrimitiveIndex, const Vec3& point) const;
 
+    /// What comes from a direction in which there is nothing.
+    Vec3 sky_radiance(const Vec3& direction) const;
+
     /// The share of a surface of this colour that is not transparent, by the scene's language
     /// version.
     double opacity(const Colour&) const;
@@ -135,6 +139,8 @@ public:
 
     Projection camera;
     Background background;
+    std::optional<SkySphere> sky;
+    std::vector<Fog> fogs;
     GlobalSettings settings;
     double language_version = 3.7;
     std::size_t objects = 0;       ///< as the scene counts them
@@ -162,6 +168,7 @@ private:
     bool left_out(PrimitiveIndex, RayKind) const;
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
+    Vec3 dimmed(std::vector<Passage>&) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
     bool contains_point(PrimitiveIndex, const Vec3&) const;

@@ -76,3 +76,20 @@ TEST_CASE("an impossible camera is described", "[camera]") {
         CHECK_FALSE(problem(camera).empty());
     CHECK(problem(Perspective{}).empty());
 }
+
+TEST_CASE("wide lenses send rays as POV-Ray 3.7's", "[camera]") {
+    Fisheye fisheye;
+    fisheye.right = Vec3(1, 0, 0);
+    fisheye.angle = 180;
+    CHECK(near(projection(fisheye).ray(0.25, 0).direction, unit(Vec3(1, 0, 1))));
+    CHECK(projection(fisheye).ray(0.5, 0.5).direction == Vec3(0));
+    SphericalCamera around;
+    CHECK(near(projection(around).ray(0.25, 0).direction, Vec3(1, 0, 0)));
+    CHECK(near(projection(around).ray(0, 0.25).direction, unit(Vec3(0, 1, 1))));
+    CylinderCamera cylinder;
+    cylinder.type = 3;
+    cylinder.angle = 90;
+    CHECK(near(projection(cylinder).ray(0.5, 0.5).origin, Vec3(0, 0.5, 0)));
+    CHECK(near(projection(cylinder).ray(0.5, 0.5).direction, unit(Vec3(1, 0, 1))));
+    CHECK(near(projection(Panoramic()).ray(0, 0).direction, Vec3(0, 0, 1)));
+}

@@ -2,6 +2,7 @@
 #include "evaluate/textures.h"
 
 #include "evaluate/script.h"
+#include "surface/texture_map.h"
 
 #include <catch2/catch.hpp>
 
@@ -12,12 +13,6 @@ Script sphere(const std::string& look, const std::string& before = {}) {
     INFO(done.text);
     REQUIRE(done.text.empty());
     return done;
-}
-
-Finish finish_of(const std::string& text) {
-    return sphere("finish { " + text + " }", "#declare F = finish { ambient 1 phong 0.5 }")
-        .texture()
-        .finish;
 }
 
 }  // namespace
@@ -64,65 +59,52 @@ TEST_CASE("a declared texture is shared until it is changed", "[evaluate]") {
     CHECK(done.texture(2).pigment.transform.point(Vec3(1)) == Vec3(2));
 }
 
-TEST_CASE("a finish has its words, and may be declared", "[evaluate]") {
-    CHECK(finish_of("ambient 0.2 diffuse 0.3 emission rgb <1, 2, 3> brilliance 2").emission ==
-          Vec3(1, 2, 3));
-    CHECK(finish_of("F phong_size 10").phong == 0.5);
-    CHECK(finish_of("F phong_size 10").phong_size == 10);
-    CHECK(finish_of("specular 1 metallic").metallic == 1);
-    CHECK(finish_of("metallic specular 1").specular == 1);
-    CHECK(finish_of("metallic 0.25").metallic == 0.25);
-    CHECK(finish_of("conserve_energy").conserve_energy);
-}
-
-TEST_CASE("reflection is an amount or a block", "[evaluate]") {
-    const Reflection amount = finish_of("reflection 0.5").reflection;
-    CHECK(amount.least == Vec3(0.5));
-    CHECK(amount.greatest == Vec3(0.5));
-    CHECK(finish_of("reflection rgb <1, 0, 0> phong 1").reflection.greatest == Vec3(1, 0, 0));
-    const Reflection both = finish_of("reflection { 0.1, rgb 0.9 falloff 3 metallic }").reflection;
-    CHECK(both.least == Vec3(0.1));
-    CHECK(both.greatest == Vec3(0.9));
-    CHECK(both.falloff == 3);
-    CHECK(both.metallic == 1);
-    const Reflection fresnel = finish_of("reflection { 0.8 fresnel }").reflection;
-    CHECK(fresnel.least == Vec3(0));
-    CHECK(fresnel.greatest == Vec3(0.8));
-    CHECK(fresnel.fresnel);
-}
-
-TEST_CASE("an interior adds up", "[evaluate]") {
-    CHECK(sphere("interior { ior 1.5 }").object().interior->ior == 1.5);
-    CHECK(sphere("interior { I }", "#declare I = interior { ior 1.3 }").object().interior->ior ==
-          1.3);
-    CHECK(sphere("interior { ior 2 } interior { }").object().interior->ior == 2);
-}
-
-TEST_CASE("an opaque texture covers another; layers that show are not available", "[evaluate]") {
+TEST_CASE("an opaque texture covers another; others show what is below", "[evaluate]") {
     const std::string glass = "texture { pigment { rgbt 0.5 } }";
     const std::string red = "texture { pigment { rgb x } }";
     CHECK(sphere(glass + red).texture().pigment.colour.rgb == Vec3(1, 0, 0));
-    const std::string layers =
-        "error not-implemented: layers of textures are not available in this version";
-    CHECK(complaint("sphere { 0, 1 " + red + glass + " }") == layers);
-    CHECK(complaint("#declare T = " + red + glass) == layers);
-    CHECK(complaint("sphere { 0, 1 texture { finish { reflection 1 } } " + red + " }") == layers);
-    CHECK(complaint("#declare A = sphere { 0, 1 " + red + "} object { A " + glass + " }") ==
-          layers);
+    CHECK_FALSE(sphere(glass + red).texture().below);
+    const Script layers = sphere(red + glass + glass);
+    REQUIRE(layers.texture().below);
+    REQUIRE(layers.texture().below->below);
+    CHECK(layers.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(sphere("texture { T scale 2 }", "#declare T = " + red + glass).texture().below);
+    CHECK(sphere("texture { finish { reflection 1 } }" + red).texture().below);
+}
+
+TEST_CASE("a texture chooses from others by a pattern", "[evaluate]") {
+    const Script map =
+        sphere("texture { gradient y texture_map { [0.2 pigment { rgb 1 }] [0.8 T] } scale 2 }",
+               "#declare T = texture { pigment { rgb x } }");
+    const Handle<PatternedTexture>& choice = map.texture().choice;
+    REQUIRE(choice);
+    CHECK(choice->map.size() == 2);
+    CHECK(choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(choice->transform.point(Vec3(1)) == Vec3(2));
+    const Script list = sphere("texture { hexagon texture { pigment { rgb 1 } } }");
+    CHECK(list.texture().choice->map.size() == 3);
+    const Script tiles = sphere(
+        "texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } }");
+    CHECK(tiles.texture().choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
+}
+
+TEST_CASE("a material is a texture with an interior", "[evaluate]") {
+    const Script done =
+        sphere("material { M scale 3 }",
+               "#declare M = material { texture { pigment { bozo } } interior { ior 1.5 } }");
+    CHECK(done.object().interior->ior == 1.5);
+    CHECK(done.texture().pigment.transform.point(Vec3(1)) == Vec3(3));
 }
 
 TEST_CASE("wrong textures are told of once", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 texture { finish { ambiant 1 } } }") ==
           "error unknown-word: `finish` has no word `ambiant`");
     CHECK(complaint("sphere { 0, 1 texture { checker } }") ==
-          "error not-implemented: `checker` is not available in this version");
-    CHECK(complaint("sphere { 0, 1 finish { reflection } }") ==
-          "error missing: `reflection` of `finish` needs a colour or a block");
-    CHECK(complaint("sphere { 0, 1 finish { reflection \"a\" } }") ==
-          "error wrong-type: `reflection` of `finish` must be a colour, but it is a string");
-    CHECK(complaint("sphere { 0, 1 interior { fade_distance 1 } }") ==
-          "error not-implemented: `fade_distance` is not available in this version");
-    CHECK(complaint("#declare F = finish { } sphere { 0, 1 finish { phong 1 F } }") ==
-          "error misplaced: what is declared must come first: it would replace all that is before "
-          "it in `finish`");
+          "error missing: a texture with a pattern needs a `texture_map`, or a list of textures");
+    CHECK(complaint("sphere { 0, 1 texture { tiles { texture { } } } }") ==
+          "error wrong-count: `tiles` needs two textures");
+    CHECK(complaint("sphere { 0, 1 texture { texture_map { [0 pigment { rgb 1 }] } } }") ==
+          "error misplaced: `texture_map` needs a pattern before it");
+    CHECK(complaint("sphere { 0, 1 texture { checker texture { } texture { } texture { } } }") ==
+          "error wrong-count: this pattern takes 2 textures, but here is one more");
 }

@@ -13,6 +13,42 @@ TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
         PointLight light;
         light.fade_distance = c.fade_distance;
         light.fade_power = c.fade_power;
-        CHECK(fading(light, c.distance) == Approx(c.share));
+        light.location = Vec3(0, c.distance, 0);
+        light.colour = Vec3(1);
+        if (c.distance > 0)
+            CHECK(incidence(light, light.location, Vec3(0)).colour.x == Approx(c.share));
     }
+}
+
+TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") {
+    PointLight light;
+    light.colour = Vec3(1);
+    light.location = Vec3(0, 0, -5);
+    light.point_at = Vec3(0);
+    const auto at = [&](double x) {
+        return incidence(light, light.location, Vec3(x, 0, 0)).colour.x;
+    };
+    light.beam = cone;
+    CHECK(at(1) == 1);
+    CHECK(at(3.5) == Approx(0.79096).margin(1e-4));
+    CHECK(at(5.2) == 0);
+    light.beam = parallel_beam;
+    CHECK(at(0.5) == 1);
+    CHECK(at(0.9) == Approx(0.352));
+    CHECK(at(1.01) == 0);
+    CHECK(incidence(light, light.location, Vec3(0.9, 0, 0)).direction == Vec3(0, 0, -1));
+}
+
+TEST_CASE("the grid of an area light has its corners at its sides", "[light]") {
+    PointLight light;
+    light.area1 = Vec3(4, 0, 0);
+    light.area2 = Vec3(0, 2, 0);
+    light.size1 = 5;
+    light.size2 = 1;
+    CHECK(light.is_area());
+    CHECK(grid_point(light, 0, 0, Vec3(0, 0, 1)) == Vec3(-2, 0, 0));
+    CHECK(grid_point(light, 4, 0, Vec3(0, 0, 1)) == Vec3(2, 0, 0));
+    light.size2 = 5;
+    light.circular = true;
+    CHECK(length(grid_point(light, 0, 0, Vec3(0, 0, 1)) / Vec3(2, 1, 1)) < 1.01);
 }

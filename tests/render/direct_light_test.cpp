@@ -19,7 +19,12 @@ double mean_light(const World& world, int shadow_rays, int count) {
     for (int i = 0; i < count; ++i) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
-        sum += light(shading_at(world, ray, hit), key, rays).x;
+        const Shading s = shading_at(world, ray, hit);
+        const SurfacePlace place(world, s);
+        for_layers(*world.material(hit.primitive).texture, s.position, s.normal, place.scene,
+                   [&](double, std::span<const Layer> layers) {
+                       sum += light(with_layer(world, s, layers.front()), key, rays).x;
+                   });
     }
     return sum / count;
 }

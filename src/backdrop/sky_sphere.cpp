@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backdrop/sky_sphere.h"
+
+#include "vocabulary/schema.h"
+
+const ItemInfo SkySphere::vocabulary = described<SkySphere>([] {
+    using F = Field<SkySphere>;
+    return schema<SkySphere>("sky_sphere",
+                             "Pigments by direction, far behind everything: the last one on top.",
+                             as_colour(F{"emission", &SkySphere::emission, item,
+                                         "brightness of all pigments together"}));
+});
+
+namespace {
+
+Vec3 by_old_rules(const SkySphere& sky, const Vec3& direction, const Vec3& background,
+                  const PatternScene& scene) {
+    Vec3 sum(0), tint(1);
+    double filter = 1, transmit = 1, passing = 1;
+    for (std::size_t i = sky.pigments.size(); i-- > 0;) {
+        const Colour colour = evaluate(sky.pigments[i], direction, scene);
+        sum += colour.rgb * ((1 - colour.filter - colour.transmit) * passing);
+        tint *= colour.rgb;
+        filter *= colour.filter;
+        transmit *= colour.transmit;
+        passing = std::abs(filter) + std::abs(transmit);
+    }
+    return sum * sky.emission + background * (tint * filter + Vec3(transmit));
+}
+
+}  // namespace
+
+Vec3 radiance(const SkySphere& sky, const Vec3& direction, const Vec3& background,
+              const PatternScene& scene, bool old_rules) {
+    if (old_rules) return by_old_rules(sky, direction, background, scene);
+    Vec3 sum(0), passing(1);
+    for (std::size_t i = sky.pigments.size(); i-- > 0;) {
+        const Colour colour = evaluate(sky.pigments[i], direction, scene);
+        sum += passing * colour.opacity() * colour.rgb * sky.emission;
+        passing *= colour.passing();
+    }
+    return sum + passing * background;
+}

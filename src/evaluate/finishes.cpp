@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/finishes.h"
+
+#include "evaluate/bind.h"
+#include "vocabulary/manual.h"
+
+#include <set>
+
+namespace {
+
+/// reflection amount, reflection { ... }, reflection_exponent: the part of a finish that has two
+/// forms.
+class ReflectionReader {
+public:
+    ReflectionReader(OpenBlock& block, Reflection& reflection)
+        : block_(block), reflection_(reflection) {}
+
+    bool waiting() const { return waiting_; }
+    bool wants() const { return waiting_; }
+
+    bool take(const Element& element) {
+        if (element.kind == Element::Kind::value && waiting_) {
+            waiting_ = false;
+            const auto value = converted(block_, element, FieldType::rgb,
+                                         {[] { return std::string("`reflection` of `finish`"); },
+                                          [] { return usage(Reflection::vocabulary); }});
+            if (value) reflection_.least = reflection_.greatest = std::get<Vec3>(*value);
+            return true;
+        }
+        const bool named =
+            (element.kind == Element::Kind::word || element.kind == Element::Kind::block) &&
+            element.word == "reflection"_word;
+        const bool unknown = element.kind == Element::Kind::word &&
+                             !block_.binder.evaluator.names().reserved(element.word);
+        if (waiting_ && !unknown) finish();
+        if (!named) return false;
+        span_ = element.word_span;
+        if (element.kind == Element::Kind::block)
+            read(element);
+        else
+            waiting_ = true;
+        return true;
+    }
+
+    void finish() {
+        if (!std::exchange(waiting_, false)) return;
+        block_.report(
+            error(Fault::missing, span_, "`reflection` of `finish` needs a colour or a block")
+                .with_help(usage(Reflection::vocabulary)));
+    }
+
+    void add_words(WordList& words) const { words.push_back("reflection"); }
+
+private:
+    void read(const Element& element) {
+        OpenBlock inner(block_.binder, "reflection", element.word_span);
+        inner.item = &Reflection::vocabulary;
+        Reflection made;
+        ItemReader fields(inner, *inner.item, &made);
+        fields.alone("metallic", 1);
+        inner.read(element.body, fields);
+        if (fields.positional_given() < 2) {
+            made.greatest = made.least;
+            if (made.fresnel) made.least = Vec3(0);
+        }
+        block_.broken |= inner.broken;
+        reflection_ = made;
+    }
+
+    OpenBlock& block_;
+    Reflection& reflection_;
+    bool waiting_ = false;
+    Span span_;
+};
+
+/// irid { ... }
+class IridReader : public SimpleReader {
+public:
+    IridReader(OpenBlock& block, Irid& irid) : block_(block), irid_(irid) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "irid"_word) return false;
+        OpenBlock inner(block_.binder, "irid", element.word_span);
+        inner.item = &Irid::vocabulary;
+        ItemReader fields(inner, *inner.item, &irid_);
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("irid"); }
+
+private:
+    OpenBlock& block_;
+    Irid& irid_;
+};
+
+/// The fields of a finish; some amounts may be given as `albedo`, which depends on other fields.
+class FinishFields {
+public:
+    FinishFields(OpenBlock& block, Finish& finish)
+        : fields_(block, Finish::vocabulary, &finish), finish_(finish) {
+        fields_.alone("metallic", 1);
+    }
+
+    bool waiting() const { return fields_.waiting(); }
+    bool wants() const { return fields_.wants(); }
+
+    bool take(const Element& element) {
+        const bool word = element.kind == Element::Kind::word;
+        const std::string_view expected = fields_.expected();
+        if (word && element.word == "albedo"_word &&
+            (expected == "diffuse" || expected == "phong" || expected == "specular")) {
+            albedo_.emplace(expected);
+            return true;
+        }
+        return fields_.take(element);
+    }
+
+    void finish() {
+        fields_.finish();
+        for (const std::string_view amount : albedo_) convert(amount);
+    }
+
+    void add_words(WordList& words) const { fields_.add_words(words); }
+
+private:
+    /// From the share of all light that is scattered to the amount in POV-Ray's formula.
+    void convert(std::string_view amount) {
+        if (amount == "diffuse") finish_.diffuse *= (finish_.brilliance + 1) / 2;
+        if (amount == "diffuse") finish_.diffuse_back *= (finish_.brilliance + 1) / 2;
+        if (amount == "phong") finish_.phong *= (finish_.phong_size + 1) / 2;
+        if (amount == "specular") {
+            const double exponent = 1 / finish_.roughness;
+            finish_.specular *= (exponent + 2) / (4 * (2 - std::exp2(-exponent / 2)));
+        }
+    }
+
+    ItemReader fields_;
+    Finish& finish_;
+    std::set<std::string_view> albedo_;
+};
+
+}  // namespace
+
+bool read_finish(Binder& binder, const Element& element, Finish& finish) {
+    OpenBlock block(binder, "finish", element.word_span);
+    block.item = &Finish::vocabulary;
+    block.effectless = "caustics refraction use_alpha";
+    auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
+    FinishFields fields(block, finish);
+    ReflectionReader reflection(block, finish.reflection);
+    IridReader irid(block, finish.irid);
+    block.read(element.body, declared, fields, reflection, irid);
+    return !block.broken;
+}
+
+bool read_interior(Binder& binder, const Element& element, Interior& interior) {
+    OpenBlock block(binder, "interior", element.word_span);
+    block.item = &Interior::vocabulary;
+    block.effectless = "caustics dispersion dispersion_samples photons";
+    auto declared =
+        named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
+    ItemReader fields(block, *block.item, &interior);
+    block.read(element.body, declared, fields);
+    return !block.broken;
+}

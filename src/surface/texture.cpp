@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/texture.h"
+
+#include "surface/map_place.h"
+#include "surface/normal_space.h"
+#include "surface/texture_map.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+/// Calls use(share, texture) for the entries that count at a place; the shares add up to 1.
+template <class Use>
+void for_entries(const PatternedTexture& choice, const Vec3& place, const PatternScene& scene,
+                 Use use) {
+    if (std::holds_alternative<Average>(choice.use.pattern)) {
+        double total = 0;
+        for (const TextureStop& stop : choice.map) total += stop.value;
+        for (const TextureStop& stop : choice.map)
+            if (stop.value != 0) use(stop.value / total, *stop.texture);
+        return;
+    }
+    const MapPlace at = place_in(choice.map, choice.use.value(place, scene));
+    use(1 - at.share, *choice.map[at.below].texture);
+    if (at.share != 0) use(at.share, *choice.map[at.above].texture);
+}
+
+Vec3 place_of(const PatternedTexture& choice, const Vec3& point) {
+    return choice.use.place(choice.transform.inverse_point(point));
+}
+
+/// The spaces of the patterns around a texture, the innermost first.
+struct Around {
+    NormalSpace space;
+    const Around* next;
+};
+
+struct Visit {
+    const PatternScene& scene;
+    UseLayers use;
+};
+
+Layer layer_at(const Texture& texture, const Vec3& point, const Vec3& normal, const Around* around,
+               const PatternScene& scene) {
+    Layer layer;
+    layer.finish = &texture.finish;
+    layer.normal = texture.normal.pattern ? bumped(texture.normal, normal, point, scene) : normal;
+    PatternScene here = scene;
+    SurfaceView view;
+    if (scene.view) {
+        view = *scene.view;
+        view.normal = layer.normal;
+        here.view = &view;
+    }
+    layer.colour = evaluate(texture.pigment, point, here);
+    for (; around; around = around->next) layer.normal = unit(around->space.leave(layer.normal));
+    return layer;
+}
+
+void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double weight,
+           const Around* around, const Visit& to) {
+    if (texture.choice) {
+        const PatternedTexture& choice = *texture.choice;
+        const Vec3 place = place_of(choice, point);
+        const Around inner{{choice.use.steps, choice.transform}, around};
+        const Vec3 turned = unit(inner.space.enter(normal));
+        for_entries(choice, place, to.scene, [&](double share, const Texture& entry) {
+            visit(entry, place, turned, weight * share, &inner, to);
+        });
+        return;
+    }
+    std::array<Layer, 4> few;
+    std::vector<Layer> many;
+    std::size_t count = 0;
+    for (const Texture* layer = &texture; layer; layer = layer->below.get()) ++count;
+    if (count > few.size()) many.resize(count);
+    const std::span<Layer> layers = count > few.size() ? std::span(many) : std::span(few);
+    std::size_t i = 0;
+    for (const Texture* layer = &texture; layer; layer = layer->below.get())
+        layers[i++] = layer_at(*layer, point, normal, around, to.scene);
+    to.use(weight, layers.first(count));
+}
+
+}  // namespace
+
+PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside, TextureMap the_map)
+    : use(std::move(the_use)), transform(outside), map(std::move(the_map)), nesting{1, 0} {
+    for (const TextureStop& stop : map) nesting.add(::nesting(*stop.texture));
+    if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
+        nesting.add({grey->depth, grey->entries});
+}
+
+Nesting nesting(const Texture& texture) {
+    Nesting all = texture.choice ? texture.choice->nesting : nesting(texture.pigment);
+    const auto include = [&](const Nesting& other) {
+        all.depth = std::max(all.depth, other.depth);
+        all.entries += other.entries;
+    };
+    include(nesting(texture.normal));
+    if (texture.below) include(nesting(*texture.below));
+    return all;
+}
+
+Texture transformed(Texture texture, const Transform& transform) {
+    texture.pigment.transform = texture.pigment.transform.then(transform);
+    texture.normal.transform = texture.normal.transform.then(transform);
+    if (texture.choice) {
+        PatternedTexture& choice = texture.choice.edit();
+        choice.transform = choice.transform.then(transform);
+    }
+    if (texture.below) texture.below = make_handle<Texture>(transformed(*texture.below, transform));
+    return texture;
+}
+
+Vec3 greatest_emission(const Texture& texture) {
+    if (texture.choice) {
+        Vec3 greatest(0);
+        for (const TextureStop& stop : texture.choice->map)
+            greatest = glm::max(greatest, greatest_emission(*stop.texture));
+        return greatest;
+    }
+    const Vec3 own = glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
+    return texture.below ? own + greatest_emission(*texture.below) : own;
+}
+
+bool varied(const Texture& texture) {
+    return texture.choice || texture.below || texture.pigment.pattern;
+}
+
+bool transparent(const Texture& texture) {
+    if (texture.choice)
+        return std::ranges::any_of(texture.choice->map, [](const TextureStop& stop) {
+            return transparent(*stop.texture);
+        });
+    return transparent(texture.pigment) && (!texture.below || transparent(*texture.below));
+}
+
+void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
+                const PatternScene& scene, UseLayers use) {
+    visit(texture, point, normal, 1, nullptr, {scene, use});
+}
+
+Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
+    if (texture.choice) {
+        Vec3 sum(0);
+        const Vec3 place = place_of(*texture.choice, point);
+        for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
+            sum += share * passing(entry, place, scene);
+        });
+        return sum;
+    }
+    const Vec3 own = evaluate(texture.pigment, point, scene).passing();
+    return texture.below ? own * passing(*texture.below, point, scene) : own;
+}
+
+Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& scene,
+              FunctionRef<double(const Colour&)> opacity) {
+    if (texture.choice) {
+        Vec3 sum(0);
+        const Vec3 place = place_of(*texture.choice, point);
+        for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
+            sum += share * emission(entry, place, scene, opacity);
+        });
+        return sum;
+    }
+    const Colour colour = evaluate(texture.pigment, point, scene);
+    const Vec3 own = colour.rgb * texture.finish.emission * opacity(colour);
+    if (!texture.below) return own;
+    return own + colour.passing() * emission(*texture.below, point, scene, opacity);
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a texture with a pattern consists of, for those who make, evaluate or write one.
+#pragma once
+
+#include "pattern/use.h"
+#include "surface/texture.h"
+
+/// One entry of a texture map. For `average` the value is a weight.
+struct TextureStop {
+    double value = 0;
+    Handle<Texture> texture;
+};
+using TextureMap = std::vector<TextureStop>;
+
+/// A pattern with the textures that it chooses from.
+struct PatternedTexture {
+    /// Precondition: the map is not empty; weights of an average are not negative and not all 0.
+    PatternedTexture(PatternUse, const Transform&, TextureMap);
+
+    PatternUse use;
+    Transform transform;  ///< after all steps of the pattern: to the object's space
+    TextureMap map;
+    Nesting nesting;
+};
