@@ -105,7 +105,8 @@ Projection untransformed(const View& view, Lens lens) {
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
-        const double handedness = dot(cross(f.up, f.direction), f.right) < 0 ? -1 : 1;
+        // Where up is along the direction, POV-Ray looks into a mirror.
+        const double handedness = dot(cross(f.up, f.direction), f.right) > 0 ? 1 : -1;
         const Vec3 ahead = unit(*view.look_at - view.location);
         const Vec3 side = unit(cross(view.sky, ahead));
         f.direction = ahead * length(f.direction);

@@ -12,7 +12,7 @@ namespace {
 
 /// Anything but a part of a scene, which belongs to other readers.
 bool may_be_parameter(const Value& value) {
-    return value.numbers() || value.text() || value.array();
+    return value.numbers() || value.text() || value.array() || value.formula();
 }
 
 }  // namespace
@@ -140,6 +140,11 @@ bool ItemReader::take_value(const Element& element) {
                           .with_help(block_.help()));
         return true;
     }
+    const auto is_function = [](const FieldInfo& field) {
+        return field.type == FieldType::function && field.may_be_left_out;
+    };
+    if (next_ < positional_ && is_function(info_->fields[next_]) && !element.value.formula())
+        ++next_;
     if (next_ >= positional_ || !(may_be_parameter(element.value) || element.value.broken()))
         return false;
     if (info_->fields[next_].place == Placement::counted)
@@ -363,9 +368,11 @@ void ItemReader::read_list(int field, const Element& element) {
     OpenBlock inner(block_.binder, info.name, element.word_span);
     inner.form = info.type == FieldType::faces ? "{ count, <a, b, c>, <d, e, f>, ... }"
                                                : "{ count, <x, y, z>, <x, y, z>, ... }";
-    std::optional<FieldValue> list = read_counted_list(inner, element.body, info.type);
+    std::optional<CountedList> list = read_counted_list(inner, element.body, info.type);
     block_.broken |= inner.broken;
-    if (list) set(field, *list, element.word_span);
+    if (list) set(field, list->value, element.word_span);
+    if (list && !list->looks.empty() && follows(field + 1))
+        set(field + 1, std::move(list->looks), element.word_span);
 }
 
 std::string ItemReader::of_block(int field) const {

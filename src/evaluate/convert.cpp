@@ -32,6 +32,8 @@ std::string_view kind_name(FieldType type) {
         case FieldType::balls:
         case FieldType::faces:
             break;
+        case FieldType::function:
+            return "a function";
         case FieldType::parts:
             return "a block";
     }
@@ -81,6 +83,10 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
         if (const std::string* text = element.value.text()) return *text;
         return wrong(Fault::wrong_type, kind_name(element.value));
     }
+    if (type == FieldType::function) {
+        if (const Handle<Formula> function = element.value.handle<Formula>()) return function;
+        return wrong(Fault::wrong_type, kind_name(element.value));
+    }
     const Numbers* numbers = element.value.numbers();
     if (!numbers) return wrong(Fault::wrong_type, kind_name(element.value));
     for (int i = 0; i < numbers->count; ++i)
@@ -124,6 +130,7 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
         case FieldType::vectors:
         case FieldType::balls:
         case FieldType::faces:
+        case FieldType::function:
         case FieldType::parts:
             break;
     }

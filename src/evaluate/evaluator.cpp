@@ -4,6 +4,7 @@
 #include "evaluate/deep_stack.h"
 #include "evaluate/splines.h"
 #include "evaluate/state.h"
+#include "font/system_font.h"
 #include "syntax/lint.h"
 #include "syntax/parser.h"
 #include "text/message.h"
@@ -55,6 +56,24 @@ std::optional<std::string> Evaluator::load_data(const std::string& name, Span sp
     if (found) return std::move(found->text);
     report(state_->loader.problem(name, span, FileKind::data, directory));
     return std::nullopt;
+}
+
+std::optional<std::string> Evaluator::find_data(const std::string& name, Span span) {
+    const std::string directory = directory_of(state_->sources.name(span.source));
+    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
+    if (found) return std::move(found->path);
+    report(state_->loader.problem(name, span, FileKind::data, directory));
+    return std::nullopt;
+}
+
+std::optional<std::string> Evaluator::load_font(const std::string& name, Span span) {
+    const std::string directory = directory_of(state_->sources.name(span.source));
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = state_->loader.load(spelling, directory, FileKind::data))
+            return std::move(found->text);
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = system_font(spelling)) return found;
+    return load_data(name, span);
 }
 
 std::vector<std::string_view> Evaluator::declared_names() const {

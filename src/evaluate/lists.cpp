@@ -51,7 +51,9 @@ public:
 
     void finish() {
         if (block_.broken) return;
-        const std::size_t found = type_ == FieldType::faces ? faces.size() : vectors.size();
+        const std::size_t found = type_ == FieldType::faces    ? faces.size()
+                                  : type_ == FieldType::points ? points.size()
+                                                               : vectors.size();
         if (!count_)
             block_.report(
                 error(Fault::missing, block_.span, message(block_.quoted(), " needs a count"))
@@ -65,7 +67,9 @@ public:
     }
 
     std::vector<Vec3> vectors;
+    std::vector<Vec2> points;
     std::vector<Face> faces;
+    std::vector<Face> looks;  ///< of the first faces
 
 private:
     void reserve(std::size_t count) {
@@ -109,15 +113,18 @@ private:
     }
 
     void take_vector(const Element& element) {
+        if (type_ == FieldType::points) {
+            const auto value = converted_as(element, FieldType::vector2, "an entry of ");
+            if (value) points.push_back(std::get<Vec2>(*value));
+            return;
+        }
         const auto value = converted_as(element, FieldType::vector3, "an entry of ");
         if (value) vectors.push_back(std::get<Vec3>(*value));
     }
 
     void take_face(const Element& element) {
         if (element.value.numbers() && element.value.numbers()->is_scalar()) {
-            if (!block_.broken)
-                block_.report(error(Fault::not_implemented, element.span,
-                                    "textures of single faces are not available in this version"));
+            take_look(element);
             return;
         }
         const auto value = converted_as(element, FieldType::vector3, "an entry of ");
@@ -133,18 +140,42 @@ private:
         faces.push_back({static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)});
     }
 
+    /// The number of a texture of the face that came last: of all of it, or of its corners.
+    void take_look(const Element& element) {
+        const auto value = converted_as(element, FieldType::integer, "the texture of a face in ");
+        if (!value) return;
+        if (faces.empty() || (looks.size() == faces.size() && looks_given_ == 3)) {
+            block_.report(error(Fault::wrong_count, element.span,
+                                message("a face in ", block_.quoted(),
+                                        " has one texture, or three for its corners"))
+                              .with_help(block_.help()));
+            return;
+        }
+        const int look = static_cast<int>(std::get<double>(*value));
+        if (looks.size() < faces.size()) {
+            looks.resize(faces.size(), {-1, -1, -1});
+            looks.back() = {look, look, look};
+            looks_given_ = 1;
+            return;
+        }
+        for (std::size_t i = looks_given_++; i < 3; ++i) looks.back()[i] = look;
+    }
+
     OpenBlock& block_;
     FieldType type_;
+    std::size_t looks_given_ = 0;
     std::optional<double> count_;
     Span count_span_;
 };
 
 }  // namespace
 
-std::optional<FieldValue> read_counted_list(OpenBlock& block, Body body, FieldType type) {
+std::optional<CountedList> read_counted_list(OpenBlock& block, Body body, FieldType type) {
     ListReader reader(block, type);
     block.read(reader.take_plain(body), reader);
     if (block.broken) return std::nullopt;
-    if (type == FieldType::faces) return std::move(reader.faces);
-    return std::move(reader.vectors);
+    if (type == FieldType::points) return CountedList{std::move(reader.points), {}};
+    if (type != FieldType::faces) return CountedList{std::move(reader.vectors), {}};
+    if (!reader.looks.empty()) reader.looks.resize(reader.faces.size(), {-1, -1, -1});
+    return CountedList{std::move(reader.faces), std::move(reader.looks)};
 }

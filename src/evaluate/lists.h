@@ -7,5 +7,11 @@
 
 #include <optional>
 
+struct CountedList {
+    FieldValue value;
+    std::vector<Face>
+        looks;  ///< of faces: numbers of their corners' textures; empty: none is given
+};
+
 /// The list as a field of the type has it; nothing after a report.
-std::optional<FieldValue> read_counted_list(OpenBlock&, Body, FieldType);
+std::optional<CountedList> read_counted_list(OpenBlock&, Body, FieldType);

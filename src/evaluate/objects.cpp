@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/objects.h"
 
+#include "evaluate/assets.h"
 #include "evaluate/confines.h"
 #include "evaluate/lights.h"
 #include "evaluate/models.h"
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/sink.h"
+#include "evaluate/texture_list.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
 
@@ -45,6 +47,8 @@ public:
             good = take_interior(element);
         else if (element.word == "material"_word)
             good = take_material(element);
+        else if (element.word == "texture_list"_word && block_.name == "mesh2")
+            good = take_list(element);
         else
             return false;
         draft_.modified = true;
@@ -118,6 +122,13 @@ private:
             });
         if (changed) interior = changed;
         return changed != nullptr;
+    }
+
+    /// The textures of a mesh's faces.
+    bool take_list(const Element& element) {
+        auto list = read_texture_list(block_, element, TextureCount::said);
+        if (list) draft_.part_textures = std::move(*list);
+        return list.has_value();
     }
 
     OpenBlock& block_;
@@ -279,7 +290,8 @@ private:
         if (values_) take_values(fields);
         read_with(values_ ? values_->rest : element_.body, content, reader);
         if (block_.broken || draft_.declared) return;
-        check(shape);
+        complete(block_, shape);
+        if (!block_.broken) check(shape);
     }
 
     void take_values(ItemReader& fields) {
@@ -322,7 +334,13 @@ private:
 
     void check(const Shape& shape) {
         const std::string wrong = problem(shape);
-        if (wrong.empty()) return;
+        if (wrong.empty()) return check_looks(shape);
+        // A text without letters is nothing that can be seen.
+        if (const auto* text = std::get_if<Shared<Text>>(&shape);
+            text && (*text)->text.empty() && (*text)->thickness != 0) {
+            draft_.made.edit().form = Union{};
+            return;
+        }
         const bool triangle = std::holds_alternative<Shared<Triangle>>(shape) ||
                               std::holds_alternative<Shared<SmoothTriangle>>(shape);
         if (triangle) {
@@ -333,6 +351,21 @@ private:
             return;
         }
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
+    }
+
+    /// Faces name textures that there are.
+    void check_looks(const Shape& shape) {
+        const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
+        if (!mesh) return;
+        const int count = static_cast<int>(draft_.part_textures.size());
+        for (const Face& looks : (*mesh)->looks)
+            for (const int look : looks)
+                if (look < -1 || look >= count) {
+                    block_.report(error(Fault::bad_index, element_.word_span,
+                                        message("a face has texture ", look, ", but there are ",
+                                                count, " in `texture_list`, counted from 0")));
+                    return;
+                }
     }
 
     const Element& element_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/parts.h"
 
+#include "evaluate/texture_list.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
 
@@ -19,6 +20,12 @@ public:
     bool take(const Element& element) {
         if (!block_.part_textures || element.kind != Element::Kind::block) return false;
         bool good = true;
+        if (element.word == "texture_list"_word) {
+            std::optional<std::vector<Handle<Texture>>> list =
+                read_texture_list(block_, element, TextureCount::three);
+            if (list) corners_ = std::move(*list);
+            return true;
+        }
         if (element.word == "texture"_word)
             good = read_texture(block_.binder, element, draft_);
         else if (element.word == "pigment"_word)
@@ -37,19 +44,24 @@ public:
     void add_words(WordList& words) const {
         if (block_.part_textures) words.insert(words.end(), {"texture", "pigment", "finish"});
     }
-    /// The texture's number in the list, or -1.
-    int look() {
-        if (!given_) return -1;
+    /// The numbers of the textures in the list, or -1.
+    void number(int* looks, int count) {
+        const int one = given_ ? number(draft_.shared(block_.binder.textures)) : -1;
+        for (int i = 0; i < count; ++i)
+            looks[i] = corners_.empty() ? one : number(corners_[static_cast<std::size_t>(i)]);
+    }
+
+private:
+    int number(const Handle<Texture>& texture) {
         std::vector<Handle<Texture>>& list = *block_.part_textures;
-        const Handle<Texture> texture = draft_.shared(block_.binder.textures);
         const auto found = std::ranges::find(list, texture);
         if (found == list.end()) list.push_back(texture);
         return static_cast<int>(std::ranges::find(list, texture) - list.begin());
     }
 
-private:
     OpenBlock& block_;
     TextureDraft draft_;
+    std::vector<Handle<Texture>> corners_;  ///< of a texture_list
     bool given_ = false;
 };
 
@@ -75,6 +87,6 @@ void read_part(OpenBlock& block, const FieldInfo& field, void* item, const Eleme
     } else {
         inner.read(element.body, fields, looks);
     }
-    if (field.parts->look) *field.parts->look(part) = looks.look();
+    if (field.parts->look) looks.number(field.parts->look(part), field.parts->looks);
     block.broken |= inner.broken;
 }

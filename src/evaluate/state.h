@@ -141,6 +141,7 @@ struct Evaluator::State {
     struct FunctionCompiler;
     Value function(const Tree&, const node::Function&, NodeId);
     std::optional<std::vector<NameId>> parameters(const Tree&, const node::Function&, NodeId);
+    bool take_size(const Tree&, const node::Function&, Formula&);
     Handle<Formula> written_function(const Tree&, const node::Function&, NodeId);
     Handle<Formula> named_function(const Tree&, const node::Function&, NodeId);
     Handle<Formula> block_function(const Tree&, NodeId body, NodeId);

@@ -16,8 +16,9 @@ std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree
     const auto* one = tree.get_if<node::Group>(node.parameters);
     const auto* several = tree.get_if<node::Tuple>(node.parameters);
     if (!one && !several) {
-        broken(Fault::not_implemented, tree.span(id),
-               "a picture made by a function is known but not implemented");
+        broken(Fault::wrong_count, tree.span(id),
+               "before its body, a function has its parameters in ( ), or the width and height of "
+               "a picture");
         return std::nullopt;
     }
     std::vector<NameId> result;
@@ -52,6 +53,33 @@ std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree
     return good ? std::optional(result) : std::nullopt;
 }
 
+namespace {
+
+/// `function 256, 256 { ... }`.
+bool stands_for_picture(const Tree& tree, const node::Function& node) {
+    return node.parameters != no_node && !tree.get_if<node::Group>(node.parameters) &&
+           !tree.get_if<node::Tuple>(node.parameters) && tree[node.parameters].next != no_node;
+}
+
+}  // namespace
+
+/// Tells the function the size of the picture that it stands for; false after a report.
+bool Evaluator::State::take_size(const Tree& tree, const node::Function& node, Formula& formula) {
+    constexpr double most = 16384;
+    const NodeId second = tree[node.parameters].next;
+    const auto width = number(tree, node.parameters, "the width of a picture");
+    const auto height = number(tree, second, "the height of a picture");
+    if (!width || !height) return false;
+    if (*width >= 1 && *height >= 1 && *width <= most && *height <= most &&
+        tree[second].next == no_node) {
+        formula.stand_for(static_cast<int>(*width), static_cast<int>(*height));
+        return true;
+    }
+    broken(Fault::out_of_range, tree.span(node.parameters),
+           message("a picture made by a function has a width and a height from 1 to ", most));
+    return false;
+}
+
 /// A body that is no expression, but names something: null when it is none or has been reported.
 Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::Function& node,
                                                  NodeId id) {
@@ -75,7 +103,7 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
                message("there is no internal function ", *number));
         return nullptr;
     }
-    if (node.parameters != no_node) {
+    if (node.parameters != no_node && !stands_for_picture(tree, node)) {
         broken(Fault::misplaced, tree.span(node.parameters),
                "a function of this kind has the parameters that it has; leave these out");
         return nullptr;
@@ -125,7 +153,7 @@ Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, 
 Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node::Function& node,
                                                    NodeId id) {
     FunctionCompiler compiler(*this);
-    if (node.parameters != no_node) {
+    if (node.parameters != no_node && !stands_for_picture(tree, node)) {
         const auto given = parameters(tree, node, id);
         if (!given) return nullptr;
         for (const NameId name : *given) compiler.add_parameter(name);
@@ -153,6 +181,8 @@ Value Evaluator::State::function(const Tree& tree, const node::Function& node, N
     const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body);
     Handle<Formula> made =
         named ? named_function(tree, node, id) : written_function(tree, node, id);
+    if (made && stands_for_picture(tree, node) && !take_size(tree, node, made.edit()))
+        return Absence::broken;
     return made ? Value(std::move(made)) : Value(Absence::broken);
 }
 

@@ -3,6 +3,17 @@
 // on.
 #include "evaluate/state.h"
 #include "text/message.h"
+#include "vocabulary/reserved.h"
+
+namespace {
+
+/// `pwr(a, b)`, the one word of a block that has arguments.
+bool is_power(const Tree& tree, NodeId id) {
+    const auto* word = tree.get_if<node::Word>(id);
+    return word && word->word == "pwr"_word && tree.get_if<node::Tuple>(tree[id].next);
+}
+
+}  // namespace
 
 bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
     return tree[id].content.index() >= kind<node::Declare>;
@@ -16,6 +27,14 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
         if (kind_here == kind<node::Declare>) {
             declare(tree, *std::get_if<node::Declare>(&node.content), id);
             id = node.next;
+        } else if (is_power(tree, id)) {
+            walk_one(tree, id, take);
+            // Its arguments come as a vector.
+            std::vector<double> numbers;
+            const bool good = components(tree, tree.get<node::Tuple>(node.next).content, numbers);
+            take.value(good ? vector_of(numbers, tree.span(node.next)) : Value(Absence::broken),
+                       tree, node.next);
+            id = tree[node.next].next;
         } else if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
                    kind_here != kind<node::Channel>) {
             const Flow flow = walk_one(tree, id, take);

@@ -15,6 +15,7 @@ struct StoredPicture {
     int width = 0;
     int height = 0;
     int channels = 3;           ///< 1 or 3
+    int bits = 8;               ///< of a channel
     std::vector<float> values;  ///< row by row from the top, channels side by side
     bool linear = false;        ///< the file says so, or holds floating-point numbers
     double gamma = 0;           ///< of the values, if the file says it; otherwise 0

@@ -22,6 +22,7 @@ std::string read(const std::string& path, std::int64_t most_pixels, StoredPictur
     picture.width = spec.width;
     picture.height = spec.height;
     picture.channels = spec.nchannels < 3 ? 1 : 3;
+    picture.bits = static_cast<int>(8 * spec.format.size());
     picture.linear =
         spec.format.is_floating_point() || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
     picture.gamma = spec.get_float_attribute("oiio:Gamma", 0);

@@ -29,8 +29,25 @@ bool run_program(const void* code, const double* arguments, double* results) {
 
 Formula::Formula(Program program)
     : parameters_(program.inputs), results_(program.results), run_(run_program) {
-    for (const auto& called : program.calls) depth_ = std::max(depth_, called->depth() + 1);
+    written_ = true;
+    for (const auto& called : program.calls) {
+        depth_ = std::max(depth_, called->depth() + 1);
+        written_ = written_ && called->written();
+    }
     code_ = std::make_shared<const Program>(std::move(program));
+}
+
+bool Formula::enclose(const Enclosure* arguments, Enclosure* results) const {
+    if (run_ != run_program) return false;
+    const Program& program = *static_cast<const Program*>(code_.get());
+    constexpr std::size_t usual = 32;
+    std::array<Enclosure, usual> few;
+    std::vector<Enclosure> many(program.registers > usual ? program.registers : 0);
+    Enclosure* const registers = many.empty() ? few.data() : many.data();
+    std::copy_n(arguments, program.inputs, registers);
+    if (!::enclose(program, registers)) return false;
+    for (std::size_t i = 0; i < program.results; ++i) results[i] = registers[program.result[i]];
+    return true;
 }
 
 double Formula::value(std::span<const double> arguments) const {

@@ -4,7 +4,7 @@
 // for code that says otherwise, and then safe to call from many threads.
 #pragma once
 
-#include "formula/program.h"
+#include "formula/enclosure.h"
 
 #include <memory>
 #include <span>
@@ -33,9 +33,23 @@ public:
     /// How many calls of formulas can be inside each other in it, itself included.
     int depth() const { return depth_; }
 
+    /// Of a function that stands for a picture; otherwise 0.
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    /// Pixels of the picture that it stands for.
+    void stand_for(int columns, int rows) {
+        columns_ = columns;
+        rows_ = rows;
+    }
+
     bool run(const double* arguments, double* results) const {
         return run_(code_.get(), arguments, results);
     }
+
+    /// Whether it is a program, and so is all that it calls.
+    bool written() const { return written_; }
+    /// Between which numbers the results lie; see enclose(). False: nothing is known.
+    bool enclose(const Enclosure* arguments, Enclosure* results) const;
 
     /// The first result; not a number when there is none. Precondition: enough arguments.
     double value(std::span<const double> arguments) const;
@@ -44,6 +58,8 @@ private:
     std::size_t parameters_;
     std::size_t results_;
     int depth_ = 1;
+    bool written_ = false;
+    int columns_ = 0, rows_ = 0;
     std::shared_ptr<const void> code_;  ///< a Program, or what a constructor was given
     bool (*run_)(const void* code, const double* arguments, double* results);
 };

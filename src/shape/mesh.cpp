@@ -11,9 +11,13 @@ const ItemInfo Mesh::vocabulary = described<Mesh>([] {
         "mesh2", "Triangles over a list of shared vertices.",
         F{"vertex_vectors", &Mesh::vertices, list, "corners"},
         F{"normal_vectors", &Mesh::normals, list, "surface normals, for smooth shading"},
-        F{"face_indices", &Mesh::faces, list, "three vertices for each face, counted from 0"},
+        F{"uv_vectors", &Mesh::uvs, list, "places in a picture that is mapped on the faces"},
+        F{"face_indices", &Mesh::faces, list,
+          "three vertices for each face, counted from 0; then its textures by number, if any"},
+        F{"face textures", &Mesh::looks, following, "numbers in the `texture_list`"},
         F{"normal_indices", &Mesh::normal_faces, list,
           "three normals for each face, counted from 0"},
+        F{"uv_indices", &Mesh::uv_faces, list, "three of `uv_vectors` for each face"},
         F{"inside_vector", &Mesh::inside_vector, item,
           "direction in which to count crossings to tell inside from outside"});
 });
@@ -27,7 +31,8 @@ struct Noun {
     const char* one;
     const char* many;
 };
-constexpr Noun vertex{"vertex", "vertices"}, normal{"normal", "normals"}, triangle{"face", "faces"};
+constexpr Noun vertex{"vertex", "vertices"}, normal{"normal", "normals"}, triangle{"face", "faces"},
+    uv_vector{"uv vector", "uv vectors"};
 
 std::string number_of(std::size_t n, const Noun& noun) {
     return (n == 0 ? "no" : std::to_string(n)) + " " + (n == 1 ? noun.one : noun.many);
@@ -78,7 +83,16 @@ std::string problem(const Mesh& mesh) {
         return "`normal_indices` has " + std::to_string(mesh.normal_faces.size()) +
                " entries, but there " + (mesh.faces.size() == 1 ? "is only " : "are only ") +
                number_of(mesh.faces.size(), triangle);
-    return wrong_index(mesh.normal_faces, "normal_indices", mesh.normals.size(), normal);
+    const std::string wrong_normal =
+        wrong_index(mesh.normal_faces, "normal_indices", mesh.normals.size(), normal);
+    if (!wrong_normal.empty()) return wrong_normal;
+    if (!mesh.uv_faces.empty() && mesh.uv_faces.size() != mesh.faces.size())
+        return "`uv_indices` has " + std::to_string(mesh.uv_faces.size()) + " entries, but there " +
+               (mesh.faces.size() == 1 ? "is " : "are ") + number_of(mesh.faces.size(), triangle);
+    if (mesh.uv_faces.empty() && mesh.uvs.size() > 1 && mesh.uvs.size() != mesh.vertices.size())
+        return "a `mesh2` with " + number_of(mesh.uvs.size(), uv_vector) + " for " +
+               number_of(mesh.vertices.size(), vertex) + " needs `uv_indices`";
+    return wrong_index(mesh.uv_faces, "uv_indices", mesh.uvs.size(), uv_vector);
 }
 
 MeshTriangle face(const Mesh& mesh, std::size_t i) {

@@ -13,6 +13,10 @@ struct Mesh {
     std::vector<Face> faces;
     std::vector<Face>
         normal_faces;  ///< empty: the faces' own indices when there is a normal for each vertex
+    std::vector<Vec2> uvs;
+    std::vector<Face> uv_faces;  ///< empty: the faces' own indices
+    std::vector<Face> looks;     ///< numbers of the textures of each face's corners, -1 for none;
+                                 ///< empty: no face has any
     std::optional<Vec3> inside_vector;
 
     static const ItemInfo vocabulary;

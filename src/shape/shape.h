@@ -3,14 +3,19 @@
 // language, the manual, the conformance tests and the tracer.
 #pragma once
 
+#include "shape/bicubic_patch.h"
 #include "shape/blob.h"
 #include "shape/box.h"
 #include "shape/cone.h"
 #include "shape/cylinder.h"
 #include "shape/disc.h"
+#include "shape/height_field.h"
+#include "shape/isosurface.h"
+#include "shape/julia_fractal.h"
 #include "shape/lathe.h"
 #include "shape/mesh.h"
 #include "shape/ovus.h"
+#include "shape/parametric.h"
 #include "shape/plane.h"
 #include "shape/polygon.h"
 #include "shape/polynomial.h"
@@ -20,8 +25,10 @@
 #include "shape/sphere.h"
 #include "shape/sphere_sweep.h"
 #include "shape/superellipsoid.h"
+#include "shape/text.h"
 #include "shape/torus.h"
 #include "shape/triangle.h"
+#include "shape/triangle_mesh.h"
 #include "vocabulary/kinds.h"
 
 #include <string>
@@ -31,7 +38,9 @@ using Shape =
     std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
                  Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>, Shared<Cubic>,
                  Shared<Quartic>, Shared<Poly>, Superellipsoid, Shared<Polygon>, Shared<Prism>,
-                 Shared<Lathe>, Shared<Sor>, Ovus, Shared<SphereSweep>, Shared<Blob>>;
+                 Shared<Lathe>, Shared<Sor>, Ovus, Shared<SphereSweep>, Shared<Blob>,
+                 Shared<Isosurface>, Shared<Parametric>, Shared<HeightField>, Shared<BicubicPatch>,
+                 Shared<JuliaFractal>, Shared<Text>, Shared<TriangleMesh>>;
 
 namespace shape_detail {
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/colour.h"
+#include "base/handle.h"
 #include "base/vector.h"
 #include "vocabulary/words.h"
 
@@ -16,6 +17,8 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+
+class Formula;
 
 /// Where a parameter stands in its block.
 enum class Placement {
@@ -64,9 +67,9 @@ struct Ball {
 struct PartsInfo;
 
 /// A value on its way into or out of a field. The number is also how integers and switches travel.
-using FieldValue =
-    std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string, std::vector<double>,
-                 std::vector<Vec2>, std::vector<Vec3>, std::vector<Ball>, std::vector<Face>>;
+using FieldValue = std::variant<std::monostate, double, Vec2, Vec3, Vec4, Colour, std::string,
+                                std::vector<double>, std::vector<Vec2>, std::vector<Vec3>,
+                                std::vector<Ball>, std::vector<Face>, Handle<Formula>>;
 
 enum class FieldType {
     number,
@@ -83,6 +86,7 @@ enum class FieldType {
     vectors,
     balls,
     faces,
+    function,
     parts
 };
 

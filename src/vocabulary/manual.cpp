@@ -43,6 +43,8 @@ std::string_view name_of(FieldType type) {
             return "list of vectors with a number each";
         case FieldType::faces:
             return "list of <index, index, index>";
+        case FieldType::function:
+            return "function";
         case FieldType::parts:
             return "block";
     }

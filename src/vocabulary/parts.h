@@ -2,7 +2,8 @@
 // Items made of blocks of their own: the spheres of a blob, the triangles of a mesh. A part is an
 // item with a vocabulary; the field says in which list of the whole it is kept. Parts that have a
 // member `transform` may be moved; those that have a member `look` may have a texture: it is the
-// texture's number in the object that the whole belongs to, -1 for none.
+// texture's number in the object that the whole belongs to, -1 for none; a member `looks` has three
+// of them, for the corners.
 #pragma once
 
 #include "base/transform.h"
@@ -16,6 +17,7 @@ struct PartsInfo {
     const void* (*at)(const void* item, std::size_t i);
     Transform* (*transform)(void* part);  ///< null: they are not moved
     int* (*look)(void* part);             ///< null: they have no textures of their own
+    int looks;                            ///< how many numbers are there
 };
 
 namespace parts_detail {
@@ -48,12 +50,16 @@ struct Access {
     }
     static int* look(void* part) {
         if constexpr (requires(Part & p) { p.look; }) return &static_cast<Part*>(part)->look;
+        if constexpr (requires(Part & p) { p.looks; })
+            return static_cast<Part*>(part)->looks.data();
         return nullptr;
     }
     static constexpr bool moves = requires(Part & p) { p.transform; };
-    static constexpr bool looks = requires(Part & p) { p.look; };
+    static constexpr int looks = requires(Part & p) { p.looks; }
+    ? 3 : requires(Part& p) { p.look; }
+    ? 1 : 0;
     static constexpr PartsInfo all{
-        info, add, count, at, moves ? transform : nullptr, looks ? look : nullptr};
+        info, add, count, at, moves ? transform : nullptr, looks > 0 ? look : nullptr, looks};
 };
 
 }  // namespace parts_detail

@@ -65,6 +65,8 @@ constexpr FieldType type_of(bool colour) {
         return FieldType::vectors;
     else if constexpr (std::is_same_v<V, std::vector<Ball>>)
         return FieldType::balls;
+    else if constexpr (std::is_same_v<V, Handle<Formula>>)
+        return FieldType::function;
     else
         return FieldType::faces;
 }

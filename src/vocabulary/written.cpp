@@ -42,6 +42,10 @@ struct Writer {
         for (const double x : list) text += message(text.size() > 1 ? ", " : "", x);
         return text + ">";
     }
+    /// What it was made of is not kept.
+    std::string operator()(const Handle<Formula>& function) const {
+        return function ? "function { ... }" : "";
+    }
     template <class Entry>
     std::string operator()(const std::vector<Entry>& list) const {
         std::string text = message(list.size());

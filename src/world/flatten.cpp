@@ -66,10 +66,19 @@ public:
         const std::uint32_t material = material_index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
         world_.objects += row ? row->spheres.size() : 1;
-        if (!all_ && !glows_[material]) return;
-        if (!row) return place(std::get<Shape>(object.form), here, material, object.span);
-        for (std::size_t i = 0; i < row->spheres.size(); ++i)
-            place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
+        const bool placed = all_ || glows_[material];
+        if (row) {
+            for (std::size_t i = 0; placed && i < row->spheres.size(); ++i)
+                place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
+            return;
+        }
+        const Shape& shape = std::get<Shape>(object.form);
+        if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
+            mesh && object.part_textures && !(*mesh)->looks.empty())
+            add_mesh(**mesh, here.transform.get(),
+                     face_materials(object, here, outer.transform, material), object.span);
+        else if (placed)
+            place(shape, here, material, object.span);
     }
 
     void finish() {
@@ -164,7 +173,30 @@ private:
                                     look.double_illuminate, look.hollow});
         world_.any_transparent |= clear;
         world_.any_left_out |= look.no_image || look.no_reflection;
+        world_.materials.back().solid = static_cast<std::uint32_t>(world_.materials.size() - 1);
         glows_.push_back(greatest_emission(texture) != Vec3(0));
+    }
+
+    /// A copy of the material that nothing else has.
+    std::uint32_t own_material(std::uint32_t material) {
+        const auto own = static_cast<std::uint32_t>(world_.materials.size());
+        world_.materials.push_back(world_.materials[material]);
+        world_.materials.back().solid = own;
+        glows_.push_back(glows_[material]);
+        return own;
+    }
+
+    /// Of a mesh whose faces have textures: its own, then those of its textures. All are one solid.
+    std::vector<std::uint32_t> face_materials(const Object& object, Inherited look,
+                                              const Handle<Transform>& outside,
+                                              std::uint32_t material) {
+        std::vector<std::uint32_t> result = {own_material(material)};
+        for (const Handle<Texture>& texture : object.part_textures->list) {
+            look.texture = &world_texture(texture, outside);
+            result.push_back(own_material(material_index(look)));
+            world_.materials[result.back()].solid = result.front();
+        }
+        return result;
     }
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
@@ -180,10 +212,7 @@ private:
         } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
-            world_.materials.push_back(world_.materials[material]);
-            glows_.push_back(glows_[material]);
-            add_mesh(**mesh, here.transform.get(),
-                     static_cast<std::uint32_t>(world_.materials.size() - 1), span);
+            add_mesh(**mesh, here.transform.get(), {own_material(material)}, span);
         } else {
             add_shape(shapes_.built(shape), here.transform, material, span);
         }
@@ -197,9 +226,14 @@ private:
         add_sphere({centre, sphere.radius * scale}, material, span);
     }
 
-    void add_mesh(const Mesh& mesh, const Transform* transform, std::uint32_t material, Span span) {
+    /// `materials` are the mesh's own and those of its textures. A face with three textures shows
+    /// the first.
+    void add_mesh(const Mesh& mesh, const Transform* transform,
+                  const std::vector<std::uint32_t>& materials, Span span) {
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const MeshTriangle f = face(mesh, i);
+            const int look = mesh.looks.empty() ? -1 : mesh.looks[i][0];
+            const std::uint32_t material = materials[static_cast<std::size_t>(look + 1)];
             add_triangle({f.corners[0], f.corners[1], f.corners[2]}, transform, material, span);
             if (f.smooth) add_normals({f.normals[0], f.normals[1], f.normals[2]}, transform);
         }

@@ -25,6 +25,7 @@ struct Material {
     bool no_reflection = false;
     bool double_illuminate = false;
     bool hollow = false;
+    std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
 };
 
 struct SpherePrimitive {
@@ -110,7 +111,7 @@ public:
             primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
         if (primitive >= leaves_begin())
             return leaves_begin() + composite_of[primitive - leaves_begin()];
-        return face ? ~material_of[primitive] : primitive;
+        return face ? ~material(primitive).solid : primitive;
     }
 
     /// Number of the first leaf of a composite among the primitives. The tree and `unbounded` have

@@ -45,6 +45,14 @@ TEST_CASE("look_at keeps lengths and handedness", "[camera]") {
     CHECK(dot(view.up, view.direction) == Approx(0).margin(1e-12));
 }
 
+TEST_CASE("a camera whose up is its direction shows the picture mirrored", "[camera]") {
+    Perspective camera;
+    camera.up = camera.sky = Vec3(0, 0, 1);
+    camera.location = Vec3(0, 3.3, 0);
+    camera.look_at = Vec3(0);
+    CHECK(near(projection(camera).right, Vec3(-1.33, 0, 0)));
+}
+
 TEST_CASE("an orthographic camera is as wide as its distance says", "[camera]") {
     Orthographic camera;
     camera.location = Vec3(0, 0, -4);

@@ -3,6 +3,7 @@
 // a table of others. A shape that is added to the variant is tested here without a line of its own.
 #include "shape/built_shape.h"
 
+#include "formula/builder.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
@@ -37,6 +38,17 @@ template <>
 constexpr bool has_inside<SmoothTriangle> = false;
 template <>
 constexpr bool has_inside<Polygon> = false;
+
+template <>
+constexpr bool solid<Parametric> = false;
+template <>
+constexpr bool solid<HeightField> = false;
+template <>
+constexpr bool solid<BicubicPatch> = false;
+template <>
+constexpr bool has_inside<Parametric> = false;
+template <>
+constexpr bool has_inside<BicubicPatch> = false;
 
 Mesh tetrahedron() {
     Mesh mesh;
@@ -165,11 +177,108 @@ std::vector<Mesh> others() {
     return {tetrahedron()};
 }
 
+template <>
+std::vector<TriangleMesh> others() {
+    TriangleMesh mesh;
+    for (const Face& f : tetrahedron().faces) {
+        const auto corner = [&](std::size_t i) {
+            return tetrahedron().vertices[static_cast<std::size_t>(f[i])];
+        };
+        mesh.triangles.push_back({corner(0), corner(1), corner(2)});
+    }
+    mesh.inside_vector = Vec3(1, 2, 3);
+    return {mesh};
+}
+template <>
+std::vector<Isosurface> others() {
+    // x^2 + y^2 + z^2 - 0.5, which is searched, and the same as code, whose gradient is given.
+    ProgramBuilder builder;
+    std::array<ProgramBuilder::Operand, 4> terms;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto place = builder.input();
+        terms[i] = builder.emit(Operation::multiply, place, place);
+    }
+    terms[3] = builder.constant(-0.5);
+    const auto sum = builder.fold(Operation::add, terms);
+    Isosurface written, coded;
+    written.function = make_handle<Formula>(builder.finish({&sum, 1}));
+    coded.function = make_handle<Formula>(3, 1, [](const double* p, double* value) {
+        *value = std::hypot(p[0], p[1], p[2]) - 1;
+        return true;
+    });
+    coded.containers = {{{}, {{Vec3(0.5, 0, 0), 0.9}}}};
+    return {written, coded};
+}
+template <>
+std::vector<Parametric> others() {
+    const auto function = [](double (*code)(double, double)) {
+        return make_handle<Formula>(2, 1, [code](const double* p, double* value) {
+            *value = code(p[0], p[1]);
+            return true;
+        });
+    };
+    Parametric ball;
+    ball.x = function([](double u, double v) { return std::cos(u) * std::cos(v); });
+    ball.y = function([](double, double v) { return std::sin(v); });
+    ball.z = function([](double u, double v) { return std::sin(u) * std::cos(v); });
+    ball.first = {0, -1.5};
+    ball.last = {6, 1.5};
+    return {ball};
+}
+template <>
+std::vector<HeightField> others() {
+    HeightGrid grid{5, 4, {}};
+    for (int i = 0; i < 20; ++i)
+        grid.values.push_back(static_cast<std::uint16_t>(i * i * 7919 % 65536));
+    HeightField land, flooded;
+    land.grid = flooded.grid = make_handle<HeightGrid>(grid);
+    flooded.water_level = 0.4;
+    return {land, flooded};
+}
+template <>
+std::vector<BicubicPatch> others() {
+    BicubicPatch sheet;
+    sheet.type = 0;
+    sheet.u_steps = sheet.v_steps = 3;
+    for (int i = 0; i < 16; ++i)
+        sheet.points.push_back(Vec3(i % 4, i / 4 % 3 == 0 ? 0 : i % 3, i / 4));
+    return {sheet};
+}
+template <>
+std::vector<JuliaFractal> others() {
+    JuliaFractal julia;
+    julia.parameter = Vec4(0.1, 0.1, 0, 0);
+    julia.max_iteration = 5;
+    julia.precision = 100;
+    return {julia};
+}
+template <>
+std::vector<Text> others() {
+    Text text;
+    text.font = "none";
+    text.thickness = -0.3;
+    Letters letters;  // a triangle beside a square with a hole
+    const auto loop = [&](const std::vector<Vec2>& corners) {
+        letters.loops.push_back(curve(linear_curve, corners));
+    };
+    loop({{0, 0}, {1, 0}, {0.5, 1}, {0, 0}});
+    loop({{2, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 0}});
+    loop({{2.2, 0.2}, {2.8, 0.2}, {2.8, 0.8}, {2.2, 0.8}, {2.2, 0.2}});
+    text.letters = make_handle<Letters>(letters);
+    return {text};
+}
+
 template <class T>
 std::vector<T> instances() {
     std::vector<T> result = others<T>();
     if (problem(T{}).empty()) result.push_back(T{});
     return result;
+}
+
+/// The default fractal has no points.
+template <>
+std::vector<JuliaFractal> instances() {
+    return others<JuliaFractal>();
 }
 
 /// Where rays should go to: the bounds, or a part of what has no bounds.
@@ -184,6 +293,12 @@ template <class T>
 constexpr bool crossed_once = !solid<T>;
 template <>
 constexpr bool crossed_once<Cubic> = false;
+template <>
+constexpr bool crossed_once<Parametric> = false;
+template <>
+constexpr bool crossed_once<HeightField> = false;
+template <>
+constexpr bool crossed_once<BicubicPatch> = false;
 
 struct Shot {
     Ray ray;

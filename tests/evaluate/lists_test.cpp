@@ -18,6 +18,20 @@ TEST_CASE("mesh2 reads its lists", "[evaluate]") {
     CHECK(mesh.inside_vector == Vec3(0, 1, 0));
 }
 
+TEST_CASE("faces may have textures and places in a picture", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; mesh2 { vertex_vectors { 3, 0, x, y } uv_vectors { 2, <0, 0>, <1, 0> } "
+            "texture_list { 2, texture { pigment { rgb 1 } } texture { pigment { rgb x } } } "
+            "face_indices { 3, <0, 1, 2>, <0, 2, 1>, 1, <0, 1, 2>, 0, 1, 1 } "
+            "uv_indices { 3, <0, 0, 1>, <0, 1, 1>, <0, 0, 0> } }");
+    REQUIRE(done.text.empty());
+    const Mesh& mesh = *done.shape<Shared<Mesh>>();
+    CHECK(mesh.uvs == std::vector<Vec2>{Vec2(0, 0), Vec2(1, 0)});
+    CHECK(mesh.uv_faces.at(1) == Face{0, 1, 1});
+    CHECK(mesh.looks == std::vector<Face>{{-1, -1, -1}, {1, 1, 1}, {0, 1, 1}});
+    CHECK(done.scene.objects[0]->part_textures->list.size() == 2);
+}
+
 TEST_CASE("lists may be written by loops", "[evaluate]") {
     const Script done =
         run("#version 3.7; mesh2 { vertex_vectors { 5, #for (I, 0, 3) <I, I*I, 0> #end z } "
@@ -52,7 +66,12 @@ TEST_CASE("wrong lists are told of once", "[evaluate]") {
     CHECK(complaint(head + "face_indices { 2, <0, 1, 2> } }") ==
           "error wrong-count: `face_indices` has 1 entry, but its count is 2");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0 } }") ==
-          "error not-implemented: textures of single faces are not available in this version");
+          "error bad-index: a face has texture 0, but there are 0 in `texture_list`, counted from "
+          "0");
+    CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0, 1, 2, 3 } }") ==
+          "error wrong-count: a face in `face_indices` has one texture, or three for its corners");
+    CHECK(complaint(head + "uv_vectors { 2, <0, 0>, <1, 1> } face_indices { 1, <0, 1, 2> } }") ==
+          "error degenerate: a `mesh2` with 2 uv vectors for 3 vertices needs `uv_indices`");
     CHECK(complaint(head + "face_indices { 1, \"a\" } }") ==
           "error wrong-type: an entry of `face_indices` must be a vector of 3, but it is a string");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 3> } }").rfind("error degenerate: ", 0) == 0);

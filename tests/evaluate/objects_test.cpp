@@ -97,3 +97,14 @@ TEST_CASE("objects nest thousands deep, but not without end", "[evaluate]") {
     REQUIRE(deep.said.size() == 1);
     CHECK(deep.said[0].fault == Fault::recursion_limit);
 }
+
+TEST_CASE("the function of a julia fractal may be a power", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; julia_fractal { <0.1, 0, 0, 0> hypercomplex pwr(1.5, 0.8) "
+            "slice <0, 0, 0, 1>, 0.2 max_iteration 9 }");
+    REQUIRE(done.text.empty());
+    const JuliaFractal& julia = *done.shape<Shared<JuliaFractal>>();
+    CHECK(julia.exponent == Vec2(1.5, 0.8));
+    CHECK(julia.distance == 0.2);
+    CHECK(julia.max_iteration == 9);
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/assets.h"
+
+#include "font/outlines.h"
+#include "formula/formula.h"
+#include "picture/heights.h"
+#include "text/message.h"
+
+#include <cmath>
+
+namespace {
+
+std::string font_name(const Text& text) {
+    if (!text.font.empty() || text.internal == 0) return text.font;
+    switch (text.internal) {
+        case 1:
+            return "timrom.ttf";
+        case 2:
+            return "cyrvetic.ttf";
+        case 3:
+            return "crystal.ttf";
+        default:
+            return "povlogo.ttf";
+    }
+}
+
+void complete_text(OpenBlock& block, Shared<Text>& text) {
+    const std::string name = font_name(*text);
+    if (name.empty() || text->text.empty()) return;
+    const std::optional<std::string> font = block.binder.evaluator.load_font(name, block.span);
+    if (!font) {
+        block.broken = true;
+        return;
+    }
+    TextOutlines outlines = text_outlines(*font, text->text, Vec2(text->offset.x, text->offset.y));
+    if (outlines.problem.empty()) {
+        text.edit().letters = make_handle<Letters>(Letters{std::move(outlines.loops)});
+        return;
+    }
+    block.report(error(Fault::file_access, block.span,
+                       message("the font `", name, "` cannot be used: ", outlines.problem)));
+}
+
+double grey(const std::array<double, Program::most_results>& colour) {
+    return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2];
+}
+
+/// The heights of a function of x and y, which is asked at all pixels.
+Handle<HeightGrid> sampled(const Formula& function) {
+    HeightGrid grid{function.columns(), function.rows(), {}};
+    for (int z = 0; z < grid.height; ++z)
+        for (int x = 0; x < grid.width; ++x) {
+            const std::array<double, 3> at = {x / std::fmax(1, grid.width - 1),
+                                              1 - z / std::fmax(1, grid.height - 1), 0};
+            std::array<double, Program::most_results> results{};
+            // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
+            const bool good = function.run(at.data(), results.data());
+            const double shown = function.results() < 3 ? results[0] : grey(results);
+            const double value = good && std::abs(shown) < 1e9 ? shown : 0;
+            grid.values.push_back(
+                static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
+        }
+    return make_handle<HeightGrid>(std::move(grid));
+}
+
+void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
+    constexpr std::size_t usual = 3;
+    if (field->function && field->function->columns() > 0 &&
+        field->function->parameters() <= usual) {
+        field.edit().grid = sampled(*field->function);
+        return;
+    }
+    if (field->function) {
+        block.report(error(Fault::wrong_type, block.span,
+                           "the function of a `height_field` says how many heights it has")
+                         .with_help("function 256, 256 { ... }"));
+        return;
+    }
+    if (field->file.empty()) return;
+    const auto path = block.binder.evaluator.find_data(field->file, block.span);
+    std::optional<Heights> heights;
+    if (path)
+        heights =
+            read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(), block.span);
+    block.broken |= !heights;
+    if (heights)
+        field.edit().grid = make_handle<HeightGrid>(
+            HeightGrid{heights->width, heights->height, std::move(heights->values)});
+}
+
+}  // namespace
+
+void complete(OpenBlock& block, Shape& shape) {
+    if (auto* text = std::get_if<Shared<Text>>(&shape))
+        complete_text(block, *text);
+    else if (auto* field = std::get_if<Shared<HeightField>>(&shape))
+        complete_heights(block, *field);
+    else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
+        if (problem(**mesh).empty()) shape = Shared<Mesh>(build(**mesh));
+}

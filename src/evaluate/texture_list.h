@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// texture_list { ... } of meshes: textures that faces name by number, or those of a triangle's
+// corners. Called by the readers of objects and parts.
+#pragma once
+
+#include "evaluate/block.h"
+
+#include <optional>
+
+/// How many textures a list has.
+enum class TextureCount {
+    said,  ///< as its first value says
+    three,
+};
+
+/// The textures, which may be blocks or declared ones; nothing after a report.
+std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
+                                                              const Element& block, TextureCount);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "formula/enclosed_function.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double degree = pi / 180;
+
+double square(double x) { return x * x; }
+
+/// The distance of the values from 0.
+Bounds size(const Bounds& a) {
+    const double low = std::abs(a.low), high = std::abs(a.high);
+    return {a.contains(0) ? 0 : std::min(low, high), std::max(low, high)};
+}
+
+using Code = double (*)(double);
+
+/// A function that grows where it is defined, from `first` to `last`, and whose derivative only
+/// grows or falls with the distance from 0.
+Enclosure growing(const Enclosure& a, Code code, Code derivative, const Bounds& domain) {
+    const bool cut = a.value.low < domain.low || a.value.high > domain.high;
+    const Bounds within{std::max(a.value.low, domain.low), std::min(a.value.high, domain.high)};
+    if (!(within.low <= within.high)) return Enclosure::unknown();
+    const Bounds value{code(within.low), code(within.high)};
+    if (cut) return {value, all_numbers};
+    const Bounds far = size(within);
+    double one = derivative(far.low), other = derivative(far.high);
+    if (one > other) std::swap(one, other);
+    return {value, Bounds{one, other} * a.slope};
+}
+
+Enclosure negated(const Enclosure& a) {
+    return {{-a.value.high, -a.value.low}, {-a.slope.high, -a.slope.low}};
+}
+
+Enclosure plus(const Enclosure& a, double x) { return {a.value + Bounds{x, x}, a.slope}; }
+
+Enclosure scaled(const Enclosure& a, double factor) {
+    return {Bounds{factor, factor} * a.value, Bounds{factor, factor} * a.slope};
+}
+
+Enclosure stepped(const Enclosure& a, Code code) {
+    const Bounds value{code(a.value.low), code(a.value.high)};
+    return {value, value.single() ? Bounds{0, 0} : all_numbers};
+}
+
+/// Whether first + k * period is in the range for some whole number k.
+bool has_place(const Bounds& range, double first, double period) {
+    constexpr double rounding = 1e-9;
+    const double k = std::ceil((range.low - first) / period - rounding);
+    return first + k * period <= range.high + rounding * period;
+}
+
+Bounds cosine_of(const Bounds& a) {
+    if (!(a.high - a.low < 2 * pi) || std::abs(a.low) > 1e9) return {-1, 1};
+    const double first = std::cos(a.low), last = std::cos(a.high);
+    return {has_place(a, pi, 2 * pi) ? -1 : std::min(first, last),
+            has_place(a, 0, 2 * pi) ? 1 : std::max(first, last)};
+}
+
+Bounds sine_of(const Bounds& a) { return cosine_of({a.low - pi / 2, a.high - pi / 2}); }
+
+Enclosure absolute(const Enclosure& a) {
+    if (a.value.low >= 0) return a;
+    if (a.value.high <= 0) return negated(a);
+    return {size(a.value), hull(a.slope, negated(a).slope)};
+}
+
+Enclosure arc_sine(const Enclosure& a) {
+    return growing(
+        a, [](double x) { return std::asin(x); },
+        [](double x) { return 1 / std::sqrt(std::max(0.0, 1 - x * x)); }, {-1, 1});
+}
+
+Enclosure cosine(const Enclosure& a) {
+    const Bounds slope = sine_of(a.value);
+    return {cosine_of(a.value), Bounds{-slope.high, -slope.low} * a.slope};
+}
+
+Enclosure hyperbolic_cosine(const Enclosure& a) {
+    const Bounds far = size(a.value);
+    return {{std::cosh(far.low), std::cosh(far.high)},
+            Bounds{std::sinh(a.value.low), std::sinh(a.value.high)} * a.slope};
+}
+
+Enclosure logarithm(const Enclosure& a) {
+    return growing(
+        a, [](double x) { return std::log(x); }, [](double x) { return 1 / x; }, {0, infinity});
+}
+
+Enclosure tangent(const Enclosure& a) {
+    if (!(a.value.high - a.value.low < pi) || has_place(a.value, pi / 2, pi))
+        return Enclosure::unknown();
+    const Bounds value{std::tan(a.value.low), std::tan(a.value.high)};
+    const Bounds far = size(value);
+    return {value, Bounds{1 + square(far.low), 1 + square(far.high)} * a.slope};
+}
+
+// In the order of the functions of operation.cpp.
+constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
+    absolute,
+    [](const Enclosure& a) { return plus(negated(arc_sine(a)), pi / 2); },
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::acosh(x); },
+            [](double x) { return 1 / std::sqrt(x * x - 1); }, {1, infinity});
+    },
+    arc_sine,
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::asinh(x); },
+            [](double x) { return 1 / std::sqrt(x * x + 1); }, all_numbers);
+    },
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::atan(x); }, [](double x) { return 1 / (1 + x * x); },
+            all_numbers);
+    },
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::atanh(x); }, [](double x) { return 1 / (1 - x * x); },
+            {-1, 1});
+    },
+    [](const Enclosure& a) { return stepped(a, [](double x) { return std::ceil(x); }); },
+    cosine,
+    hyperbolic_cosine,
+    [](const Enclosure& a) { return scaled(a, 1 / degree); },
+    [](const Enclosure& a) {
+        const Bounds value{std::exp(a.value.low), std::exp(a.value.high)};
+        return Enclosure{value, value * a.slope};
+    },
+    [](const Enclosure& a) { return stepped(a, [](double x) { return std::floor(x); }); },
+    [](const Enclosure& a) { return stepped(a, [](double x) { return double(to_int32(x)); }); },
+    logarithm,
+    [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
+    [](const Enclosure& a) { return scaled(a, degree); },
+    [](const Enclosure& a) {
+        return Enclosure{sine_of(a.value), cosine_of(a.value) * a.slope};
+    },
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::sinh(x); }, [](double x) { return std::cosh(x); },
+            all_numbers);
+    },
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::sqrt(x); }, [](double x) { return 0.5 / std::sqrt(x); },
+            {0, infinity});
+    },
+    tangent,
+    [](const Enclosure& a) {
+        return growing(
+            a, [](double x) { return std::tanh(x); },
+            [](double x) { return 1 - square(std::tanh(x)); }, all_numbers);
+    },
+};
+
+}  // namespace
+
+Enclosure enclosed_function(std::uint16_t number, const Enclosure& a) {
+    return functions[number](a);
+}

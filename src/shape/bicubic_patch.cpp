@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/bicubic_patch.h"
+
+#include "shape/triangle.h"
+#include "vocabulary/schema.h"
+
+const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
+    using F = Field<BicubicPatch>;
+    return schema<BicubicPatch>(
+        "bicubic_patch", "A curved sheet between 16 points.",
+        always(16, F{"points", &BicubicPatch::points, counted, "the points, row by row"}),
+        F{"type", &BicubicPatch::type, item, "0 or 1; both give the same here"},
+        F{"flatness", &BicubicPatch::flatness, item, "how far pieces may be from flat",
+          at_least(0)},
+        F{"u_steps", &BicubicPatch::u_steps, item, "halvings at most across the rows",
+          between(0, 10)},
+        F{"v_steps", &BicubicPatch::v_steps, item, "halvings at most along the rows",
+          between(0, 10)},
+        F{"accuracy", &BicubicPatch::accuracy, item, "accepted, and not needed"},
+        F{"uv_vectors", &BicubicPatch::uv1, item, "u and v of the four corners"},
+        F{"uv 2", &BicubicPatch::uv2, following, "the second corner's"},
+        F{"uv 3", &BicubicPatch::uv3, following, "the third corner's"},
+        F{"uv 4", &BicubicPatch::uv4, following, "the fourth corner's"});
+});
+
+namespace {
+
+constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
+                              std::numeric_limits<double>::infinity()};
+
+/// points[row][column].
+using Points = std::array<std::array<Vec3, 4>, 4>;
+
+/// Both halves of a Bezier curve (de Casteljau).
+void halve(const std::array<Vec3, 4>& p, std::array<Vec3, 4>& first, std::array<Vec3, 4>& last) {
+    const Vec3 a = 0.5 * (p[0] + p[1]), b = 0.5 * (p[1] + p[2]), c = 0.5 * (p[2] + p[3]);
+    const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), middle = 0.5 * (ab + bc);
+    first = {p[0], a, ab, middle};
+    last = {middle, bc, c, p[3]};
+}
+
+Points transposed(const Points& p) {
+    Points result;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) result[i][j] = p[j][i];
+    return result;
+}
+
+/// Halves along the rows.
+std::pair<Points, Points> halves(const Points& p) {
+    std::pair<Points, Points> result;
+    for (std::size_t row = 0; row < 4; ++row) halve(p[row], result.first[row], result.second[row]);
+    return result;
+}
+
+double farthest_from_plane(const Points& p) {
+    const Vec3 normal = triangle_normal(p[0][0], p[0][3], p[3][3]);
+    double most = 0;
+    for (const auto& row : p)
+        for (const Vec3& point : row)
+            most = std::fmax(most, normal == Vec3(0) ? length(point - p[0][0])
+                                                     : std::abs(dot(normal, point - p[0][0])));
+    return most;
+}
+
+/// The normal at a corner: across the first points that differ from it, along row and column.
+Vec3 corner_normal(const Points& p, std::size_t row, std::size_t column) {
+    const Vec3& corner = p[row][column];
+    Vec3 along(0), across(0);
+    for (std::size_t i = 1; i < 4 && along == Vec3(0); ++i)
+        along = p[row][column == 0 ? i : 3 - i] - corner;
+    for (std::size_t i = 1; i < 4 && across == Vec3(0); ++i)
+        across = p[row == 0 ? i : 3 - i][column] - corner;
+    const Vec3 normal = unit(cross(across, along));
+    return (row == 0) == (column == 0) ? normal : -normal;
+}
+
+class Divider {
+public:
+    explicit Divider(const BicubicPatch& patch, BuiltBicubicPatch& result)
+        : patch_(patch), result_(result) {}
+
+    void divide(const Points& p, int u_step, int v_step) {
+        const bool flat = farthest_from_plane(p) < patch_.flatness;
+        if (!flat && v_step < patch_.v_steps) {
+            const auto [first, last] = halves(p);
+            across(first, u_step, v_step + 1);
+            across(last, u_step, v_step + 1);
+        } else if (!flat && u_step < patch_.u_steps) {
+            across(p, u_step, v_step);
+        } else {
+            add(p);
+        }
+    }
+
+private:
+    void across(const Points& p, int u_step, int v_step) {
+        if (u_step >= patch_.u_steps) return divide(p, u_step, v_step);
+        const auto [first, last] = halves(transposed(p));
+        divide(transposed(first), u_step + 1, v_step);
+        divide(transposed(last), u_step + 1, v_step);
+    }
+
+    void add(const Points& p) {
+        const Vec3 n00 = corner_normal(p, 0, 0), n03 = corner_normal(p, 0, 3),
+                   n33 = corner_normal(p, 3, 3), n30 = corner_normal(p, 3, 0);
+        add({{p[0][0], p[0][3], p[3][3]}, {n00, n03, n33}});
+        add({{p[0][0], p[3][3], p[3][0]}, {n00, n33, n30}});
+    }
+
+    void add(BuiltBicubicPatch::Facet facet) {
+        const auto& c = facet.corners;
+        const Vec3 own = triangle_normal(c[0], c[2], c[1]);
+        if (own == Vec3(0)) return;
+        for (Vec3& normal : facet.normals)
+            if (normal == Vec3(0)) normal = own;
+        result_.facets.push_back(facet);
+    }
+
+    const BicubicPatch& patch_;
+    BuiltBicubicPatch& result_;
+};
+
+}  // namespace
+
+std::string problem(const BicubicPatch& patch) {
+    if (patch.type < 0) return "a `bicubic_patch` needs a `type`, 0 or 1";
+    return patch.points.size() == 16 ? "" : "a `bicubic_patch` needs 16 points";
+}
+
+BuiltBicubicPatch build(const BicubicPatch& patch) {
+    Points points;
+    for (std::size_t i = 0; i < 16; ++i) points[i / 4][i % 4] = patch.points[i];
+    BuiltBicubicPatch result;
+    Divider(patch, result).divide(points, 0, 0);
+    std::vector<Box> boxes;
+    for (const auto& facet : result.facets)
+        boxes.push_back(join(join(Box{facet.corners[0], facet.corners[0]}, facet.corners[1]),
+                             facet.corners[2]));
+    result.index = PartIndex(std::move(boxes));
+    return result;
+}
+
+Box bounds(const BuiltBicubicPatch& patch) { return patch.index.bounds(); }
+
+void crossings(const BuiltBicubicPatch& patch, const Ray& ray, Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    const ShearedRay sheared(ray);
+    patch.index.along(ray, whole_line, [&](std::uint32_t i) {
+        const auto& [corners, normals] = patch.facets[i];
+        const TriangleHit hit = sheared.meet(corners[0], corners[1], corners[2], whole_line);
+        if (!(hit.t < whole_line.max)) return;
+        const Vec3 normal = unit((1 - hit.weight2 - hit.weight3) * normals[0] +
+                                 hit.weight2 * normals[1] + hit.weight3 * normals[2]);
+        if (normal != Vec3(0)) found.add({hit.t, normal, dot(ray.direction, normal) < 0});
+    });
+}
+
+bool inside(const BuiltBicubicPatch&, const Vec3&) { return false; }

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/height_field.h"
+
+#include "vocabulary/schema.h"
+
+#include <algorithm>
+
+const ItemInfo HeightField::vocabulary = described<HeightField>([] {
+    using F = Field<HeightField>;
+    constexpr auto file = &HeightField::file;
+    return schema<HeightField>(
+        "height_field", "A landscape over the unit square.",
+        maybe(F{"function", &HeightField::function, positional,
+                "`function width, height { ... }` of x and y from 0 to 1"}),
+        maybe(F{"file", file, positional, "name of a picture"}),
+        F{"png", file, item, "name of a picture of this kind"},
+        F{"gif", file, item, "name of a picture of this kind"},
+        F{"tga", file, item, "name of a picture of this kind"},
+        F{"pgm", file, item, "name of a picture of this kind"},
+        F{"ppm", file, item, "name of a picture of this kind"},
+        F{"bmp", file, item, "name of a picture of this kind"},
+        F{"jpeg", file, item, "name of a picture of this kind"},
+        F{"tiff", file, item, "name of a picture of this kind"},
+        F{"exr", file, item, "name of a picture of this kind"},
+        F{"hdr", file, item, "name of a picture of this kind"},
+        F{"sys", file, item, "name of a picture of this kind"},
+        F{"water_level", &HeightField::water_level, item, "height below which is no surface"},
+        F{"smooth", &HeightField::smooth, flag, "shades the landscape as if it were curved"},
+        F{"gamma", &HeightField::gamma, item,
+          "of the picture's values, which are taken as they "
+          "are without it"},
+        F{"hierarchy", &HeightField::hierarchy, flag, "accepted, and always so"});
+});
+
+namespace {
+
+/// Normal of the plane through three heights of neighbours, x and z pointing along the square.
+Vec3 slope_normal(const HeightGrid& grid, double rise_x, double rise_z) {
+    return unit(Vec3(-rise_x * (grid.width - 1), 1, -rise_z * (grid.height - 1)));
+}
+
+Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
+    Vec3 sum(0);
+    for (const int dx : {-1, 1})
+        for (const int dz : {-1, 1}) {
+            const int nx = x + dx, nz = z + dz;
+            if (nx < 0 || nz < 0 || nx >= grid.width || nz >= grid.height) continue;
+            sum += slope_normal(grid, dx * (grid.at(nx, z) - grid.at(x, z)),
+                                dz * (grid.at(x, nz) - grid.at(x, z)));
+        }
+    return unit(sum);
+}
+
+/// The plane of one half of a cell, in cells: height(x, z) = base + rise . (x, z).
+struct Half {
+    double base, rise_x, rise_z;
+    double height(double x, double z) const { return base + rise_x * x + rise_z * z; }
+};
+
+/// The half below the diagonal from (1, 0) to (0, 1), or that above it.
+Half half_of(const HeightGrid& grid, int x, int z, bool upper) {
+    const double right = grid.at(x + 1, z), far = grid.at(x, z + 1);
+    if (!upper) {
+        const double base = grid.at(x, z);
+        return {base, right - base, far - base};
+    }
+    const double corner = grid.at(x + 1, z + 1), rise_x = corner - far, rise_z = corner - right;
+    return {corner - rise_x - rise_z, rise_x, rise_z};
+}
+
+Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, const Vec2& in_cell) {
+    const HeightGrid& grid = *field.grid;
+    const Vec3 flat = slope_normal(grid, half.rise_x, half.rise_z);
+    if (!field.smooth) return flat;
+    const auto corner = [&](int dx, int dz) {
+        return field
+            .normals[static_cast<std::size_t>(z + dz) * static_cast<std::size_t>(grid.width) +
+                     static_cast<std::size_t>(x + dx)];
+    };
+    const double u = in_cell.x, v = in_cell.y;
+    return unit((1 - v) * ((1 - u) * corner(0, 0) + u * corner(1, 0)) +
+                v * ((1 - u) * corner(0, 1) + u * corner(1, 1)));
+}
+
+/// Follows a ray over the cells. The ray is in cells: x and z count pixels.
+class Walk {
+public:
+    Walk(const BuiltHeightField& field, const Ray& ray, const Vec3& direction, Crossings& found)
+        : field_(field), grid_(*field.grid), ray_(ray), direction_(direction), found_(found) {}
+
+    void along(const Interval& range) {
+        double t = range.min;
+        above_ = true;
+        bool first = true;
+        while (t < range.max) {
+            // The cell in which the ray is right behind t.
+            const double probe = t + 1e-9 * (range.max - range.min);
+            const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
+            const int z = cell(ray_.origin.z + probe * ray_.direction.z, grid_.height);
+            const double end = std::min(range.max, leaves(x, z, probe));
+            over_cell(x, z, {t, end}, first);
+            first = false;
+            t = end;
+        }
+    }
+
+private:
+    static int cell(double at, int count) {
+        return std::clamp(static_cast<int>(std::floor(at)), 0, count - 2);
+    }
+
+    double leaves(int x, int z, double after) const {
+        double t = std::numeric_limits<double>::infinity();
+        const auto bound = [&](double origin, double speed, int low) {
+            if (speed == 0) return;
+            const double at = (low + (speed > 0 ? 1 : 0) - origin) / speed;
+            if (at > after) t = std::min(t, at);
+        };
+        bound(ray_.origin.x, ray_.direction.x, x);
+        bound(ray_.origin.z, ray_.direction.z, z);
+        return t;
+    }
+
+    void over_cell(int x, int z, const Interval& range, bool first) {
+        const Ray local{ray_.origin - Vec3(x, 0, z), ray_.direction};
+        const double sum = local.origin.x + local.origin.z - 1;
+        const double speed = local.direction.x + local.direction.z;
+        const double middle = speed != 0 ? -sum / speed : range.max;
+        const auto upper_at = [&](double t) { return sum + t * speed > 0; };
+        if (!(middle > range.min && middle < range.max))
+            return over_half(x, z, upper_at(0.5 * (range.min + range.max)), local, range, first);
+        over_half(x, z, upper_at(0.5 * (range.min + middle)), local, {range.min, middle}, first);
+        over_half(x, z, upper_at(0.5 * (middle + range.max)), local, {middle, range.max}, false);
+    }
+
+    void over_half(int x, int z, bool upper, const Ray& local, const Interval& range, bool first) {
+        const Half half = half_of(grid_, x, z, upper);
+        const auto height = [&](double t) {
+            const Vec3 p = local.at(t);
+            return p.y - half.height(p.x, p.z);
+        };
+        const double start = height(range.min), end = height(range.max);
+        if (first) above_ = start > 0;
+        const bool above_after = end > 0;
+        if (above_after == above_) return;
+        above_ = above_after;
+        const double share = start == end ? 0.5 : std::clamp(start / (start - end), 0.0, 1.0);
+        const double t = range.min + share * (range.max - range.min);
+        const Vec3 p = local.at(t);
+        if (p.y < field_.water_level) return;
+        const Vec3 normal = normal_at(field_, half, x, z, {p.x, p.z});
+        const Vec3 flat = slope_normal(grid_, half.rise_x, half.rise_z);
+        const bool entering =
+            field_.smooth ? dot(flat, direction_) < 0 : dot(normal, direction_) < 0;
+        found_.add({t, normal, entering});
+    }
+
+    const BuiltHeightField& field_;
+    const HeightGrid& grid_;
+    const Ray& ray_;
+    const Vec3& direction_;  ///< in the unit square
+    Crossings& found_;
+    bool above_ = true;
+};
+
+}  // namespace
+
+std::string problem(const HeightField& field) {
+    if (!field.grid) return "a `height_field` needs a picture or a function";
+    return field.grid->width >= 2 && field.grid->height >= 2
+               ? ""
+               : "a `height_field` needs at least 2 by 2 heights";
+}
+
+BuiltHeightField build(const HeightField& field) {
+    const HeightGrid& grid = *field.grid;
+    const auto [low, high] = std::ranges::minmax_element(grid.values);
+    BuiltHeightField result{field.grid,     field.water_level, field.smooth,
+                            *low / 65536.0, *high / 65536.0,   {}};
+    if (!field.smooth) return result;
+    for (int z = 0; z < grid.height; ++z)
+        for (int x = 0; x < grid.width; ++x) result.normals.push_back(pixel_normal(grid, x, z));
+    return result;
+}
+
+Box bounds(const BuiltHeightField& field) {
+    constexpr double least = 0.001 / 65536;
+    return {Vec3(0, std::fmax(field.low, field.water_level) - least, 0),
+            Vec3(1, std::fmax(field.high, field.water_level) + least, 1)};
+}
+
+void crossings(const BuiltHeightField& field, const Ray& ray, Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    const Interval range =
+        clip(ray, bounds(field),
+             {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()});
+    if (!(range.min < range.max)) return;
+    const Vec3 cells(field.grid->width - 1, 1, field.grid->height - 1);
+    // From where it comes in, so that a far origin costs no digits.
+    const Vec3 start = ray.at(range.min);
+    const Ray over{cells * start, cells * ray.direction};
+    Crossings met;
+    Walk(field, over, ray.direction, met).along({0, range.max - range.min});
+    for (std::size_t i = 0; i < met.size(); ++i)
+        found.add({range.min + met[i].t, met[i].normal, met[i].entering});
+}
+
+bool inside(const BuiltHeightField& field, const Vec3& point) {
+    const HeightGrid& grid = *field.grid;
+    const double x = point.x * (grid.width - 1), z = point.z * (grid.height - 1);
+    if (!(x >= 0 && z >= 0 && x < grid.width - 1 && z < grid.height - 1)) return false;
+    if (point.y < field.water_level) return true;
+    const int column = static_cast<int>(x), row = static_cast<int>(z);
+    const double u = x - column, v = z - row;
+    return point.y < half_of(grid, column, row, u + v > 1).height(u, v);
+}
+
+Box inside_bounds(const BuiltHeightField& field) {
+    return {Vec3(0, -std::numeric_limits<double>::infinity(), 0), Vec3(1, bounds(field).high.y, 1)};
+}

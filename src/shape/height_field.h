@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A landscape over the unit square: the heights of a picture's pixels, or of a function. The reader
+// of the language puts in the heights; rays ask the BuiltHeightField.
+#pragma once
+
+#include "base/handle.h"
+#include "base/ray.h"
+#include "vocabulary/item_info.h"
+
+#include <cstdint>
+
+/// Heights in units of 1/65536, row by row from z = 0, x along the rows.
+struct HeightGrid {
+    int width = 0, height = 0;
+    std::vector<std::uint16_t> values;
+
+    double at(int x, int z) const {
+        return values[static_cast<std::size_t>(z) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)] /
+               65536.0;
+    }
+};
+
+struct HeightField {
+    std::string file;
+    Handle<Formula> function;
+    double water_level = 0;
+    bool smooth = false;
+    bool hierarchy = true;
+    double gamma = 0;
+    Handle<HeightGrid> grid;
+
+    static const ItemInfo vocabulary;
+};
+
+struct BuiltHeightField {
+    Handle<HeightGrid> grid;
+    double water_level = 0;
+    bool smooth = false;
+    double low = 0, high = 0;   ///< of all heights
+    std::vector<Vec3> normals;  ///< of the pixels, when it is smooth
+};
+
+/// What is wrong beyond the ranges of single fields (no heights), as a sentence; empty when nothing
+/// is.
+std::string problem(const HeightField&);
+BuiltHeightField build(const HeightField&);
+
+/// Only the landscape is a surface; below it everything is inside.
+Box bounds(const BuiltHeightField&);
+void crossings(const BuiltHeightField&, const Ray&, Crossings&);
+bool inside(const BuiltHeightField&, const Vec3&);
+Box inside_bounds(const BuiltHeightField&);

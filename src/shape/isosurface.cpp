@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/isosurface.h"
+
+#include "shape/line_search.h"
+#include "vocabulary/parts.h"
+#include "vocabulary/schema.h"
+
+const ItemInfo Container::vocabulary = described<Container>([] {
+    return schema<Container>("contained_by", "What a surface is cut off by.",
+                             parts<&Container::boxes>("box", "a box"),
+                             parts<&Container::spheres>("sphere", "a sphere"));
+});
+
+const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
+    using F = Field<Isosurface>;
+    return schema<Isosurface>(
+        "isosurface", "Where a function of x, y, z has a value.",
+        F{"function", &Isosurface::function, positional, "the function; inside it is lower"},
+        parts<&Isosurface::containers>("contained_by", "box or sphere that closes the surface"),
+        F{"threshold", &Isosurface::threshold, item, "value on the surface"},
+        F{"accuracy", &Isosurface::accuracy, item, "size of the smallest detail", above(0)},
+        F{"max_gradient", &Isosurface::max_gradient, item,
+          "greatest slope of a function that is not written out; others need none", above(0)},
+        F{"evaluate", &Isosurface::evaluate1, item, "accepted, and not needed"},
+        F{"evaluate 2", &Isosurface::evaluate2, following, "accepted"},
+        F{"evaluate 3", &Isosurface::evaluate3, following, "accepted"},
+        F{"max_trace", &Isosurface::max_trace, item, "accepted: all crossings are found"},
+        F{"all_intersections", &Isosurface::all_intersections, flag, "accepted, and always so"},
+        F{"open", &Isosurface::open, flag, "leaves out the surface of the container"});
+});
+
+namespace {
+
+double value_at(const BuiltIsosurface& surface, const Vec3& p) {
+    return surface.function->value(std::span(&p.x, 3)) - surface.threshold;
+}
+
+/// Values along a ray whose direction has length 1.
+Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval& range) {
+    if (!surface.function->written())
+        return {all_numbers, {-surface.max_gradient, surface.max_gradient}};
+    const Vec3 first = ray.at(range.min), last = ray.at(range.max);
+    std::array<Enclosure, 3> arguments;
+    for (int i = 0; i < 3; ++i)
+        arguments[static_cast<std::size_t>(i)] = {
+            {std::fmin(first[i], last[i]), std::fmax(first[i], last[i])},
+            {ray.direction[i], ray.direction[i]}};
+    Enclosure result;
+    if (!surface.function->enclose(arguments.data(), &result)) return Enclosure::unknown();
+    result.value = result.value - Bounds{surface.threshold, surface.threshold};
+    return result;
+}
+
+/// The unit normal at a place where the ray goes in or out: up the slope of the function.
+Vec3 normal_at(const BuiltIsosurface& surface, const Vec3& p, const Vec3& direction,
+               bool entering) {
+    const double step = 1e-6 * length(bounds(surface).size());
+    Vec3 slope;
+    for (int i = 0; i < 3; ++i) {
+        Vec3 aside(0);
+        aside[i] = step;
+        slope[i] = value_at(surface, p + aside) - value_at(surface, p - aside);
+    }
+    const Vec3 normal = unit(slope);
+    if (!(length(normal) > 0.5)) return entering ? -direction : direction;
+    // Where the ray grazes the surface, or the function has an edge, the slope may say otherwise.
+    const double along = dot(normal, direction);
+    return (along < 0) == entering && along != 0
+               ? normal
+               : unit(normal - (2 * along + (entering ? 1e-9 : -1e-9)) * direction);
+}
+
+/// Where the ray is in the container, with the normals of its surface there.
+std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, const Ray& ray) {
+    Crossings walls;
+    std::visit([&](const auto& shape) { crossings(shape, ray, walls); }, surface.container);
+    if (walls.size() != 2) return std::nullopt;
+    std::array<Crossing, 2> both{walls[0], walls[1]};
+    if (both[0].t > both[1].t) std::swap(both[0], both[1]);
+    return both;
+}
+
+}  // namespace
+
+ContainerShape container_shape(const std::vector<Container>& containers) {
+    ContainerShape result = Cuboid{Vec3(-1), Vec3(1)};
+    for (const Container& each : containers) {
+        if (!each.boxes.empty()) result = each.boxes.back();
+        if (!each.spheres.empty()) result = each.spheres.back();
+    }
+    return result;
+}
+
+std::string problem(const Isosurface& surface) {
+    if (!surface.function) return "an `isosurface` needs a function";
+    if (surface.function->parameters() != 3)
+        return "the function of an `isosurface` has three parameters, but this one has " +
+               std::to_string(surface.function->parameters());
+    const ContainerShape container = container_shape(surface.containers);
+    const Box box = std::visit([](const auto& shape) { return bounds(shape); }, container);
+    const Vec3 size = box.size();
+    return size.x > 0 && size.y > 0 && size.z > 0
+               ? ""
+               : "the container of an `isosurface` needs a size in all directions";
+}
+
+BuiltIsosurface build(const Isosurface& surface) {
+    return {surface.function,     container_shape(surface.containers),
+            surface.threshold,    surface.accuracy,
+            surface.max_gradient, surface.open};
+}
+
+Box bounds(const BuiltIsosurface& surface) {
+    return std::visit([](const auto& shape) { return bounds(shape); }, surface.container);
+}
+
+void crossings(const BuiltIsosurface& surface, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    // From the point nearest to the middle, where a far origin costs no digits.
+    const Vec3 u = ray.direction / speed;
+    const double start = dot(bounds(surface).centre() - ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    const auto walls = stay(surface, near);
+    if (!walls) return;
+    const Crossing &first = (*walls)[0], &last = (*walls)[1];
+    const auto add = [&](double t, const Vec3& normal, bool entering) {
+        found.add({(start + t) / speed, normal, entering});
+    };
+    const auto at = [&](double t) { return value_at(surface, near.at(t)); };
+    const auto slopes = [&](const Interval& range) { return within(surface, near, range); };
+    const std::vector<double> roots =
+        sign_changes({at, slopes}, {first.t, last.t}, surface.accuracy);
+    bool below = is_below(at(first.t));
+    if (below && !surface.open) add(first.t, first.normal, true);
+    for (const double t : roots) {
+        below = !below;
+        add(t, normal_at(surface, near.at(t), u, below), below);
+    }
+    if (below && !surface.open) add(last.t, last.normal, false);
+}
+
+bool inside(const BuiltIsosurface& surface, const Vec3& point) {
+    return std::visit([&](const auto& shape) { return inside(shape, point); }, surface.container) &&
+           is_below(value_at(surface, point));
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a function of x, y, z has a value, within a box or a sphere. Written functions are searched
+// by interval arithmetic, which misses nothing; for others the scene's max_gradient counts. Rays
+// ask the BuiltIsosurface.
+#pragma once
+
+#include "formula/formula.h"
+#include "shape/box.h"
+#include "shape/sphere.h"
+
+/// What an isosurface, or a parametric surface, is cut off by.
+struct Container {
+    std::vector<Cuboid> boxes;
+    std::vector<Sphere> spheres;
+
+    static const ItemInfo vocabulary;
+};
+
+/// The box or sphere itself.
+using ContainerShape = std::variant<Cuboid, Sphere>;
+/// The last one that is given; a box from -1 to 1 when none is.
+ContainerShape container_shape(const std::vector<Container>&);
+
+struct Isosurface {
+    Handle<Formula> function;
+    std::vector<Container> containers;
+    double threshold = 0;
+    double accuracy = 0.001;
+    double max_gradient = 1.1;
+    double evaluate1 = 0, evaluate2 = 0, evaluate3 = 0;
+    int max_trace = 1;
+    bool all_intersections = false;
+    bool open = false;
+
+    static const ItemInfo vocabulary;
+};
+
+struct BuiltIsosurface {
+    Handle<Formula> function;
+    ContainerShape container;
+    double threshold = 0, accuracy = 0, max_gradient = 0;
+    bool open = false;
+};
+
+/// What is wrong beyond the ranges of single fields (no function, or one of other arguments), as a
+/// sentence; empty when nothing is.
+std::string problem(const Isosurface&);
+BuiltIsosurface build(const Isosurface&);
+
+Box bounds(const BuiltIsosurface&);
+void crossings(const BuiltIsosurface&, const Ray&, Crossings&);
+bool inside(const BuiltIsosurface&, const Vec3&);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/julia_fractal.h"
+
+#include "shape/julia_orbit.h"
+#include "shape/sphere.h"
+#include "vocabulary/schema.h"
+
+const ItemInfo JuliaFractal::vocabulary = described<JuliaFractal>([] {
+    using F = Field<JuliaFractal>;
+    constexpr auto function = &JuliaFractal::function;
+    return schema<JuliaFractal>(
+        "julia_fractal", "A slice of a Julia set of four dimensions.",
+        F{"parameter", &JuliaFractal::parameter, positional, "the c of q -> F(q) + c"},
+        chooses("quaternion", &JuliaFractal::algebra, quaternions, "the numbers are quaternions"),
+        chooses("hypercomplex", &JuliaFractal::algebra, hypercomplex_numbers,
+                "the numbers are hypercomplex"),
+        chooses("sqr", function, julia_sqr, "F is the square"),
+        chooses("cube", function, julia_cube, "F is the cube"),
+        chooses("exp", function, julia_exp, "F is the exponential function"),
+        chooses("ln", function, julia_ln, "F is the logarithm"),
+        chooses("reciprocal", function, julia_reciprocal, "F is 1 / q"),
+        chooses("sin", function, julia_sin, "F is the sine"),
+        chooses("asin", function, julia_asin, "F is the arc sine"),
+        chooses("sinh", function, julia_sinh, "F is the hyperbolic sine"),
+        chooses("asinh", function, julia_asinh, "F is its inverse"),
+        chooses("cos", function, julia_cos, "F is the cosine"),
+        chooses("acos", function, julia_acos, "F is the arc cosine"),
+        chooses("cosh", function, julia_cosh, "F is the hyperbolic cosine"),
+        chooses("acosh", function, julia_acosh, "F is its inverse"),
+        chooses("tan", function, julia_tan, "F is the tangent"),
+        chooses("atan", function, julia_atan, "F is the arc tangent"),
+        chooses("tanh", function, julia_tanh, "F is the hyperbolic tangent"),
+        chooses("atanh", function, julia_atanh, "F is its inverse"),
+        F{"pwr", &JuliaFractal::exponent, item, "F is a power: the exponent's two parts"},
+        F{"max_iteration", &JuliaFractal::max_iteration, item, "steps of each orbit",
+          between(1, 1000)},
+        F{"precision", &JuliaFractal::precision, item, "steps of a ray in a unit of length",
+          above(0)},
+        F{"slice", &JuliaFractal::slice, item, "normal of the three dimensions that are seen"},
+        F{"distance", &JuliaFractal::distance, following, "theirs from 0"});
+});
+
+namespace {
+
+/// Steps along one ray.
+constexpr int most_steps = 100'000;
+
+Vec3 normal_at(const JuliaFractal& julia, const Vec3& p, const Vec3& direction, bool entering) {
+    constexpr double step = 1e-6;
+    Vec3 slope;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 aside(0);
+        aside[axis] = step;
+        slope[axis] = std::log(julia_size(julia, p + aside) + 1e-300) -
+                      std::log(julia_size(julia, p - aside) + 1e-300);
+    }
+    const Vec3 normal = unit(slope);
+    if (!(length(normal) > 0.5)) return entering ? -direction : direction;
+    const double along = dot(normal, direction);
+    return (along < 0) == entering && along != 0
+               ? normal
+               : unit(normal - (2 * along + (entering ? 1e-9 : -1e-9)) * direction);
+}
+
+/// Where between two places of a ray the set begins or ends.
+double border(const JuliaFractal& julia, const Ray& ray, double first, double last, bool stays) {
+    constexpr int enough = 60;
+    for (int i = 0; i < enough; ++i) {
+        const double middle = 0.5 * (first + last);
+        (julia_orbit(julia, ray.at(middle)).stays == stays ? first : last) = middle;
+    }
+    return 0.5 * (first + last);
+}
+
+}  // namespace
+
+std::string problem(const JuliaFractal& julia) {
+    if (julia.slice.w == 0)
+        return "the `slice` of a `julia_fractal` needs a fourth component that is not 0";
+    const bool simple =
+        (julia.function == julia_sqr || julia.function == julia_cube) && julia.exponent == Vec2(0);
+    return simple || julia.algebra == hypercomplex_numbers
+               ? ""
+               : "a `julia_fractal` of quaternions has `sqr` and `cube` only";
+}
+
+Box bounds(const JuliaFractal& julia) {
+    const Vec3 reach(julia_radius(julia));
+    return {-reach, reach};
+}
+
+void crossings(const JuliaFractal& julia, const Ray& ray, Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    const Vec3 u = ray.direction / speed;
+    const double start = -dot(ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    Crossings ends;
+    crossings(Sphere{Vec3(0), julia_radius(julia)}, near, ends);
+    if (ends.size() != 2) return;
+    const double last = std::fmax(ends[0].t, ends[1].t), least = 1 / julia.precision;
+    double t = std::fmin(ends[0].t, ends[1].t);
+    bool stays = false;  // at the sphere, whatever rounding says
+    for (int n = 0; n < most_steps && t < last; ++n) {
+        const JuliaOrbit here = julia_orbit(julia, near.at(t));
+        const double next = std::fmin(last, t + std::fmax(least, stays ? 0 : here.step));
+        const bool after = next < last && julia_orbit(julia, near.at(next)).stays;
+        if (after != stays) {
+            const double at = border(julia, near, t, next, stays);
+            found.add({(start + at) / speed, normal_at(julia, near.at(at), u, after), after});
+            stays = after;
+        }
+        t = next;
+    }
+    // Out of steps within the set: it ends at the sphere.
+    if (stays && t < last) found.add({(start + last) / speed, u, false});
+}
+
+bool inside(const JuliaFractal& julia, const Vec3& point) {
+    return dot(point, point) <= julia_radius(julia) * julia_radius(julia) &&
+           julia_orbit(julia, point).stays;
+}

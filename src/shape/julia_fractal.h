@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A slice of a Julia set of numbers with four components: the points whose orbit stays small. Rays
+// walk through it in steps that the escape of the orbits allows.
+#pragma once
+
+#include "base/ray.h"
+#include "vocabulary/item_info.h"
+
+enum JuliaAlgebra : int { quaternions, hypercomplex_numbers };
+
+enum JuliaFunction : int {
+    julia_sqr,
+    julia_cube,
+    julia_exp,
+    julia_ln,
+    julia_reciprocal,
+    julia_sin,
+    julia_asin,
+    julia_sinh,
+    julia_asinh,
+    julia_cos,
+    julia_acos,
+    julia_cosh,
+    julia_acosh,
+    julia_tan,
+    julia_atan,
+    julia_tanh,
+    julia_atanh,
+    julia_pwr,
+};
+
+struct JuliaFractal {
+    Vec4 parameter = Vec4(1, 0, 0, 0);
+    int algebra = quaternions;
+    int function = julia_sqr;
+    Vec2 exponent = Vec2(0);
+    int max_iteration = 20;
+    double precision = 20;
+    Vec4 slice = Vec4(0, 0, 0, 1);
+    double distance = 0;
+
+    static const ItemInfo vocabulary;
+};
+
+/// What is wrong beyond the ranges of single fields, as a sentence; empty when nothing is.
+std::string problem(const JuliaFractal&);
+
+Box bounds(const JuliaFractal&);
+void crossings(const JuliaFractal&, const Ray&, Crossings&);
+bool inside(const JuliaFractal&, const Vec3&);

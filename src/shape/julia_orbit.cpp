@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/julia_orbit.h"
+
+#include <complex>
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr Complex i(0, 1);
+
+/// `pwr` is known by its exponent.
+int function_of(const JuliaFractal& julia) {
+    return julia.exponent == Vec2(0) ? julia.function : int{julia_pwr};
+}
+
+double size2(const Vec4& q) { return glm::dot(q, q); }
+
+Complex logarithm(const Complex& a) { return std::log(a); }
+
+/// F of complex numbers, by the formulas of the behaviour that is reproduced. Where there is no
+/// value (a division by 0), it is not a number.
+Complex value(const JuliaFractal& julia, const Complex& a) {
+    const Complex one = 1;
+    switch (function_of(julia)) {
+        case julia_exp:
+            return std::exp(a);
+        case julia_ln:
+            return logarithm(a);
+        case julia_reciprocal:
+            return one / a;
+        case julia_sin:
+            return std::sin(a);
+        case julia_asin:
+            return -i * logarithm(i * a + std::sqrt(one - a * a));
+        case julia_sinh:
+            return std::sinh(a);
+        case julia_asinh:
+            return logarithm(a + std::sqrt(a * a + one));
+        case julia_cos:
+            return std::cos(a);
+        case julia_acos:
+            return -i * logarithm(a + std::sqrt(a * a - one));
+        case julia_cosh:
+            return std::cosh(a);
+        case julia_acosh:
+            return logarithm(a + std::sqrt(a * a - one));
+        case julia_tan:
+            return std::tan(a);
+        case julia_atan:
+            return 0.5 * i * logarithm((one - i * a) / (one + i * a));
+        case julia_tanh:
+            return std::tanh(a);
+        case julia_atanh:
+            return 0.5 * logarithm((one + a) / (one - a));
+        default:
+            break;
+    }
+    if (a == Complex(0)) return 0;
+    const Complex power = Complex(julia.exponent.x, julia.exponent.y) * logarithm(a);
+    return power.real() < -690 ? 0 : std::exp(power);
+}
+
+/// A hypercomplex number is two complex ones.
+Vec4 by_halves(const JuliaFractal& julia, const Vec4& q) {
+    const Complex a = value(julia, {q.x - q.w, q.y + q.z}),
+                  b = value(julia, {q.x + q.w, q.y - q.z});
+    const Vec4 result = 0.5 * Vec4(a.real() + b.real(), a.imag() + b.imag(), a.imag() - b.imag(),
+                                   b.real() - a.real());
+    return std::isfinite(size2(result)) ? result : q;
+}
+
+bool by_formula(const JuliaFractal& julia) {
+    return julia.algebra == hypercomplex_numbers && function_of(julia) != julia_sqr &&
+           function_of(julia) != julia_cube;
+}
+
+Vec4 next(const JuliaFractal& julia, const Vec4& q) {
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    if (by_formula(julia)) return by_halves(julia, q);
+    if (julia.algebra == hypercomplex_numbers)
+        return {x * x - y * y - z * z + w * w, 2 * (x * y - z * w), 2 * (x * z - y * w),
+                2 * (x * w + y * z)};
+    if (function_of(julia) == julia_sqr)
+        return {x * x - y * y - z * z - w * w, 2 * x * y, 2 * x * z, 2 * x * w};
+    const double d = y * y + z * z + w * w, sum = 3 * x * x - d;
+    return {x * (x * x - 3 * d), y * sum, z * sum, w * sum};
+}
+
+Vec4 start(const JuliaFractal& julia, const Vec3& p) {
+    const bool shifted = by_formula(julia) && function_of(julia) != julia_reciprocal;
+    const double z = shifted ? p.y : p.z;
+    const Vec4 s = julia.slice / std::sqrt(size2(julia.slice));
+    return {p.x, p.y, z, (julia.distance - s.x * p.x - s.y * p.y - s.z * z) / s.w};
+}
+
+double limit2(const JuliaFractal& julia) {
+    if (julia.algebra == hypercomplex_numbers) return 16;
+    const double radius = julia_radius(julia);
+    return radius * radius + 1e-7;
+}
+
+}  // namespace
+
+double julia_radius(const JuliaFractal& julia) {
+    if (julia.algebra == hypercomplex_numbers) return 4;
+    return std::fmin(2, 1 + std::sqrt(size2(julia.parameter)) + 1e-7);
+}
+
+JuliaOrbit julia_orbit(const JuliaFractal& julia, const Vec3& point) {
+    const double most2 = limit2(julia), degree = function_of(julia) == julia_cube ? 3 : 2;
+    Vec4 q = start(julia, point);
+    double product2 = 1, share = 1;
+    for (int n = 0;; ++n) {
+        const double distance2 = size2(q);
+        if (n == julia.max_iteration) return {true, distance2, 0};
+        if (distance2 > most2) {
+            const double step = by_formula(julia) ? 0
+                                                  : 0.25 * share * std::sqrt(distance2 / product2) *
+                                                        std::log(distance2);
+            return {false, distance2, std::isfinite(step) ? step : 0};
+        }
+        product2 *= distance2;
+        share /= degree;
+        q = next(julia, q) + julia.parameter;
+    }
+}
+
+double julia_size(const JuliaFractal& julia, const Vec3& point) {
+    Vec4 q = start(julia, point);
+    for (int n = 0; n < julia.max_iteration && size2(q) < 1e100; ++n)
+        q = next(julia, q) + julia.parameter;
+    return size2(q);
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The orbit of a point under q -> F(q) + c: what a Julia fractal is made of. The rules are those
+// that POV-Ray 3.7 computes, with its mistakes.
+#pragma once
+
+#include "shape/julia_fractal.h"
+
+struct JuliaOrbit {
+    bool stays = false;    ///< within max_iteration steps the orbit does not get far
+    double distance2 = 0;  ///< from 0, of the last point
+    double step = 0;       ///< how far the set is at least, where that is known (0 where it is not)
+};
+
+JuliaOrbit julia_orbit(const JuliaFractal&, const Vec3&);
+
+/// The square of the distance from 0 after all steps, also behind the escape: what normals are the
+/// slope of.
+double julia_size(const JuliaFractal&, const Vec3&);
+
+/// No point outside of the sphere with this radius is in the set.
+double julia_radius(const JuliaFractal&);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A surface whose points are functions of u and v, within a box or a sphere. It is taken apart into
+// facets, and where a ray meets one, the point of the surface itself is found. Rays ask the
+// BuiltParametric.
+#pragma once
+
+#include "shape/isosurface.h"
+#include "shape/part_index.h"
+
+struct Parametric {
+    Handle<Formula> x, y, z;  ///< of u, v
+    Vec2 first = Vec2(0);     ///< u and v from here
+    Vec2 last = Vec2(0);      ///< to here
+    std::vector<Container> containers;
+    double accuracy = 0.001;
+    double max_gradient = 1;
+    int precompute = 0;
+    Vec3 precomputed1 = Vec3(0), precomputed2 = Vec3(0), precomputed3 = Vec3(0);
+
+    static const ItemInfo vocabulary;
+};
+
+struct BuiltParametric {
+    std::array<Handle<Formula>, 3> functions;
+    Vec2 first = Vec2(0), step = Vec2(0);  ///< of the net of facets in u and v
+    std::vector<Vec3> net;                 ///< row by row, u along the rows
+    ContainerShape container;
+    PartIndex index;  ///< of the net's meshes
+
+    Vec3 at(const Vec2& uv) const;
+};
+
+/// What is wrong beyond the ranges of single fields (functions of other arguments), as a sentence;
+/// empty when nothing is.
+std::string problem(const Parametric&);
+BuiltParametric build(const Parametric&);
+
+Box bounds(const BuiltParametric&);
+void crossings(const BuiltParametric&, const Ray&, Crossings&);
+bool inside(const BuiltParametric&, const Vec3&);

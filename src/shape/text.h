@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Letters of a font with a thickness. The reader of the language puts in the outlines, which come
+// from the font's file; rays ask the BuiltText.
+#pragma once
+
+#include "base/handle.h"
+#include "shape/prism.h"
+
+#include <string>
+
+/// The outlines of a text's letters, as closed curves.
+struct Letters {
+    std::vector<std::vector<CurvePiece>> loops;
+};
+
+/// Letters from z = 0 to the thickness, on the x axis.
+struct Text {
+    std::string font;  ///< name of the font's file
+    int internal = 0;  ///< number of one of POV-Ray's own fonts; 0: none
+    std::string text;
+    double thickness = 1;
+    Vec3 offset = Vec3(0);
+    Handle<Letters> letters;
+
+    static const ItemInfo vocabulary;
+};
+
+struct BuiltText {
+    BuiltPrism prism;  ///< with y and z exchanged
+};
+
+/// What is wrong beyond the ranges of single fields (no font, no letters), as a sentence; empty
+/// when nothing is.
+std::string problem(const Text&);
+BuiltText build(const Text&);
+
+Box bounds(const BuiltText&);
+void crossings(const BuiltText&, const Ray&, Crossings&);
+bool inside(const BuiltText&, const Vec3&);

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/triangle_mesh.h"
+
+#include "vocabulary/parts.h"
+#include "vocabulary/schema.h"
+
+const ItemInfo FlatFacet::vocabulary = described<FlatFacet>([] {
+    using F = Field<FlatFacet>;
+    return schema<FlatFacet>("triangle", "A flat triangle of a mesh.",
+                             F{"corner1", &FlatFacet::corner1, positional, "a corner"},
+                             F{"corner2", &FlatFacet::corner2, positional, "a corner"},
+                             F{"corner3", &FlatFacet::corner3, positional, "a corner"},
+                             F{"uv_vectors", &FlatFacet::uv1, item, "u and v of the corners"},
+                             F{"uv 2", &FlatFacet::uv2, following, "the second corner's"},
+                             F{"uv 3", &FlatFacet::uv3, following, "the third corner's"});
+});
+
+const ItemInfo SmoothFacet::vocabulary = described<SmoothFacet>([] {
+    using F = Field<SmoothFacet>;
+    return schema<SmoothFacet>(
+        "smooth_triangle", "A triangle of a mesh, shaded as if it were curved.",
+        F{"corner1", &SmoothFacet::corner1, positional, "a corner"},
+        F{"normal1", &SmoothFacet::normal1, positional, "the surface's normal there"},
+        F{"corner2", &SmoothFacet::corner2, positional, "a corner"},
+        F{"normal2", &SmoothFacet::normal2, positional, "the surface's normal there"},
+        F{"corner3", &SmoothFacet::corner3, positional, "a corner"},
+        F{"normal3", &SmoothFacet::normal3, positional, "the surface's normal there"},
+        F{"uv_vectors", &SmoothFacet::uv1, item, "u and v of the corners"},
+        F{"uv 2", &SmoothFacet::uv2, following, "the second corner's"},
+        F{"uv 3", &SmoothFacet::uv3, following, "the third corner's"});
+});
+
+const ItemInfo TriangleMesh::vocabulary = described<TriangleMesh>([] {
+    using F = Field<TriangleMesh>;
+    return schema<TriangleMesh>(
+        "mesh", "Triangles, one by one.",
+        parts<&TriangleMesh::triangles>("triangle", "a flat triangle"),
+        parts<&TriangleMesh::smooth_triangles>("smooth_triangle", "one with normals"),
+        F{"inside_vector", &TriangleMesh::inside_vector, item,
+          "direction in which to count crossings to tell inside from outside"});
+});
+
+namespace {
+
+/// Adds the triangle and what all kinds of them have; false when it has no area.
+template <class Facet>
+bool add(Mesh& mesh, const Facet& facet) {
+    const Vec3 across = cross(facet.corner1 - facet.corner2, facet.corner3 - facet.corner2);
+    if (across == Vec3(0)) return false;
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {facet.corner1, facet.corner2, facet.corner3});
+    mesh.faces.push_back({first, first + 1, first + 2});
+    mesh.uvs.insert(mesh.uvs.end(), {facet.uv1, facet.uv2, facet.uv3});
+    mesh.looks.push_back(facet.looks);
+    return true;
+}
+
+}  // namespace
+
+std::string problem(const TriangleMesh& mesh) {
+    return mesh.triangles.empty() && mesh.smooth_triangles.empty() ? "a `mesh` needs a triangle"
+                                                                   : "";
+}
+
+Mesh build(const TriangleMesh& mesh) {
+    Mesh result;
+    result.inside_vector = mesh.inside_vector;
+    // The first faces are the smooth ones.
+    for (const SmoothFacet& facet : mesh.smooth_triangles) {
+        if (!add(result, facet)) continue;
+        const int first = static_cast<int>(result.normals.size());
+        result.normals.insert(result.normals.end(), {facet.normal1, facet.normal2, facet.normal3});
+        result.normal_faces.push_back({first, first + 1, first + 2});
+    }
+    for (const FlatFacet& facet : mesh.triangles) add(result, facet);
+    const auto none = [](const auto& list, const auto& value) {
+        return std::all_of(list.begin(), list.end(),
+                           [&](const auto& each) { return each == value; });
+    };
+    if (none(result.uvs, Vec2(0))) result.uvs.clear();
+    if (none(result.looks, Face{-1, -1, -1})) result.looks.clear();
+    return result;
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/heights.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The heights of a picture file with this content.
+std::optional<Heights> heights(const std::string& extension, const std::string& content,
+                               double gamma = 0) {
+    const fs::path path = fs::temp_directory_path() /
+                          ("candelabra_heights_" + std::to_string(::getpid()) + extension);
+    std::ofstream(path, std::ios::binary) << content;
+    Diagnostics diagnostics;
+    const auto result = read_heights(path.string(), gamma, diagnostics);
+    CHECK(diagnostics.failed() == !result.has_value());
+    fs::remove(path);
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are heights from their last row on", "[picture]") {
+    const auto grey = heights(".pgm", std::string("P5 2 2 255\n\0\xff\x01\x80", 15));
+    REQUIRE(grey);
+    CHECK(grey->width == 2);
+    CHECK(grey->values == std::vector<std::uint16_t>{257, 32896, 0, 65535});
+    const auto colours = heights(".ppm", std::string("P6 2 1 255\n\x01\x02\x03\xff\x00\x07", 17));
+    REQUIRE(colours);
+    CHECK(colours->values == std::vector<std::uint16_t>{258, 65280});
+    const auto squared = heights(".pgm", std::string("P5 1 1 255\n\x80", 12), 2);
+    REQUIRE(squared);
+    CHECK(squared->values.at(0) == Approx(65535 * 0.252).epsilon(1e-3));
+}
+
+TEST_CASE("what is no picture has no heights", "[picture]") {
+    CHECK_FALSE(heights(".png", "nothing"));
+}

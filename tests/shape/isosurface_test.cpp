@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/isosurface.h"
+
+#include "support/hits.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+/// y, as code of C++.
+Isosurface ground() {
+    Isosurface surface;
+    surface.function = make_handle<Formula>(3, 1, [](const double* p, double* value) {
+        *value = p[1];
+        return true;
+    });
+    return surface;
+}
+
+}  // namespace
+
+TEST_CASE("an isosurface is closed by its container, unless it is open", "[shape]") {
+    Isosurface surface = ground();
+    CHECK(answers(build(surface), {{Vec3(0, -0.5, -5), z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(build(surface), {{Vec3(0.1, 5, 0), -y}, {{5, y, true}, {6, -y, false}}}));
+    CHECK(inside(build(surface), Vec3(0, -0.5, 0)));
+    CHECK_FALSE(inside(build(surface), Vec3(0, -1.5, 0)));
+    surface.open = true;
+    CHECK(hits(build(surface), {Vec3(0, -0.5, -5), z}).empty());
+    CHECK(answers(build(surface), {{Vec3(0.1, 5, 0), -y}, {{5, y, true}}}));
+    CHECK(answers(build(surface), {{Vec3(0.1, -5, 0), y}, {{5, y, false}}}));
+}
+
+TEST_CASE("what is wrong with an isosurface", "[shape]") {
+    CHECK(problem(Isosurface()) == "an `isosurface` needs a function");
+    Isosurface surface = ground();
+    surface.containers = {{{}, {}}, {{{Vec3(0), Vec3(1, 0, 1)}}, {}}};
+    CHECK(problem(surface) == "the container of an `isosurface` needs a size in all directions");
+    surface.function = make_handle<Formula>(2, 1, [](const double*, double*) { return true; });
+    CHECK(problem(surface) ==
+          "the function of an `isosurface` has three parameters, but this one has 2");
+}
