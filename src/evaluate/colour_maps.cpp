@@ -57,7 +57,7 @@ private:
 }  // namespace
 
 bool EntryNumber::take(const Element& element) {
-    if (value || element.kind != Element::Kind::value) return false;
+    if (value || block_.taken > 0 || element.kind != Element::Kind::value) return false;
     if (element.value.broken()) {
         block_.broken = true;
         value = 0;
@@ -71,10 +71,7 @@ bool EntryNumber::take(const Element& element) {
 }
 
 void EntryNumber::finish() {
-    if (!value && !block_.broken)
-        block_.report(error(Fault::missing, block_.span,
-                            message("an entry of ", block_.quoted(), " begins with a number"))
-                          .with_help(block_.help()));
+    if (!value) value = std::numeric_limits<double>::quiet_NaN();
 }
 
 bool MapEntries::take(const Element& element) {

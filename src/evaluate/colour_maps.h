@@ -14,11 +14,12 @@ class EntryNumber : public SimpleReader {
 public:
     explicit EntryNumber(OpenBlock& block) : block_(block) {}
 
-    bool wants() const { return !value; }
+    bool wants() const { return false; }
     bool take(const Element&);
     void finish();
 
-    std::optional<double> value;  ///< in single precision, as POV-Ray keeps it
+    std::optional<double> value;  ///< in single precision, as POV-Ray keeps it; not a number when
+                                  ///< the entry has none, which settle_values() answers
 
 private:
     OpenBlock& block_;
@@ -41,15 +42,22 @@ private:
 /// After the last entry of a map.
 void report_empty(OpenBlock&, std::size_t entries);
 
-/// Reports values that are no weights for `average`.
+/// What the entries of `average` without a number weigh; those of other patterns must have one.
+/// Reports numbers that are missing, and weights that are none.
 template <class Entry>
-void check_weights(OpenBlock& block, Span span, const std::vector<Entry>& map) {
+void settle_values(OpenBlock& block, Span span, std::vector<Entry>& map, bool average) {
     double total = 0, least = 0;
-    for (const Entry& entry : map) {
+    bool missing = false;
+    for (Entry& entry : map) {
+        missing |= std::isnan(entry.value);
+        if (std::isnan(entry.value)) entry.value = 1;
         total += entry.value;
         least = std::fmin(least, entry.value);
     }
-    if (least < 0 || !(total > 0))
+    if (missing && !average)
+        block.report(error(Fault::missing, span, "the entries of a map begin with a number")
+                         .with_help("[0 ...] [0.5 ...] [1 ...]"));
+    if (average && (least < 0 || !(total > 0)))
         block.report(error(Fault::out_of_range, span,
                            "the weights of `average` must be at least 0, and not all be 0"));
 }

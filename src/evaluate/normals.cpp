@@ -89,9 +89,8 @@ private:
         if (!draft_.pattern.pattern)
             return refuse(element, message('`', block_.spelling(element.word),
                                            "` needs a pattern before it"));
-        if constexpr (std::is_same_v<Map, NormalMap>)
-            if (std::holds_alternative<Average>(*draft_.pattern.pattern))
-                check_weights(block_, element.word_span, map);
+        settle_values(block_, element.word_span, map,
+                      std::holds_alternative<Average>(*draft_.pattern.pattern));
         draft_.map = std::move(map);
     }
 

@@ -139,13 +139,14 @@ private:
         return false;
     }
 
-    bool fits(const Element& element, const PigmentMap& map) {
+    bool fits(const Element& element, PigmentMap& map) {
         if (!draft_.pattern.pattern)
             block_.report(error(Fault::misplaced, element.word_span,
                                 "`pigment_map` needs a pattern before it")
                               .with_help(block_.help()));
-        else if (std::holds_alternative<Average>(*draft_.pattern.pattern))
-            check_weights(block_, element.word_span, map);
+        else
+            settle_values(block_, element.word_span, map,
+                          std::holds_alternative<Average>(*draft_.pattern.pattern));
         return !block_.broken;
     }
 

@@ -143,8 +143,9 @@ private:
             block_.report(error(Fault::misplaced, element.word_span,
                                 "`texture_map` needs a pattern before it")
                               .with_help(block_.help()));
-        else if (std::holds_alternative<Average>(*draft_.pattern))
-            check_weights(block_, element.word_span, map);
+        else
+            settle_values(block_, element.word_span, map,
+                          std::holds_alternative<Average>(*draft_.pattern));
         map_ = std::move(map);
     }
 

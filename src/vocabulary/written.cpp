@@ -94,17 +94,22 @@ std::string parts_text(const FieldInfo& field, const void* object) {
     return text;
 }
 
-/// The values of an item's field and of those that follow it; nothing when all have their defaults.
+/// The values of an item's field and of those that follow it, without defaults at the end that may
+/// be left out; nothing when all have their defaults.
 std::string item_values(const ItemInfo& item, const void* object, std::size_t first) {
-    std::string text;
+    std::string text, waiting;
     bool changed = false;
     for (std::size_t i = first; i < item.fields.size(); ++i) {
         const FieldInfo& field = item.fields[i];
         if (i > first && field.place != Placement::following) break;
         const std::string value = written(item.get(object, i), field.type);
         if (value.empty()) return {};
-        changed = changed || value != written(item.default_value(i), field.type);
-        text += (i > first ? ", " : "") + value;
+        const bool differs = value != written(item.default_value(i), field.type);
+        changed = changed || differs;
+        waiting += (i > first ? ", " : "") + value;
+        if (!differs && i > first && field.may_be_left_out) continue;
+        text += waiting;
+        waiting.clear();
     }
     return changed ? text : std::string();
 }

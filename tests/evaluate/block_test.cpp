@@ -32,10 +32,8 @@ TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
         {"rainbow { 1, 2 }", "error not-implemented: `rainbow` is not available in this version"},
         {"sphere { 0, 1 interior { media { emission 1 } } }",
          "error not-implemented: `media` is not available in this version"},
-        {"light_source { 0, 1 spotlight point_at x radius 3 falloff 4 }",
-         "error not-implemented: `spotlight` is not available in this version"},
-        {"sphere { 0, 1 finish { specular albedo 0.5 } }",
-         "error not-implemented: `albedo` is not available in this version"},
+        {"light_source { 0, 1 projected_through { sphere { 0, 1 } } point_at x }",
+         "error not-implemented: `projected_through` is not available in this version"},
         {"sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }",
          "warning no-effect: `sturm` has no effect in this version"},
     }));

@@ -44,8 +44,10 @@ TEST_CASE("wrong cameras are told of once", "[evaluate]") {
           "error degenerate: `look_at` must not be the camera's own location");
     CHECK(complaint("camera { location x orthographic }") ==
           "error misplaced: the type `orthographic` must come first in `camera`");
-    CHECK(complaint("camera { fisheye angle 180 }") ==
-          "error not-implemented: `fisheye` is not available in this version");
+    CHECK(complaint("camera { perspective angle 180 }") ==
+          "error degenerate: `angle` of a flat picture must be below 180 degrees");
+    CHECK(complaint("camera { cylinder 5 }") ==
+          "error out-of-range: `type` of `camera` must be from 1 to 4, but it is 5");
     CHECK(complaint("camera { locaton x }") ==
           "error unknown-word: `camera` has no word `locaton`");
     CHECK(complaint("camera { look_at \"here\" }") ==

@@ -63,8 +63,8 @@ TEST_CASE("what makes no scene is told of once", "[evaluate]") {
           "error misplaced: a texture has no place in a scene");
     CHECK(complaint("max_trace_level 5") ==
           "error misplaced: `max_trace_level` has no place in a scene");
-    CHECK(complaint("#declare F = fog { distance 1 }") ==
-          "error not-implemented: `fog` is not available in this version");
+    CHECK(complaint("#declare R = rainbow { distance 1 }") ==
+          "error not-implemented: `rainbow` is not available in this version");
     CHECK(complaint("#declare S = sphre { 0, 1 }") ==
           "error unknown-word: a scene has no word `sphre`");
     CHECK(complaint("#default { sphere { 0, 1 } }") ==

@@ -57,6 +57,21 @@ TEST_CASE("wrong lights are told of once", "[evaluate]") {
     CHECK(complaint("light_source { }") == "error missing: `light_source` needs `location`");
     CHECK(complaint("light_source { 0, 1 no_shadow }") ==
           "error misplaced: `no_shadow` has no place in `light_source`");
-    CHECK(complaint("light_source { 0, 1 area_light x, y, 2, 2 adaptive 1 jitter }") ==
-          "error not-implemented: `area_light` is not available in this version");
+    CHECK(complaint("light_source { 0, 1 area_light x, y, 2 }") ==
+          "error missing: `area_size2` of `light_source` needs a whole number");
+    CHECK(complaint("light_source { 0, 1 spotlight point_at 0 }") ==
+          "error degenerate: `point_at` must not be the light's own location");
+}
+
+TEST_CASE("a light may look like an object, which moves with it", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; light_source { <1, 2, 3>, 1 area_light x, y, 4, 3 adaptive 1 jitter "
+            "looks_like { sphere { 0, 1 } } translate 5*x }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    CHECK(light(done).size2 == 3);
+    CHECK(light(done).location == Vec3(6, 2, 3));
+    REQUIRE(done.scene.objects.size() == 1);
+    CHECK(done.object().transform->point(Vec3(0)) == Vec3(6, 2, 3));
+    CHECK(done.object().no_shadow);
 }

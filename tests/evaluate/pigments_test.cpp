@@ -119,7 +119,7 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("pigment_map { [0 rgb 1] }") ==
           "error misplaced: `pigment_map` needs a pattern before it");
     CHECK(wrong("bozo pigment_map { [rgb 1] }") ==
-          "error missing: an entry of `pigment_map` begins with a number");
+          "error missing: the entries of a map begin with a number");
     CHECK(wrong("bozo pigment_map { }") == "error missing: `pigment_map` has no entries");
     CHECK(wrong("gradient") == "error missing: `pigment` needs `direction`");
     CHECK(wrong("gradient x color_map { }") == "error missing: `color_map` has no entries");
@@ -142,4 +142,11 @@ TEST_CASE("pigments within pigments without end are refused", "[evaluate]") {
                     "pigment_map { [0 P] [1 P] } } #end") ==
           "error recursion-limit: too many pigments are nested here: each level can double the "
           "work");
+}
+
+TEST_CASE("entries of average weigh 1 when they have no number", "[evaluate]") {
+    const Pigment pigment = pigment_of("average pigment_map { [gradient x] [3 bozo] }");
+    const auto& map = std::get<PigmentMap>(pigment.pattern->map);
+    CHECK(map[0].value == 1);
+    CHECK(map[1].value == 3);
 }

@@ -63,7 +63,7 @@ TEST_CASE("a pattern mixes two textures by their shares", "[surface]") {
     const auto opacity = [](const Colour& colour) { return colour.opacity(); };
     CHECK(emission(mixed, Vec3(0.25, 0, 0), {}, opacity) == Vec3(0.75));
     CHECK(greatest_emission(mixed) == Vec3(1));
-    CHECK(nesting(mixed).depth == 2);
+    CHECK(nesting(mixed).depth == 1);
 }
 
 TEST_CASE("all layers and choices move with the texture", "[surface]") {
