@@ -12,10 +12,12 @@ namespace {
 constexpr double near_radii = 2;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
-constexpr double divided_above = 4;
+constexpr double divided_above = 20;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
+/// Lines that tell how crowded the luminaires are.
+constexpr std::uint32_t trials = 4;
 
 bool near(const Glow& g, const Vec3& position) {
     const Vec3 v = g.centre - position;
@@ -46,6 +48,7 @@ struct BuiltCutOctree::Cell {
     Box box;
     int depth = 0;
     std::optional<LightCut> cut;  ///< none: it is divided
+    double crowding = 1;          ///< see Weights
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -61,6 +64,7 @@ struct BuiltCutOctree::State {
     CutRule rule;
     double unit = 1;
     std::span<const Luminaire> luminaires;
+    bool even = true;
     LightTree tree;
     std::unique_ptr<Cell> root;
     std::atomic<std::size_t> cells = 0, bytes = 0;
@@ -75,6 +79,9 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->rule = {settings.eta, settings.cut};
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
+    state_->even = std::ranges::all_of(scene.luminaires, [](const Luminaire& luminaire) {
+        return std::holds_alternative<SphereEmitter>(luminaire.emitter);
+    });
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
     LightBounds lights;
@@ -94,11 +101,47 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, int d
     cell->depth = depth;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
     const double bound = divided_above * state_->rule.noise;
-    if (cell->cut->noise() > bound && depth < state_->settings.max_depth) cell->cut.reset();
+    if (cell->cut->noise() > bound && depth < state_->settings.max_depth)
+        cell->cut.reset();
+    else
+        cell->crowding = crowding(*cell);
     return cell;
 }
 
-const LightCut& BuiltCutOctree::cut_at(const Vec3& point) const {
+double BuiltCutOctree::crowding(const Cell& cell) const {
+    // Lines from some points of the cell. The numbers are the same for each cell.
+    Weights weights;
+    weights.cut = &*cell.cut;
+    LightPicks picks;
+    LightMeetings met;
+    int lines = 0;
+    for (std::uint32_t i = 0; i < trials; ++i) {
+        const auto number = [&](std::uint32_t n) {
+            return uniform(Key{n, i, 0, 0}, Purpose::light_representative);
+        };
+        const Vec3 place(number(0), number(1), number(2));
+        const Vec3 position = cell.box.low + place * cell.box.size();
+        const ShadingPoint point{position, Vec3(0, 1, 0), true};
+        weights.cut->weigh(point, weights);
+        picks.clear();
+        choose(point, weights, Key{3, i, 0, 0}, number(3), picks);
+        if (picks.empty()) continue;
+        const auto drawn =
+            sample(state_->luminaires[picks.front().light], position, {number(4), number(5)});
+        if (!drawn) continue;
+        ++lines;
+        state_->tree.along(position, drawn->direction, [&](LightIndex light) {
+            meet(state_->luminaires[light], point, drawn->direction, met);
+        });
+    }
+    return lines > 0 ? static_cast<double>(met.size()) / lines : 1;
+}
+
+std::size_t BuiltCutOctree::entries_at(const Vec3& point) const {
+    return cell_at(point).cut->entries();
+}
+
+const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point) const {
     Cell* cell = state_->root.get();
     while (!cell->cut) {
         const Vec3 middle = cell->box.centre();
@@ -121,12 +164,15 @@ const LightCut& BuiltCutOctree::cut_at(const Vec3& point) const {
         }
         cell = child;
     }
-    return *cell->cut;
+    return *cell;
 }
 
 void BuiltCutOctree::weigh(const ShadingPoint& point, Weights& weights) const {
     if (!state_->root) return;
-    weights.cut = &cut_at(point.position);
+    const Cell& cell = cell_at(point.position);
+    weights.even = state_->even;
+    weights.cut = &*cell.cut;
+    weights.crowding = cell.crowding;
     weights.cut->weigh(point, weights);
 }
 

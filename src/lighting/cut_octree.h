@@ -2,7 +2,7 @@
 // An octree over the points to be lit, whose cells hold cuts through the light tree: the paper's
 // lists of bright luminaires, with clusters in the place of the dim ones. A cell is made when a
 // point in it is asked for the first time, and is a pure function of its box, so that the answers
-// do not depend on who comes first.
+// do not depend on who comes first. It also knows by trial how crowded the luminaires are.
 #pragma once
 
 #include "base/random.h"
@@ -17,6 +17,8 @@ public:
     /// What luminaires give at one point: for several choices and questions there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
+        bool even = true;     ///< all are spheres, which are sampled without noise of their own
+        double crowding = 1;  ///< luminaires on a line that one of them was drawn for, in the mean
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);
@@ -36,7 +38,7 @@ public:
     std::size_t memory_bytes() const;
     std::size_t cells() const;
     /// Makes the cell of this point, if there is none yet.
-    std::size_t entries_at(const Vec3& point) const { return cut_at(point).entries(); }
+    std::size_t entries_at(const Vec3& point) const;
     const LightTree& tree() const;
     const LightOctree& settings() const;
 
@@ -44,7 +46,8 @@ private:
     struct Cell;
     struct State;
 
-    const LightCut& cut_at(const Vec3&) const;
+    const Cell& cell_at(const Vec3&) const;
+    double crowding(const Cell&) const;
     std::unique_ptr<Cell> make(const Box&, int depth) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
                           double& probability) const;

@@ -118,6 +118,9 @@ Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, cons
     return response(s, direction, true, grain) * iridescence(world, s, direction);
 }
 
+/// From so many luminaires on a line, or such a share of the sky, whole lines are asked.
+constexpr double crowded = 1.3, covered = 0.05;
+
 Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
 }
@@ -232,7 +235,8 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
 Vec3 DirectLight::from_line(const Octree& octree, const Octree::Weights& weights, const Shading& s,
                             const Key& key, RayCounts& rays) {
     const ShadingPoint point = point_of(s);
-    const double by_surface = surface_share(octree.settings().brdf, weights.coverage);
+    const double by_surface =
+        weights.even ? 0 : surface_share(octree.settings().brdf, weights.coverage);
     const double u = uniform(key, Purpose::light_choice);
     Vec3 direction;
     if (u < by_surface) {
@@ -261,10 +265,22 @@ Vec3 DirectLight::from_line(const Octree& octree, const Octree::Weights& weights
 Vec3 DirectLight::from_cuts(const Octree& octree, const Shading& s, const Key& key,
                             RayCounts& rays) {
     Octree::Weights weights;
-    octree.weigh(point_of(s), weights);
+    const ShadingPoint point = point_of(s);
+    octree.weigh(point, weights);
+    // Where luminaires stand apart and fill little of the sky, no other one is likely to be met.
+    const bool lines = !octree.settings().alone && (weights.crowding > crowded ||
+                                                    (!weights.even && weights.coverage > covered));
     Vec3 sum(0);
-    for (int i = 0; i < shadow_rays_; ++i)
-        sum += from_line(octree, weights, s, key.part(shadow_rays_, i), rays);
+    for (int i = 0; i < shadow_rays_; ++i) {
+        const Key part = key.part(shadow_rays_, i);
+        if (lines) {
+            sum += from_line(octree, weights, s, part, rays);
+            continue;
+        }
+        picks_.clear();
+        octree.choose(point, weights, part, uniform(part, Purpose::light_choice), picks_);
+        for (const LightPick& pick : picks_) sum += from_luminaire(s, pick, part, rays);
+    }
     return sum;
 }
 
@@ -307,8 +323,7 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
     const auto ask = [&](const auto& sampler) {
         using Sampler = std::decay_t<decltype(sampler)>;
         if constexpr (std::is_same_v<Sampler, BuiltLightOctree>)
-            if (const Octree* octree = sampler.cuts(); octree && !octree->settings().alone)
-                return from_cuts(*octree, s, key, rays);
+            if (const Octree* octree = sampler.cuts()) return from_cuts(*octree, s, key, rays);
         if constexpr (std::is_same_v<Sampler, BuiltLightBvh>)
             if (sampler.paired())
                 return repeated([&](const Key& k) { return from_pair(sampler, s, k, rays); });
