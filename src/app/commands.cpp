@@ -121,7 +121,9 @@ private:
     }
 
     std::vector<std::string> library_paths() {
+        // As in POV-Ray, whose settings name its own library before the command line is read.
         std::vector<std::string> paths;
+        if (!console_.library.empty()) paths.push_back(console_.library);
         for (std::string path : options_.library_paths) {
             while (path.size() > 1 && path.ends_with('/')) path.pop_back();
             std::error_code none;
@@ -131,7 +133,6 @@ private:
                     message("there is no folder `", harmless(path), "` to look for files in")));
             paths.push_back(std::move(path));
         }
-        if (!console_.library.empty()) paths.push_back(console_.library);
         return paths;
     }
 

@@ -255,6 +255,13 @@ TEST_CASE("included files are found beside the scene, in +L and in the standard 
     shell.library = shell.path("library");
     CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
     CHECK(has(shell.out, "sphere { 1, 5 "));
+    // A folder of other include files is a fallback; beside the scene anything can be replaced.
+    shell.write("extra/standard.inc", "#declare C = 4;\n");
+    CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
+    CHECK(has(shell.out, "sphere { 1, 5 "));
+    shell.write("standard.inc", "#declare C = 4;\n");
+    CHECK(shell({shell.path("user.pov"), "+L" + shell.path("extra/"), "--dump", "scene"}) == 0);
+    CHECK(has(shell.out, "sphere { 1, 6 "));
     CHECK(shell({shell.path("user.pov"), "--check"}) == 1);
     CHECK(has(shell.err, "other.inc"));
     CHECK(shell({shell.path("lit.pov"), "+L" + shell.path("nowhere"), "--check"}) == 0);
