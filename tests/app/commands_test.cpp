@@ -309,9 +309,10 @@ TEST_CASE("diagnostics as JSON are all that is said", "[app]") {
 
 TEST_CASE("an animation leaves a picture for each frame, each with its clock", "[app]") {
     Shell shell;
-    shell.write("move.pov", "#debug concat(str(frame_number, 0, 0), \"/\", str(final_frame, 0, 0), "
-                            "\" \", str(clock, 0, 2), \"\\n\") camera { location -z } "
-                            "background { rgb clock }");
+    shell.write("move.pov",
+                "#debug concat(str(frame_number, 0, 0), \"/\", str(final_frame, 0, 0), "
+                "\" \", str(clock, 0, 2), \"\\n\") camera { location -z } "
+                "background { rgb clock }");
     const std::vector<std::string> words = {shell.path("move.pov"), "+W2", "+H2",
                                             "+O" + shell.path("out.png"), "+KFF11"};
     REQUIRE(shell(words) == exit_status::done);
@@ -350,4 +351,17 @@ TEST_CASE("options go to an INI file and come from it", "[app]") {
     CHECK(has(shell.content("all.ini"), "Width=77\nDeclare=Size=2\nInclude_Header=head.inc\n"));
     REQUIRE(shell({shell.path("all.ini")}) == exit_status::done);
     CHECK(has(shell.err, "no errors"));
+}
+
+TEST_CASE("the manual shows the stages of a scene as they are", "[app]") {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/man/candelabra.1.in");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t begin = manual.find("#macro Lamp(X)");
+    REQUIRE(begin != std::string::npos);
+    Shell shell;
+    shell.write("lamps.pov", manual.substr(begin, manual.find(".fi", begin) - begin));
+    for (const char* stage : {"tree", "scene"}) {
+        REQUIRE(shell({shell.path("lamps.pov"), "--dump", stage}) == 0);
+        CHECK(has(manual, shell.out));
+    }
 }
