@@ -179,10 +179,13 @@ private:
     Value pattern_function(const Element& element) {
         PatternDraft draft;
         if (!read_pattern(binder_, element, draft)) return Absence::broken;
-        const auto code = [use = draft.use(), transform = draft.transform](const double* in,
-                                                                           double* out) {
+        // Functions make waves of ten sources, whatever the scene says, as in POV-Ray.
+        PatternScene around;
+        around.noise_generator = noise_generator(scene_.settings.noise_generator);
+        const auto code = [use = draft.use(), transform = draft.transform, around](const double* in,
+                                                                                   double* out) {
             const Vec3 point = transform.inverse_point(Vec3(in[0], in[1], in[2]));
-            out[0] = use.value(use.place(point), {});
+            out[0] = use.value(use.place(point), around);
             return true;
         };
         return make_handle<Formula>(3, 1, code);

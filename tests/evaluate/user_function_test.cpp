@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/said.h"
 
+#include "support/scripts.h"
+
 #include <catch2/catch.hpp>
 
 TEST_CASE("functions are declared and called", "[evaluate]") {
@@ -81,4 +83,18 @@ TEST_CASE("functions that call functions have a limit", "[evaluate]") {
     CHECK(printed("#declare A = array[150] #declare A[0] = function(a) { a } #for (i, 1, 120) "
                   "#local f = A[i - 1]; #declare A[i] = function(a) { f(a) + 1 } #undef f #end")
               .substr(0, 61) == "error: functions call each other more than 100 deep, which is");
+}
+
+TEST_CASE("the noise of a pattern function is the scene's", "[evaluate]") {
+    const auto value = [](const std::string& settings, const std::string& pattern) {
+        const Evaluated result = evaluated("#version 3.7; global_settings { " + settings +
+                                           " } #declare f = function { pattern { " + pattern +
+                                           " } } #debug str(f(.31, .42, -.57), 0, 6)");
+        INFO(result.diagnostics);
+        CHECK_FALSE(result.failed);
+        return result.printed;
+    };
+    CHECK(value("noise_generator 2", "bozo") == value("", "bozo"));
+    CHECK(value("noise_generator 1", "bozo") != value("", "bozo"));
+    CHECK(value("noise_generator 1", "bozo") == value("", "bozo noise_generator 1"));
 }
