@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/formats.h"
 
+#include "text/harmless.h"
 #include "text/message.h"
 
 #include <dlfcn.h>
@@ -29,4 +30,18 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
             error(Fault::io, asked_at,
                   message("the library of picture formats cannot be opened: ", opened.problem)));
     return opened.formats;
+}
+
+std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& diagnostics,
+                                         Span asked_at) {
+    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+    const Formats* formats = picture_formats(diagnostics, asked_at);
+    if (!formats) return std::nullopt;
+    StoredPicture stored;
+    const std::string problem = formats->read(path, most_pixels, stored);
+    if (problem.empty()) return stored;
+    diagnostics.add(
+        error(Fault::io, asked_at,
+              message("cannot read the picture `", harmless(path), "`: ", harmless(problem))));
+    return std::nullopt;
 }

@@ -5,5 +5,12 @@
 #include "formats/formats.h"
 #include "text/diagnostic.h"
 
+#include <optional>
+#include <string>
+
 /// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});
+
+/// The picture as its file has it. Nothing, with a diagnostic at the span, when it cannot be read,
+/// or is larger than any picture that is not damaged.
+std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics&, Span asked_at);

@@ -2,8 +2,6 @@
 #include "picture/heights.h"
 
 #include "picture/formats.h"
-#include "text/harmless.h"
-#include "text/message.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +11,6 @@
 
 namespace {
 
-constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 constexpr double most = 65535;
 
 unsigned byte_at(const std::string& bytes, std::size_t i) {
@@ -67,16 +64,9 @@ double height_of(const StoredPicture& picture, const Palette& palette, const flo
 
 std::optional<Heights> read_heights(const std::string& path, double gamma, Diagnostics& diagnostics,
                                     Span asked_at) {
-    const Formats* formats = picture_formats(diagnostics, asked_at);
-    if (!formats) return std::nullopt;
-    StoredPicture stored;
-    const std::string problem = formats->read(path, most_pixels, stored);
-    if (!problem.empty()) {
-        diagnostics.add(
-            error(Fault::io, asked_at,
-                  message("cannot read the picture `", harmless(path), "`: ", harmless(problem))));
-        return std::nullopt;
-    }
+    std::optional<StoredPicture> read = read_stored(path, diagnostics, asked_at);
+    if (!read) return std::nullopt;
+    StoredPicture& stored = *read;
     if (gamma > 0)
         for (float& value : stored.values)
             value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));

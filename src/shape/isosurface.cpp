@@ -61,13 +61,7 @@ Vec3 normal_at(const BuiltIsosurface& surface, const Vec3& p, const Vec3& direct
         aside[i] = step;
         slope[i] = value_at(surface, p + aside) - value_at(surface, p - aside);
     }
-    const Vec3 normal = unit(slope);
-    if (!(length(normal) > 0.5)) return entering ? -direction : direction;
-    // Where the ray grazes the surface, or the function has an edge, the slope may say otherwise.
-    const double along = dot(normal, direction);
-    return (along < 0) == entering && along != 0
-               ? normal
-               : unit(normal - (2 * along + (entering ? 1e-9 : -1e-9)) * direction);
+    return normal_against(slope, direction, entering);
 }
 
 /// Where the ray is in the container, with the normals of its surface there.

@@ -2,6 +2,7 @@
 #include "shape/julia_fractal.h"
 
 #include "shape/julia_orbit.h"
+#include "shape/line_search.h"
 #include "shape/sphere.h"
 #include "vocabulary/schema.h"
 
@@ -54,12 +55,7 @@ Vec3 normal_at(const JuliaFractal& julia, const Vec3& p, const Vec3& direction, 
         slope[axis] = std::log(julia_size(julia, p + aside) + 1e-300) -
                       std::log(julia_size(julia, p - aside) + 1e-300);
     }
-    const Vec3 normal = unit(slope);
-    if (!(length(normal) > 0.5)) return entering ? -direction : direction;
-    const double along = dot(normal, direction);
-    return (along < 0) == entering && along != 0
-               ? normal
-               : unit(normal - (2 * along + (entering ? 1e-9 : -1e-9)) * direction);
+    return normal_against(slope, direction, entering);
 }
 
 /// Where between two places of a ray the set begins or ends.

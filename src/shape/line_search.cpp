@@ -74,6 +74,15 @@ private:
 
 }  // namespace
 
+Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering) {
+    const Vec3 normal = unit(slope);
+    if (!(length(normal) > 0.5)) return entering ? -direction : direction;
+    const double along = dot(normal, direction);
+    return (along < 0) == entering && along != 0
+               ? normal
+               : unit(normal - (2 * along + (entering ? 1e-9 : -1e-9)) * direction);
+}
+
 std::vector<double> sign_changes(const LineFunction& f, const Interval& range, double detail) {
     const double size = std::max(std::abs(range.min), std::abs(range.max));
     Search search(f, detail, 1e-14 * size);

@@ -19,6 +19,11 @@ struct LineFunction {
 /// Whether a value belongs to the side below 0; what is no number does not.
 inline bool is_below(double value) { return value <= 0; }
 
+/// The unit normal of a surface that a ray enters or leaves, from the slope of the function that
+/// grows outwards. Where the ray grazes the surface, or the function has an edge, the slope may say
+/// otherwise than the ray; then it is mended.
+Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering);
+
 /// The places in the range where is_below() changes, in ascending order. Changes that come back
 /// within `detail` may be passed over. The work is bounded: a function that stays at 0, or changes
 /// its sign very often, is not looked at more closely than that.

@@ -48,3 +48,12 @@ TEST_CASE("changes are odd in number when the signs at the ends differ", "[shape
         CHECK(std::is_sorted(found.begin(), found.end()));
     }
 }
+
+TEST_CASE("a normal looks against a ray that enters, whatever the slope says", "[shape]") {
+    const Vec3 forward(0, 0, 1);
+    CHECK(normal_against(Vec3(0, 3, -4), forward, true) == Vec3(0, 0.6, -0.8));
+    CHECK(normal_against(Vec3(0, 3, 4), forward, false) == Vec3(0, 0.6, 0.8));
+    for (const Vec3& slope : {Vec3(0, 3, 4), Vec3(0, 1, 0), Vec3(0)})
+        CHECK(dot(normal_against(slope, forward, true), forward) < 0);
+    CHECK(length(normal_against(Vec3(0, 3, 4), forward, true)) == Approx(1));
+}
