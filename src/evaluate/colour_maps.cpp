@@ -90,15 +90,10 @@ void report_empty(OpenBlock& block, std::size_t entries) {
 }
 
 bool read_colour_map(Binder& binder, const Element& element, ColourMap& map) {
-    OpenBlock block(binder, "color_map", element.word_span);
-    block.form = "{ [0 rgb <r, g, b>] [1 rgb <r, g, b>] }";
-    auto declared = named<ColourMap>(block, [&](const Handle<ColourMap>& other) { map = *other; });
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         ColourEntry values(entry, map);
         entry.read(body, values);
     };
-    MapEntries entries(block, read_entry);
-    block.read(element.body, declared, entries);
-    report_empty(block, map.size());
-    return !block.broken;
+    return read_map(binder, element, "color_map", "{ [0 rgb <r, g, b>] [1 rgb <r, g, b>] }", map,
+                    read_entry);
 }

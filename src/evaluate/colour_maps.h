@@ -42,6 +42,19 @@ private:
 /// After the last entry of a map.
 void report_empty(OpenBlock&, std::size_t entries);
 
+/// The block of a map: a declared one, then entries. `form` is how it is written, for messages.
+template <class Map>
+bool read_map(Binder& binder, const Element& element, std::string_view name, std::string_view form,
+              Map& map, MapEntries::Read read_entry) {
+    OpenBlock block(binder, name, element.word_span);
+    block.form = form;
+    auto declared = named<Map>(block, [&](const Handle<Map>& other) { map = *other; });
+    MapEntries entries(block, read_entry);
+    block.read(element.body, declared, entries);
+    report_empty(block, map.size());
+    return !block.broken;
+}
+
 /// What the entries of `average` without a number weigh; those of other patterns must have one.
 /// Reports numbers that are missing, and weights that are none.
 template <class Entry>

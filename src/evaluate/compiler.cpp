@@ -8,37 +8,26 @@ namespace {
 /// Expressions that are nested deeper are walked: compiling takes room on the stack.
 constexpr int most_depth = 500;
 
-/// Comparisons and truth as expressions of the language have them.
-Operation operation_of(Operator sign) {
-    switch (sign) {
-        case Operator::add:
-            return Operation::add;
-        case Operator::subtract:
-            return Operation::subtract;
-        case Operator::multiply:
-            return Operation::multiply;
-        case Operator::divide:
-            return Operation::divide_unless;
-        case Operator::less:
-            return Operation::less;
-        case Operator::less_equal:
-            return Operation::about_less_equal;
-        case Operator::equal:
-            return Operation::about_equal;
-        case Operator::not_equal:
-            return Operation::about_not_equal;
-        case Operator::greater_equal:
-            return Operation::about_greater_equal;
-        case Operator::greater:
-            return Operation::greater;
-        case Operator::both:
-            return Operation::true_both;
-        default:
-            return Operation::true_either;
-    }
-}
-
 }  // namespace
+
+OperatorCode operations_of(Operator sign) {
+    using enum Operation;
+    constexpr auto codes = std::array<OperatorCode, 12>{{
+        {add, add},
+        {subtract, subtract},
+        {multiply, multiply},
+        {divide_unless, divide},
+        {less, less},
+        {about_less_equal, less_equal},
+        {about_equal, equal},
+        {about_not_equal, not_equal},
+        {about_greater_equal, greater_equal},
+        {greater, greater},
+        {true_both, both},
+        {true_either, either},
+    }};
+    return codes[static_cast<std::size_t>(sign)];
+}
 
 Code* Evaluator::State::compile(const Tree& tree, NodeId id) {
     Code code;
@@ -172,7 +161,7 @@ Operands Evaluator::State::Compiler::binary(const node::Binary& node) {
     if (right.count == 0) return {};
     const std::size_t count = std::max(left.count, right.count);
     const Operands a = promoted(left, count), b = promoted(right, count);
-    const Operation operation = operation_of(node.sign);
+    const Operation operation = operations_of(node.sign).tolerant;
     Operands result;
     for (; result.count < count; ++result.count) {
         const Operand x = a.at[result.count], y = b.at[result.count];

@@ -19,6 +19,14 @@ struct Operands {
     static Operands one(ProgramBuilder::Operand operand) { return {1, {operand}}; }
 };
 
+/// What a sign between two numbers does: in expressions, where numbers that are very close are
+/// equal and a division by zero is reported, and in functions.
+struct OperatorCode {
+    Operation tolerant, exact;
+};
+/// Precondition: it has two operands.
+OperatorCode operations_of(Operator);
+
 struct Evaluator::State::Compiler {
     using Operand = ProgramBuilder::Operand;
 

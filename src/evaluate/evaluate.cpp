@@ -41,6 +41,14 @@ public:
         return one(first);
     }
 
+    Handle<Formula> function(const Element& element) {
+        // Functions make waves of ten sources, whatever the scene says, as in POV-Ray.
+        PatternScene around;
+        around.noise_generator = noise_generator(scene_.settings.noise_generator);
+        return element.word == "pigment"_word ? pigment_function(element, around)
+                                              : pattern_function(element, around);
+    }
+
     void set_default(const Element& element) {
         const NameId word = element.kind == Element::Kind::block ? element.word : no_name;
         if (word == "camera"_word) {
@@ -72,6 +80,31 @@ public:
     }
 
 private:
+    Handle<Formula> pattern_function(const Element& element, const PatternScene& around) {
+        PatternDraft draft;
+        if (!read_pattern(binder_, element, draft)) return nullptr;
+        const auto code = [use = draft.use(), transform = draft.transform, around](const double* in,
+                                                                                   double* out) {
+            const Vec3 point = transform.inverse_point(Vec3(in[0], in[1], in[2]));
+            out[0] = use.value(use.place(point), around);
+            return true;
+        };
+        return make_handle<Formula>(3, 1, code);
+    }
+
+    /// red, green, blue, filter, transmit
+    Handle<Formula> pigment_function(const Element& element, const PatternScene& around) {
+        Pigment pigment = binder_.default_texture->pigment;
+        if (!read_pigment(binder_, element, pigment)) return nullptr;
+        return make_handle<Formula>(3, 5, [pigment, around](const double* in, double* out) {
+            const Colour colour = evaluate(pigment, Vec3(in[0], in[1], in[2]), around);
+            for (int i = 0; i < 3; ++i) out[i] = colour.rgb[i];
+            out[3] = colour.filter;
+            out[4] = colour.transmit;
+            return true;
+        });
+    }
+
     void take_block(const Element& element) {
         top_.resume();
         if (element.word == "light_source"_word) {
@@ -150,7 +183,6 @@ private:
             return read_part(element, binder_.default_texture->pigment, read_pigment);
         if (word == "normal"_word)
             return read_part(element, binder_.default_texture->normal, read_normal);
-        if (word == "pattern"_word) return pattern_function(element);
         if (word == "finish"_word)
             return read_part(element, binder_.default_texture->finish, read_finish);
         if (word == "material"_word) return read_part(element, DeclaredMaterial{}, read_material);
@@ -173,22 +205,6 @@ private:
                      {"sphere", "union", "object", "texture", "pigment", "normal", "finish",
                       "interior", "transform", "camera", "color_map", "light_source"});
         return Absence::broken;
-    }
-
-    /// The value of a pattern at a point: it has a meaning in functions only.
-    Value pattern_function(const Element& element) {
-        PatternDraft draft;
-        if (!read_pattern(binder_, element, draft)) return Absence::broken;
-        // Functions make waves of ten sources, whatever the scene says, as in POV-Ray.
-        PatternScene around;
-        around.noise_generator = noise_generator(scene_.settings.noise_generator);
-        const auto code = [use = draft.use(), transform = draft.transform, around](const double* in,
-                                                                                   double* out) {
-            const Vec3 point = transform.inverse_point(Vec3(in[0], in[1], in[2]));
-            out[0] = use.value(use.place(point), around);
-            return true;
-        };
-        return make_handle<Formula>(3, 1, code);
     }
 
     template <class T>
@@ -235,6 +251,7 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     Meaning meaning;
     meaning.top = [&](const Element& element) { reader.take(element); };
     meaning.value = [&](std::span<const Element> elements) { return reader.value(elements); };
+    meaning.function = [&](const Element& element) { return reader.function(element); };
     meaning.set_default = [&](const Element& element) { reader.set_default(element); };
     meaning.print = [&](std::string_view text) {
         if (options.print) options.print(text);

@@ -107,6 +107,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
       facts(facts) {
     meaning.top = [](const Element&) {};
     meaning.value = [](std::span<const Element>) { return Value(Absence::broken); };
+    meaning.function = [](const Element&) { return Handle<Formula>(nullptr); };
     meaning.set_default = [](const Element&) {};
     meaning.print = [](std::string_view) {};
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };

@@ -69,6 +69,8 @@ struct Meaning {
     /// A block, or several in a row (layers of a texture), where a value is wanted: what #declare
     /// stores.
     std::function<Value(std::span<const Element>)> value;
+    /// The pattern or pigment in `function { ... }`, as a function of a point. Null: reported.
+    std::function<Handle<Formula>(const Element&)> function;
     /// `#default { ... }`: each element of its body.
     std::function<void(const Element&)> set_default;
     /// `#debug` and its relatives that are not diagnostics; the text comes as it is, without a line

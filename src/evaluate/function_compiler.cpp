@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/function_compiler.h"
 
+#include "evaluate/compiler.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -125,30 +126,6 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary
 
 namespace {
 
-/// In functions, numbers are equal only if they are the same.
-Operation exact_operation(Operator sign) {
-    switch (sign) {
-        case Operator::add:
-            return Operation::add;
-        case Operator::subtract:
-            return Operation::subtract;
-        case Operator::multiply:
-            return Operation::multiply;
-        case Operator::less:
-            return Operation::less;
-        case Operator::less_equal:
-            return Operation::less_equal;
-        case Operator::equal:
-            return Operation::equal;
-        case Operator::not_equal:
-            return Operation::not_equal;
-        case Operator::greater_equal:
-            return Operation::greater_equal;
-        default:
-            return Operation::greater;
-    }
-}
-
 bool is_logical(Operator sign) { return sign == Operator::both || sign == Operator::either; }
 
 }  // namespace
@@ -161,7 +138,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binar
     if (!a || !b) return std::nullopt;
     const Result result = node.sign == Operator::divide
                               ? division(tree, *a, *b, node.right)
-                              : builder.emit(exact_operation(node.sign), *a, *b);
+                              : builder.emit(operations_of(node.sign).exact, *a, *b);
     builder.release(*a);
     builder.release(*b);
     return result;

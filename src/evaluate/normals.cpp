@@ -127,19 +127,7 @@ private:
 /// What stands in the braces of a normal, or behind the number of an entry.
 template <class... First>
 void read_content(OpenBlock& block, Body body, Bump& bump, First&... first) {
-    BumpDraft draft(bump);
-    auto declared = named<Bump>(block, [&](const Handle<Bump>& other) {
-        if (!block.broken) draft = BumpDraft(*other);
-    });
-    BumpReader reader(block, draft);
-    const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
-    TransformReader moves(block, apply);
-    block.read(body, first..., declared, reader, moves);
-    if (block.broken) return;
-    bump = draft.made();
-    if (nesting(bump).too_deep())
-        block.report(error(Fault::recursion_limit, block.span,
-                           "too many normals are nested here: each level can double the work"));
+    read_patterned<BumpDraft, BumpReader>(block, body, bump, "normals", first...);
 }
 
 /// [value <height, slope>]
@@ -182,30 +170,20 @@ bool read_normal(Binder& binder, const Element& element, Bump& bump) {
 }
 
 bool read_normal_map(Binder& binder, const Element& element, NormalMap& map) {
-    OpenBlock block(binder, "normal_map", element.word_span);
-    block.form = "{ [0 pattern amount ...] [1 pattern amount ...] }";
-    auto declared = named<NormalMap>(block, [&](const Handle<NormalMap>& other) { map = *other; });
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         EntryNumber number(entry);
         Bump bump = binder.default_texture->normal;
         read_content(entry, body, bump, number);
         if (!entry.broken) map.push_back({*number.value, std::move(bump)});
     };
-    MapEntries entries(block, read_entry);
-    block.read(element.body, declared, entries);
-    report_empty(block, map.size());
-    return !block.broken;
+    return read_map(binder, element, "normal_map",
+                    "{ [0 pattern amount ...] [1 pattern amount ...] }", map, read_entry);
 }
 
 bool read_slope_map(Binder& binder, const Element& element, SlopeMap& map) {
-    OpenBlock block(binder, "slope_map", element.word_span);
-    block.form = "{ [0 <height, slope>] [1 <height, slope>] }";
-    auto declared = named<SlopeMap>(block, [&](const Handle<SlopeMap>& other) { map = *other; });
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         read_slope_entry(entry, body, map);
     };
-    MapEntries entries(block, read_entry);
-    block.read(element.body, declared, entries);
-    report_empty(block, map.size());
-    return !block.broken;
+    return read_map(binder, element, "slope_map", "{ [0 <height, slope>] [1 <height, slope>] }",
+                    map, read_entry);
 }

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "evaluate/bind.h"
+#include "evaluate/transforms.h"
 #include "pattern/use.h"
+#include "text/message.h"
 
 /// A pattern while it is read; PatternUse when it is done.
 struct PatternDraft {
@@ -59,3 +61,25 @@ private:
 
 /// The braces of `function { pattern { ... } }`. False: reported.
 bool read_pattern(Binder&, const Element& block, PatternDraft&);
+
+/// What stands in the braces of a pigment or normal, or behind the number of an entry in a map: a
+/// declared one, the block's own words, transformations. Draft is what is changed, Reader reads the
+/// words; `plural` names many of them.
+template <class Draft, class Reader, class Patterned, class... First>
+void read_patterned(OpenBlock& block, Body body, Patterned& patterned, std::string_view plural,
+                    First&... first) {
+    Draft draft(patterned);
+    auto declared = named<Patterned>(block, [&](const Handle<Patterned>& other) {
+        if (!block.broken) draft = Draft(*other);
+    });
+    Reader reader(block, draft);
+    const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
+    TransformReader moves(block, apply);
+    block.read(body, first..., declared, reader, moves);
+    if (block.broken) return;
+    patterned = draft.made();
+    if (nesting(patterned).too_deep())
+        block.report(error(
+            Fault::recursion_limit, block.span,
+            message("too many ", plural, " are nested here: each level can double the work")));
+}

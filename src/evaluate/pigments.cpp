@@ -206,19 +206,7 @@ private:
 template <class... First>
 void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first) {
     block.effectless = "quick_color quick_colour";
-    PigmentDraft draft(pigment);
-    auto declared = named<Pigment>(block, [&](const Handle<Pigment>& other) {
-        if (!block.broken) draft = PigmentDraft(*other);
-    });
-    ColouringReader colouring(block, draft);
-    const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
-    TransformReader moves(block, apply);
-    block.read(body, first..., declared, colouring, moves);
-    if (block.broken) return;
-    pigment = draft.made();
-    if (nesting(pigment).too_deep())
-        block.report(error(Fault::recursion_limit, block.span,
-                           "too many pigments are nested here: each level can double the work"));
+    read_patterned<PigmentDraft, ColouringReader>(block, body, pigment, "pigments", first...);
 }
 
 /// The commonest pigment by far, nothing but `rgb ...`. False: it is something else.
@@ -236,20 +224,14 @@ bool read_colour_alone(Evaluator& evaluator, Body body, Pigment& pigment) {
 }  // namespace
 
 bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
-    OpenBlock block(binder, "pigment_map", element.word_span);
-    block.form = "{ [0 pattern ...] [1 rgb <r, g, b>] }";
-    auto declared =
-        named<PigmentMap>(block, [&](const Handle<PigmentMap>& other) { map = *other; });
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         EntryNumber number(entry);
         Pigment pigment = binder.default_texture->pigment;
         read_content(entry, body, pigment, number);
         if (!entry.broken) map.push_back({*number.value, std::move(pigment)});
     };
-    MapEntries entries(block, read_entry);
-    block.read(element.body, declared, entries);
-    report_empty(block, map.size());
-    return !block.broken;
+    return read_map(binder, element, "pigment_map", "{ [0 pattern ...] [1 rgb <r, g, b>] }", map,
+                    read_entry);
 }
 
 bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {

@@ -274,20 +274,14 @@ bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
 }
 
 bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
-    OpenBlock block(binder, "texture_map", element.word_span);
-    block.form = "{ [0 Texture] [1 pigment { ... } finish { ... }] }";
-    auto declared =
-        named<TextureMap>(block, [&](const Handle<TextureMap>& other) { map = *other; });
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         EntryNumber number(entry);
         TextureDraft draft(binder.default_texture);
         read_content(entry, body, draft, number);
         if (!entry.broken) map.push_back({*number.value, draft.shared(binder.textures)});
     };
-    MapEntries entries(block, read_entry);
-    block.read(element.body, declared, entries);
-    report_empty(block, map.size());
-    return !block.broken;
+    return read_map(binder, element, "texture_map",
+                    "{ [0 Texture] [1 pigment { ... } finish { ... }] }", map, read_entry);
 }
 
 bool read_material(Binder& binder, const Element& element, DeclaredMaterial& material) {

@@ -4,7 +4,6 @@
 #include "evaluate/function_compiler.h"
 #include "evaluate/splines.h"
 #include "formula/internal.h"
-#include "scene/scene.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -111,21 +110,6 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
     return block_function(tree, node.body, id);
 }
 
-namespace {
-
-/// red, green, blue, filter, transmit
-Handle<Formula> pigment_formula(Handle<Pigment> pigment) {
-    return make_handle<Formula>(3, 5, [pigment](const double* in, double* out) {
-        const Colour colour = evaluate(*pigment, Vec3(in[0], in[1], in[2]));
-        for (int i = 0; i < 3; ++i) out[i] = colour.rgb[i];
-        out[3] = colour.filter;
-        out[4] = colour.transmit;
-        return true;
-    });
-}
-
-}  // namespace
-
 /// `function { transform { ... } }` and its like.
 Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
     const auto* block = tree.get_if<node::Block>(body);
@@ -137,10 +121,9 @@ Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, 
         return nullptr;
     }
     const Element element = block_element(tree, body);
+    if (word == "pattern" || word == "pigment") return meaning.function(element);
     const Value value = meaning.value({&element, 1});
-    if (const auto pattern = value.handle<Formula>()) return pattern;
     if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
-    if (const auto pigment = value.handle<Pigment>()) return pigment_formula(pigment);
     const auto transform = value.handle<Transform>();
     if (!transform) return nullptr;
     return make_handle<Formula>(3, 3, [transform](const double* in, double* out) {

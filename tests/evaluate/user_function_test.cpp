@@ -85,6 +85,10 @@ TEST_CASE("functions that call functions have a limit", "[evaluate]") {
               .substr(0, 61) == "error: functions call each other more than 100 deep, which is");
 }
 
+TEST_CASE("a pattern has a meaning in functions only", "[evaluate]") {
+    CHECK(evaluated("#version 3.7; #declare P = pattern { bozo }").failed);
+}
+
 TEST_CASE("the noise of a pattern function is the scene's", "[evaluate]") {
     const auto value = [](const std::string& settings, const std::string& pattern) {
         const Evaluated result = evaluated("#version 3.7; global_settings { " + settings +
@@ -97,4 +101,8 @@ TEST_CASE("the noise of a pattern function is the scene's", "[evaluate]") {
     CHECK(value("noise_generator 2", "bozo") == value("", "bozo"));
     CHECK(value("noise_generator 1", "bozo") != value("", "bozo"));
     CHECK(value("noise_generator 1", "bozo") == value("", "bozo noise_generator 1"));
+    const auto grey = [&](const std::string& settings) {
+        return value(settings, "pigment_pattern { bozo color_map { [0 rgb 0] [1 rgb 1] } }");
+    };
+    CHECK(grey("noise_generator 1") != grey(""));
 }
