@@ -193,14 +193,6 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
     return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
 }
 
-double density(const AreaEmitter& e, const Vec3& from, const Vec3& direction) {
-    LightMeetings met;
-    meet(e, {from, Vec3(0)}, direction, met);
-    double sum = 0;
-    for (const LightMeeting& meeting : met) sum += meeting.density;
-    return sum;
-}
-
 void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& found) {
     const Ray ray{point.position, direction};

@@ -7,6 +7,5 @@
 LightBounds bounds(const AreaEmitter&, double luminance);
 double unoccluded(const AreaEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
-double density(const AreaEmitter&, const Vec3& from, const Vec3& direction);
 void meet(const AreaEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const AreaEmitter&);

@@ -95,12 +95,6 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
     return LightPoint{from + *distance * direction, direction, *distance, 1 / (2 * pi * widest)};
 }
 
-double density(const CompositeEmitter& e, const Vec3& from, const Vec3& direction) {
-    LightMeetings met;
-    meet(e, {from, Vec3(0)}, direction, met);
-    return met.empty() ? 0 : met.front().density;
-}
-
 void meet(const CompositeEmitter& e, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& met) {
     const Around ball(e);

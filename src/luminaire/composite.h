@@ -12,6 +12,5 @@ CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf);
 LightBounds bounds(const CompositeEmitter&, double luminance);
 double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
-double density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
 void meet(const CompositeEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const CompositeEmitter&);

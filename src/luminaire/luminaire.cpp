@@ -31,11 +31,6 @@ std::optional<LightPoint> sample(const Luminaire& luminaire, const Vec3& from, c
     return std::visit([&](const auto& e) { return sample(e, from, u); }, luminaire.emitter);
 }
 
-double density(const Luminaire& luminaire, const Vec3& from, const Vec3& direction) {
-    return std::visit([&](const auto& e) { return density(e, from, direction); },
-                      luminaire.emitter);
-}
-
 std::optional<LightPoint> sample(const Luminaire& luminaire, const ShadingPoint& point,
                                  const Vec2& u) {
     if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))

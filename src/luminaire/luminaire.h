@@ -94,10 +94,6 @@ double unoccluded(const Luminaire&, const ShadingPoint&);
 /// [0,1)^2. Nothing when the drawn point cannot be seen (it faces away, or lies on the horizon).
 std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2& u);
 
-/// Density per steradian with which sample() gives this direction from the point; 0 where it
-/// cannot.
-double density(const Luminaire&, const Vec3& from, const Vec3& direction);
-
 /// The same where the surface's normal is known: spheres that are wholly above the horizon are
 /// sampled in proportion to the cosine, so that a diffuse surface sees no noise of it at all.
 std::optional<LightPoint> sample(const Luminaire&, const ShadingPoint&, const Vec2& u);

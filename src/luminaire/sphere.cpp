@@ -133,14 +133,6 @@ std::optional<LightPoint> sample(const SphereEmitter& s, const ShadingPoint& poi
     return drawn.density > 0 ? std::optional(drawn) : std::nullopt;
 }
 
-double density(const SphereEmitter& s, const Vec3& from, const Vec3& direction) {
-    LightMeetings met;
-    meet(s, {from, Vec3(0)}, direction, met);
-    double sum = 0;
-    for (const LightMeeting& meeting : met) sum += meeting.density;
-    return sum;
-}
-
 void meet(const SphereEmitter& s, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& met) {
     const Vec3 offset = s.centre - point.position;

@@ -7,7 +7,6 @@
 LightBounds bounds(const SphereEmitter&, double luminance);
 double unoccluded(const SphereEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const SphereEmitter&, const Vec3& from, const Vec2& u);
-double density(const SphereEmitter&, const Vec3& from, const Vec3& direction);
 std::optional<LightPoint> sample(const SphereEmitter&, const ShadingPoint&, const Vec2& u);
 void meet(const SphereEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const SphereEmitter&);

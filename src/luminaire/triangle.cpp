@@ -198,12 +198,6 @@ std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, con
     return LightPoint{from + offset, direction, distance, density};
 }
 
-double density(const TriangleEmitter& t, const Vec3& from, const Vec3& direction) {
-    LightMeetings met;
-    meet(t, {from, Vec3(0)}, direction, met);
-    return met.empty() ? 0 : met.front().density;
-}
-
 void meet(const TriangleEmitter& t, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& met) {
     const TriangleHit hit =

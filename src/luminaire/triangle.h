@@ -7,6 +7,5 @@
 LightBounds bounds(const TriangleEmitter&, double luminance);
 double unoccluded(const TriangleEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const TriangleEmitter&, const Vec3& from, const Vec2& u);
-double density(const TriangleEmitter&, const Vec3& from, const Vec3& direction);
 void meet(const TriangleEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const TriangleEmitter&);

@@ -47,6 +47,17 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
     return AreaEmitter{Sphere{Vec3(0), 1}, make_handle<Transform>(map)};
 }
 
+/// Density per steradian with which a luminaire, or an emitter, gives this direction from the
+/// point; 0 where it cannot.
+template <class Light>
+double density(const Light& light, const Vec3& from, const Vec3& direction) {
+    LightMeetings met;
+    meet(light, {from, Vec3(0)}, direction, met);
+    double sum = 0;
+    for (const LightMeeting& meeting : met) sum += meeting.density;
+    return sum;
+}
+
 /// A point somewhere around an emitter of that place and size: inside, on, near or far.
 inline Vec3 point_around(const Vec3& place, double size, Draw& draw) {
     return place +
