@@ -69,9 +69,6 @@ private:
         return options_.task == Task::check || options_.task == Task::check_syntax;
     }
 
-    /// Progress, figures, praise: everything on the error stream that is no diagnostic.
-    bool talks() const { return options_.verbose && !options_.diagnostics_as_json; }
-
     std::string written(const Diagnostic& diagnostic) const {
         return options_.diagnostics_as_json ? to_json(diagnostic, sources_)
                                             : format(diagnostic, sources_, console_.coloured);
@@ -174,7 +171,7 @@ private:
     }
 
     void say_correct() {
-        if (talks()) console_.err(message(harmless(*options_.scene), ": no errors\n"));
+        if (talks(options_)) console_.err(message(harmless(*options_.scene), ": no errors\n"));
     }
 
     Scene evaluate_scene(SourceId main, const std::string& picture_folder) {
@@ -187,8 +184,6 @@ private:
         options.facts = options_.facts;
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;
-        if (options_.clock) options.facts.clock = *options_.clock;
-        options.facts.clock_given |= options_.clock.has_value();
         if (options_.diagnostics_as_json)
             options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
         else if (options_.verbose)
@@ -199,7 +194,7 @@ private:
     int render_picture(const World& world, const Output& output) {
         using enum Progress::Style;
         Progress progress(
-            !talks()            ? silent
+            !talks(options_)    ? silent
             : console_.terminal ? terminal
                                 : lines,
             [] { return time_now().seconds; }, console_.err);
@@ -213,7 +208,7 @@ private:
             write_picture(rendering.image, output.path, output.format, diagnostics_);
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
-        if (talks() && status == exit_status::done)
+        if (talks(options_) && status == exit_status::done)
             console_.err(message(options_.to_file ? harmless(output.path) : "no file", ": ",
                                  summary(statistics_), "\n"));
         return status;
@@ -287,9 +282,7 @@ public:
     int execute() {
         Diagnostics checked = diagnostics_.fresh();
         output_ = output_of(options_, checked);
-        if (!options_.movie.empty() && find_program("ffmpeg").empty())
-            diagnostics_.add(
-                error(Fault::io, {}, "a film needs the program ffmpeg, which is not installed"));
+        if (!options_.movie.empty()) find_ffmpeg(diagnostics_);
         if (diagnostics_.failed()) return usage_errors(console_, options_, diagnostics_);
         for (std::size_t i = 0; i < animation_.frames.size(); ++i)
             if (const int status = render_frame(i); status != exit_status::done) return status;
@@ -297,8 +290,6 @@ public:
     }
 
 private:
-    bool talks() const { return options_.verbose && !options_.diagnostics_as_json; }
-
     int render_frame(std::size_t i) {
         const AnimationFrame& frame = animation_.frames[i];
         Options options = options_;
@@ -306,7 +297,6 @@ private:
         options.output = output_.path == "-"
                              ? output_.path
                              : numbered(output_.path, frame.number, animation_.digits);
-        options.clock.reset();
         RunFacts& facts = options.facts;
         facts.clock = frame.clock;
         facts.clock_given = true;
@@ -320,7 +310,7 @@ private:
         std::error_code none;
         const bool there = options_.animation.skip_existing && options_.to_file &&
                            options_.task == Task::render && fs::exists(options.output, none);
-        if (talks())
+        if (talks(options_))
             console_.err(message("frame ", frame.number, " (", i + 1, " of ",
                                  animation_.frames.size(), "), clock ", frame.clock,
                                  there ? ": is there\n" : "\n"));

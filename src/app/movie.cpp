@@ -43,6 +43,14 @@ std::string find_program(const std::string& name) {
     return {};
 }
 
+std::string find_ffmpeg(Diagnostics& diagnostics) {
+    std::string program = find_program("ffmpeg");
+    if (program.empty())
+        diagnostics.add(
+            error(Fault::io, {}, "a film needs the program ffmpeg, which is not installed"));
+    return program;
+}
+
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate) {
     std::string text = "ffconcat version 1.0\n";
     for (const std::string& frame : frames) {
@@ -70,8 +78,8 @@ bool make_movie(const std::vector<std::string>& frames, double frame_rate, const
         diagnostics.add(error(Fault::io, {}, std::move(text)));
         return false;
     };
-    const std::string program = find_program("ffmpeg");
-    if (program.empty()) return fail("a film needs the program ffmpeg, which is not installed");
+    const std::string program = find_ffmpeg(diagnostics);
+    if (program.empty()) return false;
     const std::string list = film + ".frames";
     if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
     std::vector<std::string> words = movie_arguments(list, film);

@@ -10,6 +10,9 @@
 /// The path of a program that the shell would find, or "".
 std::string find_program(const std::string& name);
 
+/// The path of ffmpeg, or "" after a report. To be asked before long work.
+std::string find_ffmpeg(Diagnostics&);
+
 /// What ffmpeg is told to make the film of frames that the list names.
 std::vector<std::string> movie_arguments(const std::string& list, const std::string& film);
 

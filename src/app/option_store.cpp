@@ -63,13 +63,15 @@ bool same_letters(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
 }
 
+std::string shown(const Given& given) {
+    const std::string place =
+        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
+    return message(place, "`", harmless(given.argument), "`");
+}
+
 void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rule,
             const std::string& help) {
-    const std::string where =
-        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
-    diagnostics.add(
-        error(Fault::option, {}, message(where, "`", harmless(given.argument), "`: ", rule))
-            .with_help(help));
+    diagnostics.add(error(Fault::option, {}, message(shown(given), ": ", rule)).with_help(help));
 }
 
 Setting find_setting(std::string_view name) {
@@ -187,7 +189,8 @@ void store::sampler(Options& options, const Given& given, Diagnostics& diagnosti
 void store::clock(Options& options, const Given& given, Diagnostics& diagnostics) {
     const auto value = number(*given.value);
     if (!value) return refuse(given, diagnostics, "clock must be a number");
-    options.clock = *value;
+    options.facts.clock = *value;
+    options.facts.clock_given = true;
 }
 
 void store::header(Options& options, const Given& given, Diagnostics&) {
@@ -222,9 +225,9 @@ void store::quality(Options&, const Given& given, Diagnostics& diagnostics) {
     if (!value || *value < 0 || *value > 11)
         return refuse(given, diagnostics, "quality must be a number from 0 to 11");
     if (*value < 9)
-        diagnostics.add(warning(
-            Fault::option, {},
-            message("`", given.argument, "` is ignored: the picture has the full quality")));
+        diagnostics.add(
+            warning(Fault::option, {},
+                    message(shown(given), " is ignored: the picture has the full quality")));
 }
 
 void store::gamma(Options&, const Given& given, Diagnostics& diagnostics) {

@@ -26,6 +26,9 @@ std::optional<bool> truth(std::string_view text);
 /// Whether the texts are the same but for the case of ASCII letters.
 bool same_letters(std::string_view a, std::string_view b);
 
+/// The option as messages name it, with its place when it has one.
+std::string shown(const Given&);
+
 /// Reports what is wrong with an option.
 void refuse(const Given&, Diagnostics&, const std::string& rule, const std::string& help = {});
 

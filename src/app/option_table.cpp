@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_table.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
 
 #include <array>
@@ -191,8 +190,6 @@ constexpr auto rows = std::to_array<OptionRow>({
 std::span<const OptionRow> option_table() { return rows; }
 
 void apply(const OptionRow& row, Options& options, const Given& given, Diagnostics& diagnostics) {
-    const std::string where =
-        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
     const std::string why = row.help.empty() ? "" : message(": ", row.help);
     switch (row.unoffered) {
         case Unoffered::no:
@@ -200,9 +197,7 @@ void apply(const OptionRow& row, Options& options, const Given& given, Diagnosti
         case Unoffered::accepted:
             return;
         case Unoffered::ignored:
-            diagnostics.add(
-                warning(Fault::option, {},
-                        message(where, "`", harmless(given.argument), "` is ignored", why)));
+            diagnostics.add(warning(Fault::option, {}, message(shown(given), " is ignored", why)));
             return;
         case Unoffered::refused:
             if (given.on) refuse(given, diagnostics, message("is not offered", why));

@@ -51,11 +51,10 @@ struct Options {
     Limits limits;
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
     std::vector<Declaration> declares;
-    std::optional<double> clock;
     AnimationSettings animation;
-    RunFacts facts;                       ///< what else the scene is told
-    std::string movie;                    ///< what the frames become; empty: nothing more
-    double frame_rate = 25;               ///< of the movie, frames a second
+    RunFacts facts;          ///< what else the scene is told; the size is that of render
+    std::string movie;       ///< what the frames become; empty: nothing more
+    double frame_rate = 25;  ///< of the movie, frames a second
     std::optional<std::string> ini_file;  ///< where all options go
     std::vector<std::string> given;       ///< all options as lines of an INI file
     RenderSettings render;
@@ -65,6 +64,11 @@ struct Options {
     std::string topic;                   ///< of --help, or what --describe describes
     ManualForm form = ManualForm::text;  ///< of --describe
 };
+
+/// Whether there is progress, and figures, on the error stream: everything that is no diagnostic.
+inline bool talks(const Options& options) {
+    return options.verbose && !options.diagnostics_as_json;
+}
 
 /// The program's arguments, without its name. Everything wrong with them is in the diagnostics. INI
 /// files that they name are read with the reader.

@@ -114,7 +114,7 @@ TEST_CASE("our own options, with a blank or an equals sign") {
     CHECK(read({"--dump", "scene"}).task == Task::dump_scene);
     CHECK(read({"--dump", "world"}).task == Task::dump_world);
     CHECK(read({"--version"}).task == Task::version);
-    CHECK(read({"+K0.5"}).clock == 0.5);
+    CHECK(read({"+K0.5"}).facts.clock == 0.5);
     CHECK(read({"+Lone", "Library_Path=two"}).library_paths ==
           std::vector<std::string>{"one", "two"});
 }
