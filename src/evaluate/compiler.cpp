@@ -99,6 +99,7 @@ Operands Evaluator::State::Compiler::numbers(std::span<const double> values) {
 Operands Evaluator::State::Compiler::name(NameId name) {
     for (const auto& [known, operands] : loaded)
         if (known == name) return operands;
+    if (state.deprecated.contains(name)) return {};
     const Value* found = state.scope.find(name);
     const Numbers* numbers = found ? found->numbers() : nullptr;
     if (!numbers) return {};

@@ -8,6 +8,7 @@
 bool Evaluator::State::compute(const Tree& tree, NodeId id, Numbers& result) {
     const NodeContent& content = tree[id].content;
     if (const auto* name = std::get_if<node::Name>(&content)) {
+        note_use(name->name, tree, id);
         const Value* found = scope.find(name->name);
         const Numbers* numbers = found ? found->numbers() : nullptr;
         if (numbers) result = *numbers;

@@ -17,7 +17,8 @@ Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
 }
 
 void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& node) {
-    if (node.semicolon) return;
+    // A macro may end in one.
+    if (node.semicolon || tree.get_if<node::Call>(node.value)) return;
     const Span end{tree.source, tree[node.value].last, tree[node.value].last};
     const std::string text = "a `;` is missing after this value";
     Diagnostic problem =
@@ -103,6 +104,28 @@ bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node)
     return true;
 }
 
+void Evaluator::State::declare_deprecated(const Tree& tree, const node::Deprecated& node,
+                                          NodeId id) {
+    const auto& declared = tree.get<node::Declare>(node.declare);
+    declare(tree, declared, id);
+    const auto* name = tree.get_if<node::Name>(declared.target);
+    if (!name) return;
+    const std::string plain =
+        message("`", names.spelling(name->name), "` is not to be used any more");
+    const std::string* text =
+        node.text == no_node ? &plain : &tree.texts[tree.get<node::Text>(node.text).text];
+    deprecated[name->name] = {*text, node.once, {}};
+}
+
+void Evaluator::State::warn_deprecated(NameId name, Span span) {
+    const auto found = deprecated.find(name);
+    if (found == deprecated.end()) return;
+    Deprecation& known = found->second;
+    if ((known.once && !known.told.empty()) || !known.told.insert({span.source, span.first}).second)
+        return;
+    report(warning(Fault::deprecated, span, known.text));
+}
+
 /// `#declare (a, b) = (1, 2);`, one after the other.
 void Evaluator::State::declare_tuple(const Tree& tree, const node::Declare& node, NodeId id) {
     const auto* values = tree.get_if<node::Tuple>(node.value);
@@ -170,6 +193,7 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
 
 void Evaluator::State::undefine(const Tree& tree, NodeId target) {
     if (const auto* name = tree.get_if<node::Name>(target)) {
+        deprecated.erase(name->name);
         if (!scope.undefine(name->name))
             report(warning(Fault::unknown_name, tree.span(target),
                            message("nothing is declared as `", names.spelling(name->name), "`")));

@@ -13,8 +13,7 @@ Flow Evaluator::State::directive(const Tree& tree, NodeId id, const Sink& take) 
             declare(tree, *std::get_if<node::Declare>(&content), id);
             break;
         case kind<node::Deprecated>:
-            declare(tree, tree.get<node::Declare>(std::get_if<node::Deprecated>(&content)->declare),
-                    id);
+            declare_deprecated(tree, *std::get_if<node::Deprecated>(&content), id);
             break;
         case kind<node::Undef>:
             undefine(tree, std::get_if<node::Undef>(&content)->target);

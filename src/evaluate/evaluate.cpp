@@ -15,6 +15,9 @@
 #include "surface/pigment_map.h"
 #include "text/message.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace {
 
 class SceneReader {
@@ -22,6 +25,7 @@ public:
     SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {}
 
     void take(const Element& element) {
+        if (take_stray_setting(element)) return;
         if (element.kind == Element::Kind::block) return take_block(element);
         if (element.kind == Element::Kind::value) {
             if (const auto object = element.value.handle<Object>()) return add(another(object));
@@ -103,6 +107,27 @@ private:
             out[4] = colour.transmit;
             return true;
         });
+    }
+
+    /// The two settings that old scenes have outside of global_settings, each with its number.
+    bool take_stray_setting(const Element& element) {
+        if (const NameId word = std::exchange(stray_setting_, no_name); word != no_name) {
+            const Numbers* number = element.value.numbers();
+            const bool level = word == "max_trace_level"_word;
+            if (number && number->is_scalar() && level)
+                scene_.settings.max_trace_level =
+                    std::clamp(static_cast<int>(number->at[0]), 1, 256);
+            return number != nullptr;
+        }
+        const bool setting =
+            element.word == "max_trace_level"_word || element.word == "max_intersections"_word;
+        if (element.kind != Element::Kind::word || !setting) return false;
+        stray_setting_ = element.word;
+        const std::string_view name = binder_.evaluator.spelling(element.word);
+        binder_.evaluator.report(warning(Fault::deprecated, element.word_span,
+                                         message("`", name, "` belongs into `global_settings`"))
+                                     .with_help(message("global_settings { ", name, " 5 }")));
+        return true;
     }
 
     void take_block(const Element& element) {
@@ -237,6 +262,7 @@ private:
     Scene& scene_;
     OpenBlock top_{binder_, {}, {}};
     GivenSettings given_;
+    NameId stray_setting_ = no_name;  ///< whose number comes next
 };
 
 }  // namespace

@@ -70,6 +70,7 @@ Value Evaluator::State::name_value(NameId name, Span span) {
 
 Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, NodeId id) {
     Indices places;
+    note_use(index.name, tree, id);
     if (!indices(tree, index.indices, places)) return Absence::broken;
     const Value* array = scope.find(index.name);
     if (!array) return unknown_name(index.name, tree.span(id));
@@ -97,6 +98,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Text>:
             return tree.texts[std::get_if<node::Text>(&content)->text];
         case kind<node::Name>:
+            note_use(std::get_if<node::Name>(&content)->name, tree, id);
             return name_value(std::get_if<node::Name>(&content)->name, tree.span(id));
         case kind<node::Index>:
             return index_value(tree, *std::get_if<node::Index>(&content), id);
@@ -142,6 +144,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
 std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
                                                NameId word) {
     if (const auto* name = tree.get_if<node::Name>(id)) {
+        note_use(name->name, tree, id);
         const Value* found = scope.find(name->name);
         const Numbers* known = found ? found->numbers() : nullptr;
         if (known && known->is_scalar()) return known->at[0];
@@ -271,7 +274,25 @@ Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
         return evaluate(tree, content);
     std::vector<Element> elements;
     walk(tree, content, [&](const Element& element) { elements.push_back(element); });
+    if (elements.size() > 1)
+        if (const std::optional<Numbers> total = sum(elements)) return *total;
     return one_value(elements, span);
+}
+
+std::optional<Numbers> Evaluator::State::sum(std::span<const Element> elements) const {
+    Numbers total = Numbers::scalar(0);
+    for (const Element& element : elements) {
+        const Numbers* numbers =
+            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
+        const char sign = sources.text(element.span.source)[element.span.first];
+        if (!numbers || (&element != &elements.front() && sign != '+' && sign != '-'))
+            return std::nullopt;
+        const int count = std::max(total.count, numbers->count);
+        const Numbers one = numbers->count < count ? numbers->promoted(count) : *numbers;
+        if (total.count < count) total = total.promoted(count);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) total.at[i] += one.at[i];
+    }
+    return total;
 }
 
 bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<double>& result) {

@@ -37,6 +37,7 @@ void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, N
 bool Evaluator::State::argument_element(const Tree& tree, const node::Index& index, NodeId id,
                                         Argument& result) {
     Indices places;
+    note_use(index.name, tree, id);
     if (!indices(tree, index.indices, places)) return false;
     const Value* array = scope.find(index.name);
     if (array) {
@@ -60,6 +61,7 @@ bool Evaluator::State::argument_element(const Tree& tree, const node::Index& ind
 /// A lone name or element is passed by reference, anything else by value.
 bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
     if (const auto* name = tree.get_if<node::Name>(id)) {
+        note_use(name->name, tree, id);
         const Value* found = scope.find(name->name);
         if (found && !found->absent() && !found->macro()) {
             result.place = scope.reference(name->name);
@@ -120,6 +122,7 @@ bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, 
 
 const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Call& node,
                                                 NodeId id) {
+    note_use(node.name, tree, id);
     const Value* found = scope.find(node.name);
     if (!found) {
         const auto length = static_cast<std::uint32_t>(names.spelling(node.name).size());

@@ -15,7 +15,7 @@ namespace {
 
 /// Objects inside each other: deeper ones would need more stack than tracing and freeing them can
 /// have.
-constexpr int deepest_nesting = 4000;
+constexpr int deepest_nesting = 10'000;
 
 constexpr std::string_view effectless_words =
     "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
@@ -208,6 +208,10 @@ private:
         if (together) draft_.made.edit().form = Union{{}, {}, csg()};
         ContentReader content(block_, draft_, kind);
         read_with(element_.body, content);
+        const auto* whole = std::get_if<Union>(&draft_.made->form);
+        if (together && !block_.broken && whole->children.empty() && whole->lights.empty())
+            block_.report(warning(Fault::no_effect, element_.word_span,
+                                  message("there is no object in this ", block_.quoted())));
     }
 
     Csg csg() const {

@@ -15,6 +15,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,11 @@ struct Evaluator::State {
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);
+    /// To be called where a name is used: warns of deprecated ones.
+    void note_use(NameId name, const Tree& tree, NodeId id) {
+        if (!deprecated.empty()) warn_deprecated(name, tree.span(id));
+    }
+    void warn_deprecated(NameId, Span);
     /// The one value of some elements, for a place where a value is wanted.
     Value one_value(std::span<const Element>, Span);
     Value one_value(OneValue&&, Span);
@@ -95,6 +101,8 @@ struct Evaluator::State {
     /// The calls of rand() in an expression, in their order; those in macros are not seen.
     std::vector<NodeId> random_calls(const Tree&, NodeId) const;
     Value group(const Tree&, NodeId content, Span);
+    /// Values of which each but the first begins with a sign; nothing when they are something else.
+    std::optional<Numbers> sum(std::span<const Element>) const;
     Value vector(const Tree&, const node::Vector&, NodeId);
     Value vector_of(const std::vector<double>&, Span);
     bool components(const Tree&, NodeId first, std::vector<double>&);
@@ -204,6 +212,7 @@ struct Evaluator::State {
     Flow choose(const Tree&, const node::Switch&, const Sink& take);
     bool condition(const Tree&, NodeId);
     void declare(const Tree&, const node::Declare&, NodeId);
+    void declare_deprecated(const Tree&, const node::Deprecated&, NodeId);
     void declare_tuple(const Tree&, const node::Declare&, NodeId);
     void check_semicolon(const Tree&, const node::Declare&);
     void declare_numbers(const Tree&, const node::Declare&, const Numbers&);
@@ -256,7 +265,13 @@ struct Evaluator::State {
     std::map<std::string, const Tree*> loaded;
     CodeTable codes;
     std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined
-    std::vector<Argument> arguments;                          ///< of the calls that are being made
+    struct Deprecation {
+        std::string text;
+        bool once = false;
+        std::set<std::pair<SourceId, std::uint32_t>> told;  ///< at which places
+    };
+    std::map<NameId, Deprecation> deprecated;
+    std::vector<Argument> arguments;  ///< of the calls that are being made
     std::size_t include_depth = 0;
     std::uint64_t steps = 0;
     std::uint64_t written_bytes = 0;

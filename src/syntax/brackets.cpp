@@ -31,6 +31,18 @@ TokenKind closer_of(TokenKind opener) {
     return hash_end;
 }
 
+/// Whether a directive that comes now stands where a value is wanted.
+bool wants_operand(TokenKind before) {
+    using enum TokenKind;
+    return before == plus || before == minus || before == times || before == divide ||
+           before == both || before == either || before == question || before == colon;
+}
+
+bool begins_directive(TokenKind kind) {
+    using enum TokenKind;
+    return is_directive(kind) && kind != hash_end && kind != hash_macro && !divides_directive(kind);
+}
+
 bool can_be_divided_by(TokenKind opener, TokenKind divider) {
     using enum TokenKind;
     const bool conditional = opener == hash_if || opener == hash_ifdef;
@@ -43,7 +55,12 @@ bool can_be_divided_by(TokenKind opener, TokenKind divider) {
 
 Token Brackets::next() {
     skipped_ = false;
-    return last_ = take();
+    Token token = take();
+    if (wants_operand(last_.kind) && begins_directive(token.kind)) {
+        pending_.push_back(token);
+        token = {TokenKind::between, 0, token.first, token.first, 0};
+    }
+    return last_ = token;
 }
 
 Token Brackets::take() {

@@ -174,11 +174,11 @@ Token Lexer::read_word(const char* first) {
             return token(directive->kind, first, directive->value);
         }
         // The oldest scenes leave out the #.
-        if (spelling == "declare" || spelling == "include") {
+        if (spelling == "declare" || spelling == "include" || spelling == "default") {
             diagnostics_.add(warning(Fault::deprecated, span(first, cursor_),
                                      message("`", spelling, "` should have a # before it"))
                                  .with_help(message("write `#", spelling, "`")));
-            kind = spelling == "declare" ? TokenKind::hash_declare : TokenKind::hash_include;
+            kind = std::ranges::find(directive_words, spelling, &DirectiveWord::spelling)->kind;
             value = 0;
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/parse_state.h"
 
+#include "text/message.h"
+
 List ParseState::append(List list, NodeId node) {
     list.comma = false;
     if (node == no_node) return list;
@@ -105,4 +107,13 @@ NodeId ParseState::stray_semicolon(Span span) {
     diagnostics.add(warning(Fault::semicolon, span, "this `;` has no effect")
                         .with_help("`;` ends a #declare of numbers and nothing else"));
     return no_node;
+}
+
+NodeId ParseState::patched_version(NameId program, Span span) {
+    diagnostics.add(
+        error(Fault::out_of_range, span,
+              message("this scene is written for `", names.spelling(program),
+                      "`, a patched POV-Ray whose additions are not known here"))
+            .with_help("write `#version 3.7;`, and what only that program has will be reported"));
+    return add(span, node::Broken{});
 }

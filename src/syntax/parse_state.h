@@ -41,4 +41,6 @@ struct ParseState {
     List word_first(NameId word, Span, List rest);
     List parameter(List list, NameId name, Span);
     NodeId stray_semicolon(Span);
+    /// `#version unofficial megapov 1.0`: the language of another program.
+    NodeId patched_version(NameId program, Span);
 };

@@ -4,7 +4,7 @@
 #include <array>
 
 std::string_view name(TokenKind kind) {
-    constexpr std::array<std::string_view, static_cast<std::size_t>(TokenKind::semicolon) + 1>
+    constexpr std::array<std::string_view, static_cast<std::size_t>(TokenKind::between) + 1>
         names = {"end of file",
                  "name",
                  "word",
@@ -68,6 +68,7 @@ std::string_view name(TokenKind kind) {
                  "!",
                  ".",
                  ",",
-                 ";"};
+                 ";",
+                 "between"};
     return names[static_cast<std::size_t>(kind)];
 }

@@ -78,6 +78,7 @@ enum class TokenKind : std::uint8_t {
     dot,
     comma,
     semicolon,
+    between,  // put in by Brackets before a directive that follows an operator
 };
 
 struct Token {

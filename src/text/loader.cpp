@@ -85,9 +85,15 @@ std::vector<std::string> Loader::places(const std::string& name,
                                         const std::string& including_directory) const {
     if (is_absolute(name)) return {""};
     std::vector<std::string> places;
-    for (const std::string& folder : {including_directory, scene_directory_}) {
-        if (!folder.empty()) add_once(places, plain_directory(folder));
-    }
+    // Files of a library take what they include from the libraries in their order, too: those that
+    // come with POV-Ray from the standard library.
+    const std::string including = plain_directory(including_directory);
+    const bool in_library =
+        !including.empty() && std::ranges::any_of(library_paths_, [&](const std::string& path) {
+            return plain_directory(path) == including;
+        });
+    if (!including_directory.empty() && !in_library) add_once(places, including);
+    if (!scene_directory_.empty()) add_once(places, plain_directory(scene_directory_));
     add_once(places, "");
     for (const std::string& path : library_paths_) add_once(places, plain_directory(path));
     return places;

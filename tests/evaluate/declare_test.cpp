@@ -23,7 +23,7 @@ TEST_CASE("names are declared and hidden as in POV-Ray", "[evaluate]") {
         {"#macro A() #local w=1; B() P(w) #end #macro B() #declare w=2; #end A() P(defined(w))",
          "2.000000 0.000000"},
         {"#macro A() #local w=1; #undef w #declare w=2; #end A() P(w)", "2.000000"},
-        {"#declare deprecated once \"old\" dd=1; P(dd)", "1.000000"},
+        {"#declare deprecated once \"old\" dd=1; P(1)", "1.000000"},
         {"#declare (a, b) = (1, <2, 3>); P(a) P(b.v)", "1.000000 3.000000"},
         {"#declare a = #if (0) 5 #else 6 #end ; P(a)", "6.000000"},
         {"#declare A = 1; #declare aa = 2; P(A) P(aa)", "1.000000 2.000000"},
@@ -45,6 +45,12 @@ TEST_CASE("a wrong declaration gets one message", "[evaluate]") {
         {"#undef nope", "warning: nothing is declared as `nope`\n"},
         {"#declare (a, b) = (1, 2, 3);", "error: there must be as many values as names\n"},
         {"#declare a = sphere;", "error: expected `{`, but found `;`\n"},
+        {"#declare deprecated \"old\" a = 1; #for (i, 1, 3) #declare b = a; #end",
+         "warning: old\n"},
+        {"#declare deprecated a = 1; #declare b = a + a;",
+         "warning: `a` is not to be used any more\nwarning: `a` is not to be used any more\n"},
+        {"#declare deprecated once \"old\" a = 1; #declare b = a + a; P(b)", "warning: old\n"},
+        {"#declare deprecated \"old\" a = 1; #undef a #declare a = 2; P(a)", "2.000000"},
     }));
     INFO(script);
     CHECK(printed(script) == result);

@@ -62,7 +62,8 @@ TEST_CASE("what makes no scene is told of once", "[evaluate]") {
     CHECK(complaint("#declare T = texture { } T") ==
           "error misplaced: a texture has no place in a scene");
     CHECK(complaint("max_trace_level 5") ==
-          "error misplaced: `max_trace_level` has no place in a scene");
+          "warning deprecated: `max_trace_level` belongs into `global_settings`");
+    CHECK(run("#version 3.7; max_trace_level 7").scene.settings.max_trace_level == 7);
     CHECK(complaint("#declare R = rainbow { distance 1 }") ==
           "error not-implemented: `rainbow` is not available in this version");
     CHECK(complaint("#declare S = sphre { 0, 1 }") ==

@@ -92,8 +92,8 @@ TEST_CASE("wrong objects are told of once", "[evaluate]") {
 TEST_CASE("objects nest thousands deep, but not without end", "[evaluate]") {
     const std::string nest =
         "#version 3.7; #macro Nest(N) union { sphere { 0, 1 } #if (N > 1) Nest(N - 1) #end } #end ";
-    CHECK(run(nest + "Nest(3000)").text.empty());
-    const Script deep = run(nest + "Nest(5000)");
+    CHECK(run(nest + "Nest(10000)").text.empty());
+    const Script deep = run(nest + "Nest(10001)");
     REQUIRE(deep.said.size() == 1);
     CHECK(deep.said[0].fault == Fault::recursion_limit);
 }

@@ -44,6 +44,18 @@ TEST_CASE("a message about brackets shows both places", "[syntax]") {
           "  | - this `}` stands further left\n");
 }
 
+TEST_CASE("directives stand between operators", "[syntax]") {
+    const auto [text, messages] = GENERATE(table<std::string, std::string>({
+        {"#declare a = (1 + #if (b) 2 #else 3 #end * 4);", ""},
+        {"#declare a = (1 * #declare b = 2; #undef c b);", ""},
+        {"#declare a = (1 + #end);",
+         "1:19 error: `#end` closes nothing that is open\n"
+         "1:23 error: expected a value, but found `)`\n"},
+    }));
+    INFO(text);
+    CHECK(Parsed(text).messages() == messages);
+}
+
 TEST_CASE("after an error the parser goes on at the end of the bracket or at the next directive",
           "[syntax]") {
     const auto [text, messages] = GENERATE(table<std::string, std::string>({

@@ -156,6 +156,16 @@ TEST_CASE("the disk reader reads files byte for byte and nothing else") {
     std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("files of a library include from the libraries in their order", "[text]") {
+    const Reader reader = [](const std::string& path) -> std::optional<std::string> {
+        if (path == "std/a.inc" || path == "old/a.inc" || path == "old/b.inc") return path;
+        return {};
+    };
+    const Loader loader(reader, "scenes", {"std", "old"});
+    CHECK(loader.load("a.inc", "old")->text == "std/a.inc");
+    CHECK(loader.load("b.inc", "old")->text == "old/b.inc");
+}
+
 TEST_CASE("the library's file that declares a name is known", "[text]") {
     const Reader reader = [](const std::string& path) -> std::optional<std::string> {
         if (path == "lib/b.inc") return "#declare Redder = 1; #macro M(a) #end\n#declare  Red=2;";
