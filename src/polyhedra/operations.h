@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The operations behind the table of polyhedra.h, and the surfaces that they work on. Only this
+// module's own files see it.
+#pragma once
+
+#include "polyhedra/polyhedra.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace polyhedra {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
+
+std::string read(const std::string& path, Polyhedron&);
+std::string hull(std::span<const Polyhedron::Point>, Polyhedron&);
+std::string combine(SolidOperation, std::span<const Polyhedron>, Polyhedron&);
+std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
+std::string triangulate(std::span<const std::array<double, 2>>, std::vector<Polyhedron::Face>&);
+
+/// The faces as a surface whose neighbours know each other; where more than two faces meet in an
+/// edge, points are doubled so that they do. Faces without area are left out.
+template <class Mesh>
+Mesh surface(const Polyhedron& from) {
+    using Point = typename Mesh::Point;
+    std::vector<Point> points;
+    points.reserve(from.points.size());
+    for (const auto& [x, y, z] : from.points) points.emplace_back(x, y, z);
+    std::vector<std::vector<std::size_t>> faces;
+    for (const auto& [a, b, c] : from.faces)
+        if (from.points[static_cast<std::size_t>(a)] != from.points[static_cast<std::size_t>(b)] &&
+            from.points[static_cast<std::size_t>(b)] != from.points[static_cast<std::size_t>(c)] &&
+            from.points[static_cast<std::size_t>(c)] != from.points[static_cast<std::size_t>(a)])
+            faces.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b),
+                             static_cast<std::size_t>(c)});
+    namespace processing = CGAL::Polygon_mesh_processing;
+    processing::orient_polygon_soup(points, faces);
+    Mesh made;
+    processing::polygon_soup_to_polygon_mesh(points, faces, made);
+    return made;
+}
+
+/// The surface's triangles. Precondition: it has no other faces.
+template <class Mesh>
+Polyhedron polyhedron(const Mesh& mesh) {
+    Polyhedron made;
+    std::vector<int> places(mesh.num_vertices() + mesh.number_of_removed_vertices());
+    for (const auto v : mesh.vertices()) {
+        const auto& p = mesh.point(v);
+        places[static_cast<std::size_t>(v)] = static_cast<int>(made.points.size());
+        made.points.push_back(
+            {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    }
+    for (const auto f : mesh.faces()) {
+        Polyhedron::Face& face = made.faces.emplace_back();
+        std::size_t i = 0;
+        for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+            if (i < 3) face[i++] = places[static_cast<std::size_t>(v)];
+    }
+    return made;
+}
+
+}  // namespace polyhedra

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polyhedra/operations.h"
+
+#include <CGAL/subdivision_method_3.h>
+
+std::string polyhedra::subdivide(const Polyhedron& from, SubdivisionRule rule, int steps,
+                                 Polyhedron& made) {
+    Surface mesh = surface<Surface>(from);
+    if (mesh.number_of_faces() == 0) return "the surface has no faces";
+    const auto count = CGAL::parameters::number_of_iterations(static_cast<unsigned>(steps));
+    if (rule == SubdivisionRule::loop)
+        CGAL::Subdivision_method_3::Loop_subdivision(mesh, count);
+    else
+        CGAL::Subdivision_method_3::Sqrt3_subdivision(mesh, count);
+    made = polyhedron(mesh);
+    return {};
+}

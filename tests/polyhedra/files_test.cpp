@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "polyhedra/shapes.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+struct TemporaryFile {
+    std::filesystem::path path;
+    TemporaryFile(const std::string& extension, const std::string& text)
+        : path(std::filesystem::temp_directory_path() / ("candelabra_mesh." + extension)) {
+        std::ofstream(path, std::ios::binary) << text;
+    }
+    ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+}  // namespace
+
+TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
+    struct Case {
+        const char *extension, *text;
+        std::size_t points, faces;
+    };
+    const Case cases[] = {
+        {"obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", 4, 2},
+        {"off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1},
+        {"ply",
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         3, 1},
+        {"stl",
+         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\nendsolid s\n",
+         3, 1}};
+    for (const Case& c : cases) {
+        CAPTURE(c.extension);
+        const TemporaryFile file(c.extension, c.text);
+        Polyhedron made;
+        REQUIRE(the_polyhedra().read(file.path, made) == "");
+        CHECK(made.points.size() == c.points);
+        CHECK(made.faces.size() == c.faces);
+    }
+}
+
+TEST_CASE("what is no mesh is said", "[polyhedra]") {
+    Polyhedron made;
+    CHECK(the_polyhedra().read("/nowhere/nothing.ply", made) == "the file cannot be opened");
+    const TemporaryFile text("ply", "no mesh");
+    CHECK(the_polyhedra().read(text.path, made) ==
+          "it is no OBJ, PLY, STL or OFF file, or is damaged");
+    const TemporaryFile wild("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    CHECK(the_polyhedra().read(wild.path, made) != "");
+}
