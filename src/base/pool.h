@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/pages.h"
 
 #include <new>
 
@@ -39,7 +40,7 @@ private:
             };
         }
     };
-    static constexpr std::size_t block_size = std::size_t{1} << 18;
+    static constexpr std::size_t block_size = page_block;
     static constexpr std::size_t capacity = (block_size - 16) / sizeof(Place);
     struct Block {
         /// Places that hold a value, or may still get one.
@@ -51,14 +52,16 @@ private:
     static void release(Block* block, std::size_t places) {
         if (places == 0 || block->claimed.fetch_sub(places) > places) return;
         block->~Block();
-        ::operator delete(block, std::align_val_t(block_size));
+        free_pages(block);
     }
     void leave_block() {
         if (block_) release(block_, capacity - used_);
     }
     void start_block() {
+        // The first block may be the only one, and nearly empty.
+        void* const pages = new_pages(block_ != nullptr);
         leave_block();
-        block_ = new (::operator new(sizeof(Block), std::align_val_t(block_size))) Block;
+        block_ = new (pages) Block;
         used_ = 0;
     }
 

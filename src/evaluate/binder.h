@@ -31,7 +31,10 @@ struct Binder {
     Handle<Texture> default_texture = make_handle<Texture>();
     Camera default_camera = {};
     TextureStore textures = {};
-    Pool<Object> pool = {};  ///< where objects are made
+    // Where what scenes hold most of is made.
+    Pool<Object> pool = {};
+    Pool<Texture> texture_pool = {};
+    Pool<Transform> transform_pool = {};
     ShapePlans plans = {};
     Constants constants = {};
     Memo<Transform> moves = {};      ///< each by itself

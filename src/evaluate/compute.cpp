@@ -49,9 +49,9 @@ bool Evaluator::State::load(Code& code) const {
 }
 
 bool Evaluator::State::run(Code& code, Numbers& result) {
-    if (code.random) world.random.begin_attempt();
+    const std::size_t begin = code.random ? world.random.begin_attempt() : 0;
     if (!execute(code.program, code.registers.data())) {
-        if (code.random) world.random.take_back();
+        if (code.random) world.random.take_back(begin);
         return false;
     }
     const double* const registers = code.registers.data();

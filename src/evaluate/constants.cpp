@@ -62,8 +62,8 @@ private:
 }  // namespace
 
 bool is_constant(const Tree& tree, NodeId id) { return Search(tree).constant(id); }
-bool is_constant_but_names(const Tree& tree, NodeId first, std::vector<NameId>& names) {
-    return Search(tree, &names).all(first);
+bool is_constant_but_names(const Tree& tree, NodeId id, std::vector<NameId>& names) {
+    return Search(tree, &names).constant(id);
 }
 
 std::optional<std::uint64_t> Constants::number(const Element& element) {

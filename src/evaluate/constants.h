@@ -27,6 +27,5 @@ private:
 /// Whether the node can have one value or meaning only. Large ones are not looked through: for
 /// them, the answer is no.
 bool is_constant(const Tree&, NodeId);
-/// The same for the list from a node on, when names mean what they mean now: they are added to
-/// `names`.
-bool is_constant_but_names(const Tree&, NodeId first, std::vector<NameId>& names);
+/// The same when names mean what they mean now: they are added to `names`.
+bool is_constant_but_names(const Tree&, NodeId, std::vector<NameId>& names);

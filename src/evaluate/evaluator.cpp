@@ -37,6 +37,11 @@ void Evaluator::walk(Body body, Take take) { state_->walk_whole(*body.tree, body
 bool Evaluator::compute(Body body, Numbers& result) {
     return !state_->stopped_ && state_->compute(*body.tree, body.first, result);
 }
+void Evaluator::begin_attempt() { state_->world.random.begin_attempt(true); }
+void Evaluator::end_attempt(bool keep) {
+    if (!keep) state_->world.random.take_back(0);
+    state_->world.random.end_attempt();
+}
 const Value* Evaluator::find(NameId name) const { return state_->scope.find(name); }
 Value Evaluator::value_of(const Element& element) {
     return state_->one_value({&element, 1}, element.span);

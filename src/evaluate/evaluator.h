@@ -109,6 +109,9 @@ public:
     /// The numbers of an expression, when it can be computed without saying anything. False:
     /// nothing has happened, and walk() must do it.
     bool compute(Body, Numbers&);
+    /// Several compute() together: unless all is kept in the end, nothing has happened.
+    void begin_attempt();
+    void end_attempt(bool keep);
     /// What the name stands for now, or null.
     const Value* find(NameId) const;
 

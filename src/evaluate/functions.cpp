@@ -18,8 +18,9 @@ std::size_t RandomStreams::open(double seed) {
     return states_.size() - 1;
 }
 
-void RandomStreams::take_back() {
-    for (; !drawn_.empty(); drawn_.pop_back()) states_[drawn_.back().stream] = drawn_.back().before;
+void RandomStreams::take_back(std::size_t begin) {
+    for (; drawn_.size() > begin; drawn_.pop_back())
+        states_[drawn_.back().stream] = drawn_.back().before;
 }
 
 Value FunctionCall::fail(Fault fault, std::size_t argument, std::string message) {

@@ -31,15 +31,21 @@ public:
         return state / 4294967295.0;
     }
 
-    // For an attempt that may have to be taken back.
-    void begin_attempt() { drawn_.clear(); }
+    // For attempts that may have to be taken back. One may contain others; then it must be ended.
+    /// Where the attempt begins.
+    std::size_t begin_attempt(bool contains_others = false) {
+        if (!inside_) drawn_.clear();
+        inside_ = inside_ || contains_others;
+        return drawn_.size();
+    }
+    void end_attempt() { inside_ = false; }
     /// next(), within an attempt.
     double attempt(std::size_t stream) {
         drawn_.push_back({stream, states_[stream]});
         return next(stream);
     }
     /// All streams are again as they were when the attempt began.
-    void take_back();
+    void take_back(std::size_t begin);
 
 private:
     struct Drawn {
@@ -49,6 +55,7 @@ private:
 
     std::vector<std::uint32_t> states_;
     std::vector<Drawn> drawn_;
+    bool inside_ = false;  ///< an attempt that contains others
 };
 
 /// What functions can see and change beside their arguments.

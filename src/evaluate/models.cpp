@@ -9,9 +9,9 @@ namespace {
 constexpr std::size_t most_spheres = 2048;
 
 /// Gives a shape its leading values; false when something is wrong with them.
-bool set_values(void* shape, const ItemInfo& item, const LeadingValues& values) {
-    for (std::size_t i = 0; i < values.count; ++i)
-        if (!set_fitting(item, shape, i, values.numbers[i])) return false;
+bool set_values(void* shape, const ItemInfo& item, const Variation& variation) {
+    for (std::size_t i = 0; i < variation.count; ++i)
+        if (!set_fitting(item, shape, i, variation.values[i])) return false;
     return true;
 }
 
@@ -40,21 +40,30 @@ void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span
 
 }  // namespace
 
-ObjectHandle like(const Object& model, const ItemInfo& item, const LeadingValues& values,
-                  Pool<Object>& pool) {
-    ObjectHandle made = pool.make(model);
-    Shape& shape = std::get<Shape>(made.edit().form);
-    const bool good =
-        set_values(Kinds<Shape>::address(shape), item, values) && problem(shape).empty();
-    return good ? made : nullptr;
+ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
+                  const Variable& variable, const Variation& variation) {
+    ObjectHandle made = binder.pool.make(model);
+    Object& object = made.edit();
+    if (item) {
+        Shape& shape = std::get<Shape>(object.form);
+        if (!set_values(Kinds<Shape>::address(shape), *item, variation) || !problem(shape).empty())
+            return nullptr;
+    }
+    if (variable.coloured()) {
+        Texture texture = *model.texture;
+        texture.pigment.colour = variation.colour;
+        object.texture = binder.textures.share(std::move(texture), binder.texture_pool);
+    }
+    if (variation.movement) object.transform = binder.transform_pool.make(*variation.movement);
+    return made;
 }
 
-bool joins(const RowEnd& end, const Object& model, const LeadingValues& values, Span span) {
+bool joins(const RowEnd& end, const Object& model, const Variation& variation, Span span) {
     const auto& shape = std::get<Shape>(model.form);
     // What is inverse or confined is a solid of its own.
     if (!std::holds_alternative<Sphere>(shape) || model.confines || model.inverse) return false;
     Sphere sphere;
-    if (!set_values(&sphere, Sphere::vocabulary, values)) return false;
+    if (!set_values(&sphere, Sphere::vocabulary, variation)) return false;
     add(end, model, sphere, span);
     return true;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Objects made after a model, from which they differ in the values of their shape only; spheres are
-// put into rows. Called by the reader of objects for what comes again and again.
+// Objects made after a model, from which they differ in little; spheres are put into rows. Called
+// by the reader of objects for what comes again and again.
 #pragma once
 
-#include "base/pool.h"
-#include "evaluate/shape_plans.h"
+#include "evaluate/binder.h"
 
-/// The model with other values; null when something is wrong with them. `item` is the vocabulary of
-/// its shape.
-ObjectHandle like(const Object& model, const ItemInfo& item, const LeadingValues&, Pool<Object>&);
+/// The model with what differs; null when something is wrong with its values. `item` is the
+/// vocabulary of its shape; null: it combines objects.
+ObjectHandle like(Binder&, const Object& model, const ItemInfo* item, const Variable&,
+                  const Variation&);
 
 /// Objects that a sphere may join, and the texture of those that have none of their own.
 struct RowEnd {
@@ -18,4 +18,4 @@ struct RowEnd {
 
 /// Puts a sphere that is like the model to the end of the list: into the row that ends it, or as a
 /// new one. False: the model is no sphere, or something is wrong with the values; nothing happened.
-bool joins(const RowEnd&, const Object& model, const LeadingValues&, Span);
+bool joins(const RowEnd&, const Object& model, const Variation&, Span);

@@ -7,7 +7,6 @@
 #include "evaluate/look_reader.h"
 #include "evaluate/models.h"
 #include "evaluate/object_draft.h"
-#include "evaluate/sink.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
 
@@ -132,10 +131,8 @@ private:
 
 class ObjectReader {
 public:
-    /// With `values`, those of a shape that have been computed already.
-    ObjectReader(Binder& binder, const Element& element, const LeadingValues* values = nullptr)
+    ObjectReader(Binder& binder, const Element& element)
         : element_(element),
-          values_(values),
           block_(binder, binder.evaluator.spelling(element.word), element.word_span),
           draft_(binder) {
         block_.effectless = effectless_words;
@@ -172,19 +169,10 @@ private:
         ContentReader content(block_, draft_, ContentReader::Kind::shape);
         const auto declared = [&] { return draft_.declared != nullptr; };
         ShapeReader reader{fields, declared};
-        if (values_) take_values(fields);
-        read_with(values_ ? values_->rest : element_.body, content, reader);
+        read_with(element_.body, content, reader);
         if (block_.broken || draft_.declared) return;
         complete(block_, shape);
         if (!block_.broken) check(shape);
-    }
-
-    void take_values(ItemReader& fields) {
-        for (std::size_t i = 0; i < values_->count; ++i) {
-            const Tree& tree = *element_.body.tree;
-            fields.take(Sink::value_element(values_->numbers[i], tree, values_->nodes[i]));
-            ++block_.taken;
-        }
     }
 
     /// The fields of a shape, which a declared object stands for as well.
@@ -258,56 +246,12 @@ private:
     }
 
     const Element& element_;
-    const LeadingValues* values_;
     OpenBlock block_;
     ObjectDraft draft_;
 };
 
-/// As read_object_into(), for shapes only; without a row, there is always an object.
-std::optional<ObjectHandle> read_shape(Binder& binder, const Element& element, std::size_t kind,
-                                       const RowEnd* row) {
-    const ItemInfo& info = *Kinds<Shape>::infos[kind];
-    ShapePlan* plan = binder.plans.find(binder.evaluator, element, info);
-    if (!plan)
-        return binder.objects.made(binder.constants.number(element), binder.default_texture,
-                                   [&] { return ObjectReader(binder, element).read(); });
-    const LeadingValues values = plan->compute(binder.evaluator, element.body);
-    const bool complete = plan->complete(values);
-    const Object* model =
-        complete ? plan->model(binder.evaluator, binder.default_texture) : nullptr;
-    if (model && row && joins(*row, *model, values, element.span)) return std::nullopt;
-    if (model) {
-        if (ObjectHandle made = like(*model, info, values, binder.pool)) {
-            made.edit().span = element.span;
-            return made;
-        }
-    }
-    const Diagnostics& diagnostics = binder.evaluator.diagnostics();
-    const std::size_t said = diagnostics.all().size();
-    ObjectHandle made = ObjectReader(binder, element, &values).read();
-    if (made && complete && diagnostics.all().size() == said)
-        plan->learn(binder.evaluator, binder.default_texture, made);
-    return made;
-}
-
-}  // namespace
-
-std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
-                                             const Handle<Texture>& texture, Binder& binder,
-                                             const Element& element) {
-    const std::size_t kind = Kinds<Shape>::find(element.word);
-    if (kind == Kinds<Shape>::count) return read_object(binder, element);
-    const RowEnd row{list, texture};
-    return read_shape(binder, element, kind, &row);
-}
-
-ObjectHandle read_object(Binder& binder, const Element& element) {
-    if (element.word == "light_source"_word) {
-        std::optional<PlacedLight> light = read_light(binder, element);
-        return light ? as_object(std::move(*light)) : nullptr;
-    }
-    const std::size_t kind = Kinds<Shape>::find(element.word);
-    if (kind != Kinds<Shape>::count) return *read_shape(binder, element, kind, nullptr);
+/// An object of objects, unless they are nested too deeply.
+ObjectHandle read_nested(Binder& binder, const Element& element) {
     if (binder.nesting >= deepest_nesting) {
         binder.evaluator.report(
             error(Fault::recursion_limit, element.word_span,
@@ -320,4 +264,70 @@ ObjectHandle read_object(Binder& binder, const Element& element) {
     ObjectHandle made = ObjectReader(binder, element).read();
     --binder.nesting;
     return made;
+}
+
+/// The object of a block that a plan is for, by the plan: made, or put into the row; null when that
+/// does not serve. What the block says is then in `variation`, if that is known.
+std::optional<ObjectHandle> by_plan(Binder& binder, const Element& element, ShapePlan& plan,
+                                    const RowEnd* row, std::optional<Variation>& variation) {
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    const ItemInfo* item = kind == Kinds<Shape>::count ? nullptr : Kinds<Shape>::infos[kind];
+    binder.evaluator.begin_attempt();
+    variation = plan.variable().compute(binder.evaluator, element.body);
+    const Object* model = nullptr;
+    if (variation)
+        model = plan.model(binder.evaluator, binder.default_texture);
+    else
+        plan.note_vain();
+    const bool joined =
+        model && row && plan.variable().plain() && joins(*row, *model, *variation, element.span);
+    ObjectHandle made =
+        model && !joined ? like(binder, *model, item, plan.variable(), *variation) : nullptr;
+    binder.evaluator.end_attempt(joined || made);
+    if (joined) return std::nullopt;
+    if (made) made.edit().span = element.span;
+    return made;
+}
+
+/// As read_object_into(); without a row, there is always an object, or null.
+std::optional<ObjectHandle> read_planned(Binder& binder, const Element& element,
+                                         const RowEnd* row) {
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    const bool shape = kind != Kinds<Shape>::count;
+    ShapePlan* plan =
+        binder.plans.find(binder.evaluator, element, shape ? Kinds<Shape>::infos[kind] : nullptr);
+    if (!plan && !shape) return read_nested(binder, element);
+    if (!plan)
+        return binder.objects.made(binder.constants.number(element), binder.default_texture,
+                                   [&] { return ObjectReader(binder, element).read(); });
+    std::optional<Variation> variation;
+    std::optional<ObjectHandle> made = by_plan(binder, element, *plan, row, variation);
+    if (!made || *made) return made;
+    const Diagnostics& diagnostics = binder.evaluator.diagnostics();
+    const std::size_t said = diagnostics.all().size();
+    made = shape ? ObjectReader(binder, element).read() : read_nested(binder, element);
+    if (*made && variation && diagnostics.all().size() == said)
+        plan->learn(binder.evaluator, binder.default_texture, *variation, *made);
+    return made;
+}
+
+}  // namespace
+
+std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
+                                             const Handle<Texture>& texture, Binder& binder,
+                                             const Element& element) {
+    const bool shape = Kinds<Shape>::find(element.word) != Kinds<Shape>::count;
+    if (!shape && !combines_objects(element.word)) return read_object(binder, element);
+    const RowEnd row{list, texture};
+    return read_planned(binder, element, shape ? &row : nullptr);
+}
+
+ObjectHandle read_object(Binder& binder, const Element& element) {
+    if (element.word == "light_source"_word) {
+        std::optional<PlacedLight> light = read_light(binder, element);
+        return light ? as_object(std::move(*light)) : nullptr;
+    }
+    const bool planned =
+        Kinds<Shape>::find(element.word) != Kinds<Shape>::count || combines_objects(element.word);
+    return planned ? *read_planned(binder, element, nullptr) : read_nested(binder, element);
 }

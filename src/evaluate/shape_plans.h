@@ -1,42 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a loop need not find out again about a shape's block: with which values it begins, and that
-// what follows them means the same as the last time. Used by the reader of objects, which then
-// takes the last object as a model and changes nothing but its values.
+// What a loop need not find out again about an object's block: what differs from pass to pass, and
+// that all else means the same as the last time. Used by the reader of objects, which then takes
+// the last object as a model and changes nothing but what differs.
 #pragma once
 
-#include "evaluate/evaluator.h"
+#include "evaluate/variation.h"
 #include "scene/scene.h"
 
 #include <deque>
 
-/// The values that a block begins with, as far as they could be computed.
-struct LeadingValues {
-    static constexpr std::size_t most = 6;
-
-    std::array<Numbers, most> numbers;
-    std::array<NodeId, most> nodes{};
-    std::size_t count = 0;
-    Body rest;  ///< what follows them
-};
-
-/// One block of a shape. What follows its values is the rest.
+/// One block of an object.
 class ShapePlan {
 public:
-    /// Precondition: analysable().
-    ShapePlan(const Body& block, std::size_t values);
+    ShapePlan(Variable variable, bool shape) : variable_(std::move(variable)), shape_(shape) {
+        for (const NameId name : variable_.names()) names_.push_back({name, std::nullopt});
+    }
 
-    /// Whether all values that the shape needs come first, each as an expression of numbers.
-    static bool analysable(Evaluator&, const Body& block, std::size_t values);
+    const Variable& variable() const { return variable_; }
+    /// Whether it is worth while to go on with it.
+    bool promising() const { return vain_ <= most_vain; }
+    /// Something about the block was unusual.
+    void note_vain() { ++vain_; }
 
-    LeadingValues compute(Evaluator&, const Body& block) const;
-    bool complete(const LeadingValues& values) const { return values.count == values_; }
-
-    /// An object that has all but its values from the same rest, or null when that is not known.
+    /// An object that has all but what differs from the same block, or null when that is not known.
+    /// It is not moved by what differs.
     const Object* model(const Evaluator&, const Handle<Texture>& default_texture);
-    /// The block has just made this object, and nothing was wrong.
-    void learn(const Evaluator&, const Handle<Texture>& default_texture, const ObjectHandle&);
+    /// The block has just made this object of what differs, and nothing was wrong.
+    void learn(const Evaluator&, const Handle<Texture>& default_texture, const Variation&,
+               const ObjectHandle&);
 
 private:
+    /// A plan that does not serve so much more often than it does is not worth keeping.
+    static constexpr int most_vain = 8;
+
     /// A name in the rest and what it stood for when the model was made.
     struct Known {
         NameId name;
@@ -44,9 +40,9 @@ private:
     };
     bool unchanged(const Evaluator&) const;
 
-    std::size_t values_;
-    bool repeatable_;  ///< the rest has nothing but constants and names
-    int vain_ = 0;     ///< models that were made and did not serve
+    Variable variable_;
+    bool shape_;    ///< otherwise it combines objects
+    int vain_ = 0;  ///< models that were made and did not serve
     std::vector<Known> names_;
     Handle<Texture> default_texture_;
     ObjectHandle model_;
@@ -54,10 +50,10 @@ private:
 
 class ShapePlans {
 public:
-    /// The plan of a shape's block; null when it is met for the first time, is constant as a whole
-    /// (Memo is for those), or has none. `item` is
-    /// the shape's vocabulary.
-    ShapePlan* find(Evaluator&, const Element& block, const ItemInfo& item);
+    /// The plan of an object's block; null when it is met for the first time, is constant as a
+    /// whole (Memo is for those), or has none. `item` is the vocabulary of its shape; null: it
+    /// combines objects.
+    ShapePlan* find(Evaluator&, const Element& block, const ItemInfo* item);
 
 private:
     // What nodes_ says of a block; more: the number of its plan.

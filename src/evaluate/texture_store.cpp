@@ -31,29 +31,49 @@ bool equal_plain(const Texture& a, const Texture& b) {
 
 Handle<Texture> TextureStore::share(Handle<Texture> texture) {
     if (!texture->plain()) return texture;
-    if (2 * (count_ + 1) > slots_.size()) grow();
-    Handle<Texture>& place = slot(*texture);
-    if (!place) {
-        place = std::move(texture);
+    make_room();
+    Slot& place = slot(*texture);
+    if (!place.texture) {
+        place.texture = std::move(texture);
         ++count_;
     }
-    return place;
+    return place.texture;
+}
+
+Handle<Texture> TextureStore::share(Texture texture, Pool<Texture>& pool) {
+    make_room();
+    Slot& place = slot(texture);
+    if (!place.texture) {
+        place.texture = pool.make(std::move(texture));
+        ++count_;
+    }
+    return place.texture;
 }
 
 /// Where an equal texture is, or may be put.
-Handle<Texture>& TextureStore::slot(const Texture& texture) {
+TextureStore::Slot& TextureStore::slot(const Texture& texture) {
+    const std::uint64_t hash = hash_of(texture);
     const std::size_t mask = slots_.size() - 1;
-    std::size_t i = hash_of(texture) & mask;
-    while (slots_[i] && !equal_plain(*slots_[i], texture)) i = (i + 1) & mask;
+    std::size_t i = hash & mask;
+    while (slots_[i].texture &&
+           (slots_[i].hash != hash || !equal_plain(*slots_[i].texture, texture)))
+        i = (i + 1) & mask;
+    slots_[i].hash = hash;
     return slots_[i];
 }
 
-void TextureStore::grow() {
-    std::vector<Handle<Texture>> old(slots_.empty() ? 64 : 2 * slots_.size());
+/// For a texture that is not there yet.
+TextureStore::Slot& TextureStore::free_slot(std::uint64_t hash) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = hash & mask;
+    while (slots_[i].texture) i = (i + 1) & mask;
+    return slots_[i];
+}
+
+void TextureStore::make_room() {
+    if (2 * (count_ + 1) <= slots_.size()) return;
+    std::vector<Slot> old(slots_.empty() ? 64 : 2 * slots_.size());
     old.swap(slots_);
-    for (Handle<Texture>& texture : old) {
-        if (!texture) continue;
-        Handle<Texture>& place = slot(*texture);
-        place = std::move(texture);
-    }
+    for (Slot& each : old)
+        if (each.texture) free_slot(each.hash) = std::move(each);
 }

@@ -3,8 +3,10 @@
 // by the readers of objects.
 #pragma once
 
+#include "base/pool.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <vector>
 
 class TextureStore {
@@ -12,12 +14,18 @@ public:
     /// A handle to an equal texture, perhaps the same one. Patterned ones are not compared: they
     /// are rarely equal.
     Handle<Texture> share(Handle<Texture>);
+    /// The same of a plain one, which is put into the pool when it is new.
+    Handle<Texture> share(Texture, Pool<Texture>&);
 
 private:
-    Handle<Texture>& slot(const Texture&);
-    void grow();
+    struct Slot {
+        std::uint64_t hash = 0;
+        Handle<Texture> texture;  ///< null: free
+    };
+    Slot& slot(const Texture&);
+    Slot& free_slot(std::uint64_t hash);
+    void make_room();
 
-    std::vector<Handle<Texture>>
-        slots_;  ///< open addressing; a power of two, at most half of them taken
+    std::vector<Slot> slots_;  ///< open addressing; a power of two, at most half of them taken
     std::size_t count_ = 0;
 };

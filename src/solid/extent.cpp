@@ -82,8 +82,12 @@ Box extent_of(const Shape& shape) {
 
 }  // namespace
 
+Box own_extent(const Object& object) {
+    return std::visit([](const auto& form) { return extent_of(form); }, object.form);
+}
+
 Box extent(const Object& object) {
-    Box box = std::visit([](const auto& form) { return extent_of(form); }, object.form);
+    Box box = own_extent(object);
     if (object.transform) box = object.transform->box(box);
     if (object.confines) box = confined(box, *object.confines);
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};

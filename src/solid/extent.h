@@ -10,3 +10,5 @@ inline constexpr double no_end = 1e10;
 
 /// The box of the object in its own space, from -no_end to no_end where it has no end.
 Box extent(const Object&);
+/// The same before it is moved and confined.
+Box own_extent(const Object&);

@@ -144,8 +144,7 @@ struct Access {
         return {[](const T& item) { return load_from<I>(item); }...};
     }
     template <std::size_t I>
-    static constexpr bool kept_elsewhere =
-        std::is_same_v<std::remove_cvref_t<decltype(member<I>)>, NoMember>;
+    static constexpr bool kept_elsewhere = std::holds_alternative<NoMember>(typed.fields[I].member);
     template <std::size_t I>
     static void store_in(T& item, const FieldValue& value) {
         if constexpr (!kept_elsewhere<I>) store(item.*member<I>, value);

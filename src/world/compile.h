@@ -22,5 +22,5 @@ World compile(const Scene&, const CompileOptions&, Diagnostics&);
 World compile(Scene&&, const CompileOptions&, Diagnostics&);
 
 /// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
-/// its materials and luminaires, but no ray can ask it.
+/// its luminaires, and without lights its materials, but no ray can ask it.
 World survey(const Scene&, Diagnostics&);

@@ -5,6 +5,7 @@
 #include "shape/area.h"
 #include "solid/assemble.h"
 #include "text/message.h"
+#include "world/dark.h"
 
 #include <map>
 #include <optional>
@@ -48,14 +49,18 @@ bool is_composite(const Object& object) {
 class Flattener {
 public:
     Flattener(World& world, Diagnostics& diagnostics, Flatten what)
-        : world_(world), diagnostics_(diagnostics), all_(what == Flatten::everything) {}
+        : world_(world),
+          diagnostics_(diagnostics),
+          all_(what == Flatten::everything),
+          only_lights_count_(!all_ && !world.lights.empty()) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known.
     void add(const Object& object, const Inherited& outer) {
-        if (is_composite(object)) {
+        const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
+        if (dark || is_composite(object)) {
             ++world_.objects;
-            if (all_ || glows(object, outer)) add_composite(object, outer);
+            if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
         }
         const Inherited here = inherit(object, outer);
@@ -374,6 +379,7 @@ private:
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
     bool all_;
+    bool only_lights_count_;   ///< materials of what does not glow are not asked for
     std::vector<bool> glows_;  ///< by material
     std::unordered_map<MaterialKey, std::uint32_t, MaterialHash> material_indices_;
     std::optional<MaterialKey> last_key_;

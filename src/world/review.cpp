@@ -40,10 +40,11 @@ private:
     /// A quick answer, for most objects.
     static bool may_hold(const Object& object, const Vec3& point) {
         if (object.inverse) return true;
+        const Vec3 within = object.transform ? object.transform->inverse_point(point) : point;
         const auto* shape = std::get_if<Shape>(&object.form);
         const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;
-        return sphere && !object.transform ? length(point - sphere->centre) < sphere->radius
-                                           : contains(extent(object), point);
+        return sphere ? length(within - sphere->centre) < sphere->radius
+                      : contains(own_extent(object), within);
     }
 
     /// Unions and rows are not made one solid for the sake of one point.

@@ -71,10 +71,10 @@ TEST_CASE("a constant element has a number from the second time on", "[evaluate]
 }
 
 TEST_CASE("names may be allowed, and are then told", "[evaluate]") {
-    const Parsed parsed("texture { T } scale S*2");
+    const Parsed parsed("texture { T scale S*2 }");
     std::vector<NameId> names;
     CHECK(is_constant_but_names(parsed.tree, parsed.tree.first, names));
     CHECK(names.size() == 2);
-    const Parsed call("texture { T } scale F(2)");
+    const Parsed call("texture { T scale F(2) }");
     CHECK_FALSE(is_constant_but_names(call.tree, call.tree.first, names));
 }

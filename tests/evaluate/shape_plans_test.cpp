@@ -35,6 +35,22 @@ TEST_CASE("a loop makes the objects that its passes make one by one", "[evaluate
         "}",
         "#if (I = 5) #default { pigment { rgb 1 } } #end sphere { I, 1 finish { phong 1 } }",
         "sphere { I, 1 pigment { rgb rand(R) } }", "sphere { I, 1 rotate I*y }",
+        "sphere { I, 1 texture { pigment { rgb rand(R) } finish { phong 1 } } rotate y }",
+        "sphere { I, 1 pigment { checker rgb I, rgb 0 } finish { phong 1 } rotate 20*y scale 2 }",
+        "box { -I, I texture { pigment { checker rgb I, rgb 0 } scale 2 } rotate 20*y }",
+        "sphere { I, 1 pigment { rgb I } hollow normal { bumps 1 } translate x }",
+        "sphere { I, 1 rotate 9 pigment { rgb I } translate I*x }",
+        "sphere { rand(R), 1 pigment { rgb rand(R) } rotate rand(R)*360 scale rand(R) + 1 }",
+        "sphere { I, 1 texture { T } pigment { rgb I } }",
+        "sphere { I, 1 texture { T pigment { rgb I } } }",
+        "sphere { I, 1 texture { U pigment { rgb I } } }",
+        "sphere { I, 1 texture { pigment { rgb I } } finish { phong 1 } }",
+        "sphere { I, 1 pigment { rgb I } pigment { rgb 2*I } }",
+        "#if (I = 5) #default { finish { phong I } } #end sphere { I, 1 pigment { rgb I } }",
+        "#if (I = 5) #default { pigment { checker } } #end sphere { I, 1 pigment { rgb I } }",
+        "box { -I, I pigment { #if (mod(I, 2)) checker #else rgb I #end } translate I }",
+        "sphere { 0, 1 pigment { checker } translate I }",
+        "sphere { 0, 1 clipped_by { plane { y, 0 } } translate I*x }",
         "sphere { A[I-1], A[mod(I, 4)] inverse }", "sphere { I, 1 clipped_by { box { -1, 1 } } }",
         "union { sphere { I, 1 } sphere { 2*I, 1 } pigment { rgb I } }",
         "sphere { I, 1 hollow interior { ior 1.5 } pigment { checker } scale 2 }",
@@ -50,6 +66,31 @@ TEST_CASE("a loop makes the objects that its passes make one by one", "[evaluate
     const Evaluated loop = evaluated(looped(body, 12)), list = evaluated(unrolled(body, 12));
     REQUIRE_FALSE(loop.failed);
     CHECK(dump(loop.scene) == dump(list.scene));
+}
+
+TEST_CASE("a loop makes the combined objects that its passes make one by one", "[evaluate]") {
+    const std::string body = GENERATE(
+        as<std::string>(),
+        "difference { box { -1, 1 } sphere { 0, 1.2 } pigment { rgb 1 } translate rand(R)*I }",
+        "union { sphere { 0, 1 } light_source { y, 1 } pigment { rgb I } rotate I*y scale 2 }",
+        "union { sphere { 0, 1 pigment { checker } } sphere { y, 1 } translate I*y }",
+        "intersection { sphere { 0, 1 } box { 0, 1 } scale I / 20 no_shadow translate I*y }",
+        "merge { sphere { 0, 1 } #if (I > 4) box { 0, 1 } #end translate I*y }");
+    INFO(body);
+    // One by one: their parts are shared in a loop only.
+    const auto objects = [](const Evaluated& evaluated) {
+        std::string result;
+        for (const ObjectHandle& object : evaluated.scene.objects) {
+            Scene one;
+            one.objects = {object};
+            result += dump(one);
+        }
+        return result;
+    };
+    const Evaluated loop = evaluated(looped(body, 12)), list = evaluated(unrolled(body, 12));
+    REQUIRE_FALSE(loop.failed);
+    CHECK(objects(loop) == objects(list));
+    CHECK(loop.scene.lights.size() == list.scene.lights.size());
 }
 
 TEST_CASE("a union's loop does, too", "[evaluate]") {
@@ -82,6 +123,8 @@ TEST_CASE("values that do not fit are reported wherever the loop stands", "[eval
          "a string"},
         {"triangle { 0, x, (5 - I)*x }", "this `triangle` is left out"},
         {"sphere { rgb I, 1 }", "a colour"},
+        {"sphere { rand(R), 1 pigment { rgb rand(R)/(I - 5) } }", "zero"},
+        {"difference { sphere { 0, 1 } box { 0, 1 } scale <1, I - 5, 1> }", "taken as 1"},
         {"cylinder { 0, (5 - I)*x, 1 }", "cylinder"},
     }));
     INFO(body);
