@@ -63,6 +63,8 @@ struct Evaluator::State::Compiler {
     Operands of_one(std::string_view name, std::uint16_t function, NodeId arguments);
     Operands of_numbers(std::string_view name, NodeId arguments);
     Operands of_vectors(std::string_view name, NodeId arguments);
+    Operands of_object(std::string_view name, NodeId arguments);
+    Operands trace(NameId object, NameId normal, std::span<const Operand> ray);
     Operands of_two_vectors(std::string_view name, const Operands& a, const Operands& b);
     /// A call of code of C++.
     template <class Code>

@@ -2,6 +2,7 @@
 #include "base/transform.h"
 #include "evaluate/compiler.h"
 #include "evaluate/splines.h"
+#include "solid/solid.h"
 
 #include <algorithm>
 
@@ -19,6 +20,7 @@ Operands Evaluator::State::Compiler::call(const node::Call& node) {
     if (const auto function = function_number(name)) return of_one(name, *function, node.arguments);
     if (name == "rand") return random(node.arguments);
     if (name.starts_with("dimension")) return array_size(name, node.arguments);
+    if (name == "trace" || name == "inside") return of_object(name, node.arguments);
     if (name.starts_with("v") && name != "val" && name != "vstr" && name != "vturbulence")
         return of_vectors(name, node.arguments);
     return of_numbers(name, node.arguments);
@@ -61,6 +63,54 @@ Operands Evaluator::State::Compiler::random(NodeId arguments) {
         return true;
     };
     return native(1, next, stream);
+}
+
+/// trace() and inside() of an object that has a name.
+Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arguments) {
+    const auto* object = tree.get_if<node::Name>(arguments);
+    if (!object || !state.deprecated.empty()) return never();
+    const bool traces = name == "trace";
+    std::vector<Operand> vectors;
+    NodeId id = tree[arguments].next;
+    for (std::size_t i = 0; i < (traces ? 2u : 1u); ++i, id = tree[id].next) {
+        if (id == no_node) return never();
+        const Operands given = compile(id);
+        if (given.count != 1 && given.count != 3) return {};
+        const Operands vector = promoted(given, 3);
+        vectors.insert(vectors.end(), vector.at.begin(), vector.at.begin() + 3);
+    }
+    if (traces) {
+        const auto* normal = tree.get_if<node::Name>(id);
+        // What sets a variable comes last, so that nothing has to be taken back.
+        const bool fits = id == no_node || (normal && tree[id].next == no_node && depth == 1);
+        return fits ? trace(object->name, normal ? normal->name : no_name, vectors) : never();
+    }
+    if (id != no_node) return never();
+    const auto inside = [&state = state, object = object->name](const double* in, double* out) {
+        const Value* value = state.scope.find(object);
+        const ObjectHandle content = value ? value->handle<Object>() : nullptr;
+        if (!content || !has_inside(*content)) return false;
+        out[0] = state.world.solids.inside(content, Vec3(in[0], in[1], in[2]));
+        return true;
+    };
+    return native(1, inside, vectors);
+}
+
+Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
+                                           std::span<const Operand> ray) {
+    const auto first_hit = [&state = state, object, normal](const double* in, double* out) {
+        const Value* value = state.scope.find(object);
+        const ObjectHandle content = value ? value->handle<Object>() : nullptr;
+        const Vec3 from(in[0], in[1], in[2]), direction(in[3], in[4], in[5]);
+        Numbers* const target =
+            normal == no_name ? nullptr : state.scope.overwritable(normal, false);
+        if (!content || direction == Vec3(0) || (normal != no_name && !target)) return false;
+        const auto hit = state.world.solids.trace(content, from, direction);
+        if (target) *target = Numbers::vector(hit ? hit->normal : Vec3(0));
+        for (int i = 0; i < 3; ++i) out[i] = hit ? hit->position[i] : 0;
+        return true;
+    };
+    return native(3, first_hit, ray);
 }
 
 /// An element of an array of numbers, all with as many components as those that it has now.

@@ -160,13 +160,14 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
+        if (Numbers* number = scope.overwritable(name, true); number && number->is_scalar()) {
+            i = number->at[0] += step;
+            continue;
+        }
         const std::optional<double> now = counter(name, tree.span(node.target));
         if (!now) break;
         i = *now + step;
-        if (Numbers* number = scope.overwritable(name, true))
-            number->at[0] = i;
-        else
-            scope.declare_local(name, i);
+        scope.declare_local(name, i);
     }
     return stopped_ ? Flow::stopped : Flow::end;
 }

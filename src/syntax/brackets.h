@@ -18,6 +18,16 @@ public:
         : tokens_(lexer), source_(source), text_(text), diagnostics_(diagnostics) {}
 
     Token next();
+    /// Whether the next token comes behind a comma, right inside of braces.
+    bool begins_item() const {
+        return last_.kind == TokenKind::comma && !open_.empty() &&
+               open_.back().token.kind == TokenKind::open_brace;
+    }
+    /// Gives a token back that next() gave last; `before` is the one before it.
+    void put_back(const Token& token, const Token& before) {
+        pending_.push_back(token);
+        last_ = before;
+    }
 
     /// After a syntax error at the token that next() gave last: goes on at the end of the innermost
     /// bracket or, in a list of elements, at the next directive.

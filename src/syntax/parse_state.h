@@ -14,6 +14,19 @@ struct List {
     bool comma = false;  ///< its last token is a comma
 };
 
+/// What a symbol of the grammar stands for, which of them the grammar says: copied from place to
+/// place as it is, for there are millions.
+union SemanticValue {
+    SemanticValue() : list() {}
+
+    List list;
+    NodeId node;
+    NameId name;
+    std::uint32_t number;
+    node::Literal literal;
+    bool flag;
+};
+
 struct ParseState {
     Tree& tree;
     Names& names;

@@ -151,12 +151,44 @@ void Parser::report_syntax_error(const context& context) const {
 
 void Parser::error(const Span&, const std::string&) {}
 
-Parser::symbol_type yylex(ParseState& state) {
+/// Data files consist of plain vectors with commas between them: to the grammar, those that end in
+/// a comma are one token. Its last comma, or nothing when there is not even one of them.
+static std::optional<Token> take_row(Token vector, ParseState& state, List& row) {
+    std::optional<Token> end;
+    for (;;) {
+        const Token comma = state.brackets.next();
+        if (comma.kind != TokenKind::comma) {
+            state.brackets.put_back(comma, vector);
+            if (end) state.brackets.put_back(vector, *end);
+            return end;
+        }
+        row = state.append(row, state.add({state.tree.source, vector.first, vector.last},
+                                          node::Literal{vector.value, vector.count}));
+        row.comma = true;
+        end = comma;
+        vector = state.brackets.next();
+        if (vector.kind != TokenKind::literal) {
+            state.brackets.put_back(vector, comma);
+            return end;
+        }
+    }
+}
+
+int yylex(SemanticValue* value, Span* place, ParseState& state) {
+    const bool may_begin_row = state.brackets.begins_item();
     const Token token = state.brackets.next();
-    const Span span{state.tree.source, token.first, token.last};
-    // The grammar's tokens are TokenKind's, after the end, the error token and the undefined token.
-    const int kind = token.kind == TokenKind::end_of_file ? 0 : static_cast<int>(token.kind) + 2;
+    if (may_begin_row && token.kind == TokenKind::literal) {
+        List row;
+        if (const auto end = take_row(token, state, row)) {
+            *place = {state.tree.source, token.first, end->last};
+            value->list = row;
+            return Parser::token::ROW;
+        }
+    }
+    *place = {state.tree.source, token.first, token.last};
     switch (token.kind) {
+        case TokenKind::end_of_file:
+            return 0;
         case TokenKind::name:
         case TokenKind::word:
         case TokenKind::layer:
@@ -165,18 +197,16 @@ Parser::symbol_type yylex(ParseState& state) {
         case TokenKind::function:
         case TokenKind::colour_prefix:
         case TokenKind::channel:
-            return {kind, NameId(token.value), span};
-        case TokenKind::number:
-        case TokenKind::text:
-        case TokenKind::hash_declare:
-        case TokenKind::hash_message:
-        case TokenKind::hash_ifdef:
-            return {kind, token.value, span};
+            value->name = NameId(token.value);
+            break;
         case TokenKind::literal:
-            return {kind, node::Literal{token.value, token.count}, span};
+            value->literal = {token.value, token.count};
+            break;
         default:
-            return {kind, span};
+            value->number = token.value;
     }
+    // The grammar's tokens are TokenKind's, after the end, the error token and the undefined token.
+    return static_cast<int>(token.kind) + 2;
 }
 
 static_assert(Parser::token::WRITE == static_cast<int>(TokenKind::hash_write) + 2);

@@ -20,12 +20,17 @@ TEST_CASE("calls are compiled as they are walked", "[evaluate]") {
         "vnormalize(p)", "vnormalize(p * a)", "vrotate(p, w * 50)", "vaxis_rotate(p, w, 30)",
         "dimension_size(A, a)", "dimension_size(A, 9)", "dimensions(A)", "A[0] + A[1][0]",
         "A[b + 1][0.5 * a]", "sin(a > 1)", "bitwise_and(6, a)", "strlen(\"abc\") + a",
-        "val(\"2\") * a");
+        "val(\"2\") * a", "trace(O, -9*z, z)", "trace(O, <a, 9, -9>, p)", "trace(O, 9*p, -p, w)",
+        "trace(O, 9*p, -p, w) + w", "trace(O, 9*p, -p, w).y", "trace(O, p, p - p)",
+        "trace(O, p, a, b)", "trace(O, p, p, A[0][0])", "trace(b, p, p)", "inside(O, p/9)",
+        "inside(O, b)", "inside(Open, p)", "inside(O, <1, 2, 3, 4>)", "inside(O, p, p)");
     INFO(expression);
     const std::string setting =
         "#declare a = 2; #declare b = -0.75; #declare p = <1, -2, 3>; #declare w = <0.5, 4, -1>; "
-        "#declare A = array[3][2] {{4, 5}, {6, 7}, {8, 9}}; ";
-    const std::string shown = "#debug vstr(5, r, \",\", 0, 17) #debug \"\\n\" ";
+        "#declare A = array[3][2] {{4, 5}, {6, 7}, {8, 9}}; "
+        "#declare O = sphere { 0, 1.5 } #declare Open = triangle { 0, x, y } ";
+    const std::string shown =
+        "#debug vstr(5, r, \",\", 0, 17) #debug vstr(5, w, \",\", 0, 17) #debug \"\\n\" ";
     const Said walked = said(setting + "#declare r = " + expression + "; " + shown);
     const Said run =
         said(setting + "#for (i, 1, 3) #declare r = " + expression + "; #end " + shown);

@@ -5,6 +5,23 @@
 
 #include <catch2/catch.hpp>
 
+TEST_CASE("vectors in a row are read as they are one by one", "[syntax]") {
+    const auto [text, messages] = GENERATE(table<std::string, std::string>({
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, <7, 8, 9> }", ""},
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, <7, 8, 9> * 2 }", ""},
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, }", ""},
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, a { <1, 2>, <3, 4>, b } }", ""},
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>,, <7, 8, 9> }", "1:33 error: two commas in a row\n"},
+        {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, = 3 }", "1:34 error: `=` does not fit here\n"},
+    }));
+    INFO(text);
+    CHECK(Parsed(text).messages() == messages);
+    // Without the 3 and its comma, the first vector is read alone.
+    std::string other = text;
+    other.replace(other.find("3, "), 3, "3  ");
+    if (messages.empty()) CHECK(Parsed(text).dumped() == Parsed(other).dumped());
+}
+
 TEST_CASE("operators bind as in POV-Ray", "[syntax]") {
     const auto [text, same] = GENERATE(table<std::string, std::string>({
         {"(1 + 2 * 3)", "(1 + (2 * 3))"},
