@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -28,6 +29,22 @@ struct RawPicture {
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> values;
     std::string_view extension;    ///< names the format
     std::string_view compression;  ///< in OpenImageIO's words; empty for the format's own
+    std::string description;       ///< of what made it, for formats that have room for one
+};
+
+/// One plane of a picture with named planes: 32 bits for each pixel, row by row from the top.
+struct Plane {
+    std::string name;    ///< as OpenEXR names channels: "albedo.R"
+    bool whole = false;  ///< unsigned whole numbers; otherwise the bits of floats
+    std::vector<std::uint32_t> bits;
+};
+
+/// An OpenEXR file with any planes, and texts in its head.
+struct LayeredPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<Plane> planes;
+    std::vector<std::pair<std::string, std::string>> texts;
 };
 
 /// The entry points. Each returns what went wrong, or an empty string.
@@ -35,6 +52,9 @@ struct Formats {
     /// A picture of more than `most_pixels` is refused: its file is taken for a damaged one.
     std::string (*read)(const std::string& path, std::int64_t most_pixels, StoredPicture&);
     std::string (*write)(const RawPicture&, std::string& bytes);
+    /// Reads the texts that the picture names already, and all planes.
+    std::string (*read_layers)(const std::string& path, std::int64_t most_pixels, LayeredPicture&);
+    std::string (*write_layers)(const LayeredPicture&, std::string& bytes);
 };
 
 /// The name of the library, and of its one function: `const Formats* candelabra_formats()`.

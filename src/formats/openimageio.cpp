@@ -40,23 +40,15 @@ struct StoredType {
     TypeDesc operator()(const std::vector<float>&) const { return TypeDesc::FLOAT; }
 };
 
-std::string write(const RawPicture& picture, std::string& bytes) {
-    const TypeDesc type = std::visit(StoredType(), picture.values);
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
-    spec.attribute("oiio:ColorSpace", type == TypeDesc::FLOAT ? "Linear" : "sRGB");
-    spec.attribute("Software", "Candelabra");
-    // A fixed time: the same picture must give the same bytes.
-    spec.attribute("DateTime", "2000:01:01 00:00:00");
-    if (!picture.compression.empty())
-        spec.attribute("compression", std::string(picture.compression));
-
-    const std::string extension(picture.extension);
+/// What an output makes of a picture that is sent to it.
+template <class Send>
+std::string to_memory(const std::string& extension, const OIIO::ImageSpec& spec, const Send& send,
+                      std::string& bytes) {
     std::vector<unsigned char> memory;
     OIIO::Filesystem::IOVecOutput proxy(memory);
     const auto output = OIIO::ImageOutput::create(extension);
-    const auto send = [&](const auto& values) { return output->write_image(type, values.data()); };
     if (output && output->set_ioproxy(&proxy) && output->open("picture." + extension, spec) &&
-        std::visit(send, picture.values) && output->close()) {
+        send(*output) && output->close()) {
         bytes.assign(memory.begin(), memory.end());
         return {};
     }
@@ -64,9 +56,81 @@ std::string write(const RawPicture& picture, std::string& bytes) {
     return why.empty() ? "the format does not take it" : why;
 }
 
+// A fixed time: the same picture must give the same bytes.
+constexpr auto fixed_time = "2000:01:01 00:00:00";
+
+std::string write(const RawPicture& picture, std::string& bytes) {
+    const TypeDesc type = std::visit(StoredType(), picture.values);
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+    spec.attribute("oiio:ColorSpace", type == TypeDesc::FLOAT ? "Linear" : "sRGB");
+    spec.attribute("Software", "Candelabra");
+    spec.attribute("DateTime", fixed_time);
+    if (!picture.description.empty()) spec.attribute("ImageDescription", picture.description);
+    if (!picture.compression.empty())
+        spec.attribute("compression", std::string(picture.compression));
+
+    const auto send = [&](OIIO::ImageOutput& output) {
+        return std::visit(
+            [&](const auto& values) { return output.write_image(type, values.data()); },
+            picture.values);
+    };
+    return to_memory(std::string(picture.extension), spec, send, bytes);
+}
+
+std::string read_layers(const std::string& path, std::int64_t most_pixels,
+                        LayeredPicture& picture) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) return OIIO::geterror();
+    const OIIO::ImageSpec& spec = input->spec();
+    if (std::string_view(input->format_name()) != "openexr") return "it is no OpenEXR file";
+    const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
+    if (spec.width < 1 || spec.height < 1 || pixels > most_pixels)
+        return "it says that it has " + number(spec.width) + " by " + number(spec.height) +
+               " pixels";
+    picture.width = spec.width;
+    picture.height = spec.height;
+    for (auto& [name, text] : picture.texts) text = spec.get_string_attribute(name);
+    for (int c = 0; c < spec.nchannels; ++c) {
+        const TypeDesc type = spec.channelformat(c);
+        const bool whole = type == TypeDesc::UINT32;
+        Plane plane{spec.channelnames[static_cast<std::size_t>(c)], whole, {}};
+        plane.bits.resize(static_cast<std::size_t>(pixels));
+        if (!input->read_image(0, 0, c, c + 1, whole ? TypeDesc::UINT32 : TypeDesc::FLOAT,
+                               plane.bits.data()))
+            return input->geterror();
+        picture.planes.push_back(std::move(plane));
+    }
+    return {};
+}
+
+std::string write_layers(const LayeredPicture& picture, std::string& bytes) {
+    const std::size_t count = picture.planes.size();
+    OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(count), TypeDesc::FLOAT);
+    spec.channelnames.clear();
+    for (const Plane& plane : picture.planes) {
+        spec.channelnames.push_back(plane.name);
+        spec.channelformats.push_back(plane.whole ? TypeDesc::UINT32 : TypeDesc::FLOAT);
+    }
+    spec.attribute("oiio:ColorSpace", "Linear");
+    spec.attribute("Software", "Candelabra");
+    spec.attribute("DateTime", fixed_time);
+    spec.attribute("compression", "zip");
+    for (const auto& [name, text] : picture.texts) spec.attribute(name, text);
+    const std::size_t pixels =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    std::vector<std::uint32_t> side_by_side(pixels * count);
+    for (std::size_t c = 0; c < count; ++c)
+        for (std::size_t i = 0; i < pixels; ++i)
+            side_by_side[i * count + c] = picture.planes[c].bits[i];
+    const auto send = [&](OIIO::ImageOutput& output) {
+        return output.write_image(TypeDesc::UNKNOWN, side_by_side.data());
+    };
+    return to_memory("exr", spec, send, bytes);
+}
+
 }  // namespace
 
 extern "C" const Formats* candelabra_formats() {
-    static constexpr Formats formats{&read, &write};
+    static constexpr Formats formats{&read, &write, &read_layers, &write_layers};
     return &formats;
 }

@@ -4,19 +4,43 @@
 #include <cmath>
 
 void PixelSum::add(const Vec3& sample) {
-    radiance += sample;
-    // A square root is near enough to a display's transfer curve to weigh differences by.
-    const Vec3 clipped = glm::clamp(sample, Vec3(0), Vec3(1));
-    const Vec3 shown(std::sqrt(clipped.x), std::sqrt(clipped.y), std::sqrt(clipped.z));
-    display += shown;
-    display_squared += shown * shown;
+    for (int i = 0; i < 3; ++i) {
+        const auto channel = static_cast<std::size_t>(i);
+        radiance[channel].add(sample[i]);
+        // A square root is near enough to a display's transfer curve to weigh differences by.
+        const double shown = sample[i] > 0 ? std::sqrt(std::min(sample[i], 1.0)) : 0;
+        const auto units = static_cast<std::uint64_t>(shown * 0x1p20 + 0.5);
+        display[channel] += units;
+        display_squared[channel] += units * units;
+    }
     ++samples;
+}
+
+void PixelSum::add(const PixelSum& other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        radiance[i].add(other.radiance[i]);
+        display[i] += other.display[i];
+        display_squared[i] += other.display_squared[i];
+    }
+    samples += other.samples;
+}
+
+Vec3 PixelSum::mean() const {
+    if (samples == 0) return Vec3(0);
+    return Vec3(radiance[0].value(), radiance[1].value(), radiance[2].value()) /
+           static_cast<double>(samples);
 }
 
 double PixelSum::deviation() const {
     const double n = samples;
-    const Vec3 variance = glm::max((display_squared - display * display / n) / (n - 1), Vec3(0));
-    return std::sqrt(variance.x) + std::sqrt(variance.y) + std::sqrt(variance.z);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        using Wide = ExactSum::Wide;
+        const Wide spread = static_cast<Wide>(samples) * static_cast<Wide>(display_squared[i]) -
+                            static_cast<Wide>(display[i]) * static_cast<Wide>(display[i]);
+        sum += std::sqrt(static_cast<double>(spread) / (n * (n - 1)));
+    }
+    return sum * 0x1p-20;
 }
 
 Film::Film(int width, int height)
@@ -26,8 +50,6 @@ Film::Film(int width, int height)
 
 Image Film::image() const {
     Image image(width_, height_);
-    for (std::size_t i = 0; i < pixels_.size(); ++i)
-        if (pixels_[i].samples > 0)
-            image.pixels[i] = pixels_[i].radiance / static_cast<double>(pixels_[i].samples);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) image.pixels[i] = pixels_[i].mean();
     return image;
 }

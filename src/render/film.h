@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Collects the samples of each pixel: their sum, and how much they differ as a viewer would see it.
+// All sums are exact, so that parts of a picture can be added in any order.
 #pragma once
 
+#include "base/exact_sum.h"
 #include "base/image.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 /// One pixel's samples.
 struct PixelSum {
-    Vec3 radiance = Vec3(0);  ///< sum
-    Vec3 display = Vec3(0);   ///< sum of values as a display shows them, 0..1
-    Vec3 display_squared = Vec3(0);
+    std::array<ExactSum, 3> radiance;
+    /// Sums of the values as a display shows them, 0..1, in units of 2^-20, and of their squares.
+    std::array<std::uint64_t, 3> display{};
+    std::array<std::uint64_t, 3> display_squared{};
     std::uint32_t samples = 0;
+    std::uint32_t target = 0;  ///< samples that are wanted up to now
 
     void add(const Vec3& sample);
+    void add(const PixelSum& other);
+    Vec3 mean() const;
     /// Standard deviation of one sample in display values, summed over the channels. Needs two
     /// samples.
     double deviation() const;
+
+    friend bool operator==(const PixelSum&, const PixelSum&) = default;
 };
 
 class Film {
 public:
+    Film() = default;
     Film(int width, int height);
     int width() const { return width_; }
     int height() const { return height_; }
@@ -32,10 +42,14 @@ public:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
     }
+    std::vector<PixelSum>& pixels() { return pixels_; }
+    const std::vector<PixelSum>& pixels() const { return pixels_; }
     /// Means of the samples; black where there are none.
     Image image() const;
 
+    friend bool operator==(const Film&, const Film&) = default;
+
 private:
-    int width_, height_;
+    int width_ = 0, height_ = 0;
     std::vector<PixelSum> pixels_;
 };

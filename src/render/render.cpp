@@ -2,24 +2,17 @@
 #include "render/render.h"
 
 #include "base/parallel.h"
-#include "render/adaptive.h"
-#include "render/film.h"
 #include "render/trace.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <mutex>
 
 namespace {
 
-constexpr int tile_size = 16;
-
-struct Tile {
-    int left, top, right, bottom;
-};
-
-std::vector<Tile> tiles_of(int width, int height) {
-    std::vector<Tile> tiles;
+std::vector<Region> tiles_of(int width, int height) {
+    std::vector<Region> tiles;
     for (int y = 0; y < height; y += tile_size)
         for (int x = 0; x < width; x += tile_size)
             tiles.push_back(
@@ -27,95 +20,139 @@ std::vector<Tile> tiles_of(int width, int height) {
     return tiles;
 }
 
-/// POV-Ray's recursive antialiasing makes up to so many rays of a pixel.
-std::uint32_t most_samples(const RenderSettings& settings) {
-    return std::uint32_t{1} << (2 * settings.antialias_depth);
-}
-
-/// Shares of the whole work: the first pass, and the second when there is one.
-struct Pass {
-    double begin, end;
-};
-
 class Renderer {
 public:
-    Renderer(const World& world, const RenderSettings& settings, const RenderHooks& hooks)
-        : world_(world),
-          settings_(settings),
-          hooks_(hooks),
-          film_(settings.width, settings.height),
-          samples_(static_cast<std::uint32_t>(samples_per_pixel(world, settings))) {}
+    Renderer(const World& world, const RenderSettings& settings, RenderState& state,
+             const RenderHooks& hooks)
+        : world_(world), settings_(settings), state_(state), hooks_(hooks) {}
 
-    Rendering operator()() {
-        const bool adaptive = settings_.antialias && settings_.samples == 0;
-        over_tiles(adaptive ? Pass{0, 0.5} : Pass{0, 1}, [&](int, int) { return samples_; });
-        if (adaptive) refine();
-        return {film_.image(), rays_};
+    /// The rounds up to the end; false when they were stopped.
+    bool run() {
+        const auto samples = static_cast<std::uint32_t>(samples_per_pixel(world_, settings_));
+        do {
+            run_round();
+            if (stopped_) return false;
+        } while (plan_round(state_, settings_, samples));
+        return true;
     }
+
+    const RayCounts& rays() const { return rays_; }
 
 private:
-    void refine() {
-        // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
-        // than that.
-        const AdaptiveRule rule{settings_.antialias_threshold / 10, most_samples(settings_)};
-        std::vector<std::uint32_t> more(film_.index(0, film_.height()));
-        for (int y = 0; y < film_.height(); ++y)
-            for (int x = 0; x < film_.width(); ++x)
-                more[film_.index(x, y)] = samples_to_add(film_, x, y, rule);
-        over_tiles({0.5, 1}, [&](int x, int y) { return more[film_.index(x, y)]; });
+    /// Brings all pixels to their targets, the whole picture becoming better evenly.
+    void run_round() {
+        std::uint32_t most = 0;
+        wanted_ = 0;
+        for (const PixelSum& pixel : state_.film.pixels()) {
+            most = std::max(most, pixel.target);
+            wanted_ += pixel.target;
+        }
+        const std::uint64_t missing = missing_samples(state_.film);
+        done_ = wanted_ - missing;
+        if (missing == 0) return;
+        constexpr std::uint32_t growth = 4;
+        for (std::uint32_t level = 1; !stopped_; level *= growth) {
+            over_tiles(level);
+            if (level >= most) return;
+        }
     }
 
-    /// Adds count(x, y) samples to each pixel.
-    template <class Count>
-    void over_tiles(const Pass& pass, const Count& count) {
-        const std::vector<Tile> tiles = tiles_of(film_.width(), film_.height());
-        std::atomic<std::size_t> done = 0;
+    void over_tiles(std::uint32_t level) {
+        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
-            if (hooks_.cancelled && hooks_.cancelled()) return;
+            if (stopped_ || !wants(tiles[i], level)) return;
             Tracer tracer(world_, settings_.shadow_rays);
-            const Tile& tile = tiles[i];
-            for (int y = tile.top; y < tile.bottom; ++y)
-                for (int x = tile.left; x < tile.right; ++x) add_samples(tracer, x, y, count(x, y));
+            const std::uint64_t made = make_tile(tracer, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
                 rays_ += tracer.rays();
             }
-            const double share = static_cast<double>(++done) / static_cast<double>(tiles.size());
-            if (hooks_.progress) hooks_.progress(pass.begin + share * (pass.end - pass.begin));
+            const std::uint64_t done = done_ += made;
+            if (hooks_.progress && made > 0)
+                hooks_.progress(overall(static_cast<double>(done) / static_cast<double>(wanted_)));
         });
     }
 
-    void add_samples(Tracer& tracer, int x, int y, std::uint32_t count) {
-        PixelSum& pixel = film_.at(x, y);
+    /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
+    /// the noise takes is not known: each brings half of the rest.
+    double overall(double share_of_round) const {
+        if (is_even(settings_)) return share_of_round;
+        const double rounds = state_.rounds - 1 + share_of_round;
+        return settings_.noise > 0 ? 1 - std::exp2(-rounds) : rounds / 2;
+    }
+
+    bool wants(const Region& tile, std::uint32_t level) const {
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x) {
+                const PixelSum& pixel = state_.film.at(x, y);
+                if (pixel.samples < std::min(level, pixel.target)) return true;
+            }
+        return false;
+    }
+
+    std::uint64_t make_tile(Tracer& tracer, const Region& tile, std::uint32_t level) {
+        std::uint64_t made = 0;
+        for (int y = tile.top; y < tile.bottom; ++y)
+            for (int x = tile.left; x < tile.right; ++x)
+                made += add_samples(tracer, x, y, std::min(level, state_.film.at(x, y).target));
+        return made;
+    }
+
+    std::uint64_t add_samples(Tracer& tracer, int x, int y, std::uint32_t wanted) {
+        PixelSum& pixel = state_.film.at(x, y);
+        const std::uint32_t before = pixel.samples;
         Key key;
-        key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + film_.index(x, y);
-        for (const std::uint32_t last = pixel.samples + count; pixel.samples < last;) {
-            key.sample = pixel.samples;
+        key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
+        while (pixel.samples < wanted && !stop()) {
+            key.sample = state_.share.first_sample + pixel.samples;
             const double dx = settings_.antialias ? uniform(key, Purpose::pixel_x) : 0.5;
             const double dy = settings_.antialias ? uniform(key, Purpose::pixel_y) : 0.5;
-            pixel.add(tracer.radiance(
-                world_.camera.ray((x + dx) / film_.width() - 0.5, 0.5 - (y + dy) / film_.height()),
-                key));
+            pixel.add(tracer.radiance(world_.camera.ray((x + dx) / state_.film.width() - 0.5,
+                                                        0.5 - (y + dy) / state_.film.height()),
+                                      key));
         }
+        return pixel.samples - before;
+    }
+
+    bool stop() {
+        if (!stopped_ && hooks_.cancelled && hooks_.cancelled()) stopped_ = true;
+        return stopped_;
     }
 
     const World& world_;
     const RenderSettings& settings_;
+    RenderState& state_;
     const RenderHooks& hooks_;
-    Film film_;
-    std::uint32_t samples_;
     std::mutex mutex_;
     RayCounts rays_;
+    std::uint64_t wanted_ = 0;  ///< up to now, altogether
+    std::atomic<std::uint64_t> done_ = 0;
+    std::atomic<bool> stopped_ = false;
 };
 
 }  // namespace
 
 int samples_per_pixel(const World& world, const RenderSettings& settings) {
+    constexpr int first_for_noise = 16;
+    if (settings.noise > 0)
+        return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
+                                    : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     if (!settings.antialias) return world.luminaires.empty() ? 1 : 16;
-    return std::max(2, static_cast<int>(most_samples(settings)) / 8);
+    return std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+}
+
+bool advance(const World& world, const RenderSettings& settings, RenderState& state,
+             RayCounts& rays, const RenderHooks& hooks) {
+    Renderer renderer(world, settings, state, hooks);
+    const bool finished = renderer.run();
+    rays += renderer.rays();
+    return finished;
 }
 
 Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
-    return Renderer(world, settings, hooks)();
+    RenderState state = begin_picture(settings);
+    RayCounts rays;
+    advance(world, settings, state, rays, hooks);
+    return {state.film.image(), rays};
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// World to picture. Each pixel is a pure function of world, settings and seed, so the picture has
-// the same bytes for any number of threads.
+// World to picture. Each sample is a pure function of world, settings, seed, pixel and its number,
+// and sums are exact, so the picture has the same bytes for any number of threads, and however
+// often the work is stopped and continued.
 #pragma once
 
-#include "base/image.h"
+#include "render/schedule.h"
 #include "render/statistics.h"
-#include "scene/settings.h"
 #include "world/world.h"
 
 #include <functional>
@@ -13,8 +13,8 @@
 /// What the caller may want to know while a picture is made. Both may be called from several
 /// threads, and may be empty.
 struct RenderHooks {
-    std::function<void(double fraction)> progress;
-    std::function<bool()> cancelled;  ///< true: stop soon and return what there is
+    std::function<void(double fraction)> progress;  ///< of the whole picture
+    std::function<bool()> cancelled;                ///< true: stop within a few samples
 };
 
 struct Rendering {
@@ -22,7 +22,12 @@ struct Rendering {
     RayCounts rays;
 };
 
+/// A whole picture at once.
 Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
+
+/// Goes on with a picture until it is finished; false when the hook has stopped it. Adds to the
+/// counts.
+bool advance(const World&, const RenderSettings&, RenderState&, RayCounts&, const RenderHooks&);
 
 /// Camera rays a pixel that settings ask for, with the automatic choice made: one where nothing is
 /// left to chance.

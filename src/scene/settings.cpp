@@ -44,6 +44,11 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           between(1, 9)},
         F{"samples", &RenderSettings::samples, item,
           "camera rays for each pixel; 0: as many as each needs", between(0, 1e6)},
+        F{"noise", &RenderSettings::noise, item,
+          "all pixels get rays until the standard error of their displayed colours (each channel 0 "
+          "to 1, summed over the three) is below this, or there are as many as samples says; 0: "
+          "no such bound",
+          between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
           "how often luminaires are chosen at each hit", between(1, 1e4)},
         F{"seed", &RenderSettings::seed, item, "another seed gives other noise",

@@ -32,6 +32,7 @@ struct RenderSettings {
     double antialias_threshold = 0.3;  ///< see the vocabulary
     int antialias_depth = 3;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
+    double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
     int shadow_rays = 1;  ///< choices of luminaires at each hit
     int seed = 0;
     int threads = 0;                            ///< 0: one per core

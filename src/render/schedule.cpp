@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/schedule.h"
+
+#include "render/adaptive.h"
+
+namespace {
+
+/// More samples than this are not taken for the sake of noise, unless --samples says so.
+constexpr std::uint32_t most_for_noise = 1 << 16;
+
+/// Whether a neighbour of the pixel, or itself, belongs to the share.
+bool borders(const Share& share, int x, int y) {
+    for (int v = y - 1; v <= y + 1; ++v)
+        for (int u = x - 1; u <= x + 1; ++u)
+            if (share.owns(u, v)) return true;
+    return false;
+}
+
+/// Calls set(x, y, pixel) for all pixels.
+template <class Set>
+void for_pixels(Film& film, const Set& set) {
+    for (int y = 0; y < film.height(); ++y)
+        for (int x = 0; x < film.width(); ++x) set(x, y, film.at(x, y));
+}
+
+AdaptiveRule rule_of(const RenderSettings& settings) {
+    if (settings.noise > 0)
+        return {settings.noise, settings.samples > 0 ? static_cast<std::uint32_t>(settings.samples)
+                                                     : most_for_noise};
+    // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
+    // than that. Its recursive method makes up to so many rays of a pixel.
+    return {settings.antialias_threshold / 10, std::uint32_t{1} << (2 * settings.antialias_depth)};
+}
+
+void refine(RenderState& state, const RenderSettings& settings) {
+    const AdaptiveRule rule = rule_of(settings);
+    std::vector<std::uint32_t> more(state.film.pixels().size());
+    for_pixels(state.film, [&](int x, int y, const PixelSum& pixel) {
+        if (!state.share.owns(x, y)) return;
+        std::uint32_t& add = more[state.film.index(x, y)];
+        add = samples_to_add(state.film, x, y, rule);
+        // A first guess of the noise may be far off; doubling comes near from below.
+        if (settings.noise > 0) add = std::min(add, pixel.samples);
+    });
+    for (std::size_t i = 0; i < more.size(); ++i)
+        state.film.pixels()[i].target = state.film.pixels()[i].samples + more[i];
+}
+
+}  // namespace
+
+RenderState begin_picture(const RenderSettings& settings) {
+    return {Film(settings.width, settings.height), whole_picture(settings.width, settings.height),
+            0};
+}
+
+bool is_even(const RenderSettings& settings) {
+    return settings.noise == 0 && (settings.samples > 0 || !settings.antialias);
+}
+
+bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples) {
+    const bool even = is_even(settings);
+    if (even || state.rounds == 0)
+        for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
+            const bool wanted = even ? state.share.owns(x, y) : borders(state.share, x, y);
+            pixel.target = wanted ? samples : 0;
+        });
+    else if (settings.noise > 0 || state.rounds == 1)
+        refine(state, settings);
+    if (missing_samples(state.film) == 0) return false;
+    ++state.rounds;
+    return true;
+}
+
+std::uint64_t missing_samples(const Film& film) {
+    std::uint64_t sum = 0;
+    for (const PixelSum& pixel : film.pixels())
+        if (pixel.target > pixel.samples) sum += pixel.target - pixel.samples;
+    return sum;
+}

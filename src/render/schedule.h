@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How many samples each pixel gets, round by round. A round is planned from the samples of the
+// rounds before and nothing else, so that a picture can be stopped at any moment and continued
+// without a trace.
+#pragma once
+
+#include "render/film.h"
+#include "render/share.h"
+#include "scene/settings.h"
+
+/// A picture on its way.
+struct RenderState {
+    Film film;
+    Share share;
+    std::uint32_t rounds = 0;  ///< that have been planned
+};
+
+/// Before the first sample.
+RenderState begin_picture(const RenderSettings&);
+
+/// Whether all pixels get the same number of samples.
+bool is_even(const RenderSettings&);
+
+/// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
+/// round, or altogether when that number is even. False when no pixel needs more.
+bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples);
+
+/// Samples that are wanted up to now but not there yet.
+std::uint64_t missing_samples(const Film&);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which part of a picture a run makes: a rectangle, some of its tiles, or some of the samples of
+// each pixel. The renderer, checkpoints and merging ask it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+/// Edge of the squares that a picture is cut into, in pixels.
+inline constexpr int tile_size = 16;
+
+/// Pixels from the left and top edge, the right and lower edges excluded.
+struct Region {
+    int left = 0, top = 0, right = 0, bottom = 0;
+
+    bool contains(int x, int y) const { return x >= left && x < right && y >= top && y < bottom; }
+    friend bool operator==(const Region&, const Region&) = default;
+};
+
+struct Share {
+    Region region;
+    /// Every so many tiles, counted row by row, from this one on.
+    int first_tile = 0, tile_step = 1;
+    /// Number of the first sample of each pixel.
+    std::uint32_t first_sample = 0;
+    int width = 0;  ///< of the whole picture
+
+    /// Whether the pixel belongs to this share.
+    bool owns(int x, int y) const {
+        const int tiles = (width + tile_size - 1) / tile_size;
+        return region.contains(x, y) &&
+               (y / tile_size * tiles + x / tile_size) % tile_step == first_tile;
+    }
+    friend bool operator==(const Share&, const Share&) = default;
+};
+
+inline Share whole_picture(int width, int height) {
+    return {{0, 0, width, height}, 0, 1, 0, width};
+}
