@@ -2,6 +2,7 @@
 // The program: arguments in, exit status out.
 #include "app/commands.h"
 #include "app/library.h"
+#include "app/signals.h"
 #include "text/message.h"
 
 #include <cstdlib>
@@ -23,12 +24,18 @@ bool colours_wanted(bool terminal) {
 }  // namespace
 
 int main(int count, char** arguments) {
+    Signals signals;
     const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
     Console console;
     console.out = [](std::string_view text) { std::cout << text << std::flush; };
     console.err = [](std::string_view text) { std::cerr << text << std::flush; };
     console.terminal = ::isatty(STDERR_FILENO) != 0;
     console.coloured = colours_wanted(console.terminal);
+    console.interrupts = signals.interrupts();
+    console.environment = [](const std::string& name) {
+        const char* value = std::getenv(name.c_str());
+        return value ? std::optional<std::string>(value) : std::nullopt;
+    };
     console.library = standard_library(own_path(), std::getenv("CANDELABRA_STDLIB")).value_or("");
     console.settings =
         settings_file(std::getenv("CANDELABRA_INI"), std::getenv("HOME")).value_or("");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_store.h"
 
+#include "app/completion.h"
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -296,6 +297,13 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
 void store::help(Options& options, const Given& given, Diagnostics&) {
     options.task = Task::help;
     options.topic = given.value.value_or("");
+}
+
+void store::completion(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.task = Task::completion;
+    options.topic = *given.value;
+    if (!::completion(options.topic))
+        refuse(given, diagnostics, "there is none for this shell", "bash, zsh or fish");
 }
 
 /// The words behind --describe in any order: a form and a part.

@@ -72,6 +72,7 @@ void dump(Options&, const Given&, Diagnostics&);
 void stats(Options&, const Given&, Diagnostics&);
 void help(Options&, const Given&, Diagnostics&);
 void version(Options&, const Given&, Diagnostics&);
+void completion(Options&, const Given&, Diagnostics&);
 void describe(Options&, const Given&, Diagnostics&);
 void diagnostics(Options&, const Given&, Diagnostics&);
 void warn(Options&, const Given&, Diagnostics&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_table.h"
 
+#include "app/production_options.h"
 #include "text/message.h"
 
 #include <array>
@@ -9,7 +10,6 @@ namespace {
 
 using enum Takes;
 
-constexpr std::string_view whole_pictures = "only whole pictures are rendered";
 constexpr std::string_view no_commands = "no commands are run";
 constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
@@ -64,7 +64,29 @@ constexpr auto rows = std::to_array<OptionRow>({
     setting("", "Antialias_Threshold", "", "antialias_threshold"),
     setting("R", "Antialias_Depth", "", "antialias_depth"),
     setting("", "", "samples", "samples"),
+    setting("", "", "noise", "noise"),
+    option("", "", "time", value, "duration", store::time,
+           "finishes the picture as it is after this time (90s, 10m, 2h); the one option that "
+           "makes a picture depend on the machine"),
     setting("", "", "shadow-rays", "shadow_rays"),
+    option(
+        "SR", "Start_Row", "", value, "n", store::start_row,
+        "first row that is rendered, from 1; below 1 a fraction; the picture is black elsewhere"),
+    option("ER", "End_Row", "", value, "n", store::end_row, "last row that is rendered"),
+    option("SC", "Start_Column", "", value, "n", store::start_column,
+           "first column that is rendered"),
+    option("EC", "End_Column", "", value, "n", store::end_column, "last column that is rendered"),
+    option("C", "Continue_Trace", "", sign, "", store::go_on,
+           "goes on from the state that an earlier run has left beside the picture; see STATES"),
+    option("", "", "checkpoint", value, "duration", store::checkpoint,
+           "time between two states while a picture is made (60s); 0: only on signals"),
+    option("", "", "keep-state", nothing, "", store::keep_state,
+           "keeps the state of a finished picture, so that +C can add samples"),
+    option("", "", "shard", value, "i/n", store::shard,
+           "makes one of n parts, for merge; auto: as the job array of Slurm or AWS Batch says, "
+           "auto/n with Kubernetes; see FARMS"),
+    option("", "", "shard-by", value, "what", store::shard_by,
+           "parts are samples (the default), tiles, or frames (the default of animations)"),
     option("", "", "light-sampler", value, "name", store::sampler,
            "way to choose luminaires, instead of the scene's; see LIGHT SAMPLERS"),
     setting("", "", "seed", "seed"),
@@ -83,6 +105,7 @@ constexpr auto rows = std::to_array<OptionRow>({
            "how much the scene may write with #write, in megabytes (1024)"),
     option("", "", "limit-memory", value, "MB", store::limit_memory,
            "how much memory the run may take, in megabytes (what the machine has)"),
+    option("", "", "memory", value, "size", store::memory, "the same as 500M or 8G"),
     option("", "Declare", "", value, "name=value", store::declare,
            "declares a name for the scene: a number, or a string in quotes"),
     option("K", "Clock", "", value, "n", store::clock, "value of clock in the scene"),
@@ -128,6 +151,8 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "describe", maybe_words, "form part", store::describe,
            "options and vocabulary as text, roff or json; part: items, functions, options, "
            "compatibility, words or warnings"),
+    option("", "", "completion", value, "shell", store::completion,
+           "prints what completes options in bash, zsh or fish"),
     accepted("D", "Display", sign_and_value, "", "accepted without effect: no preview is shown"),
     accepted("P", "Pause_When_Done", sign, "", "accepted without effect"),
     option("Q", "Quality", "", value, "n", store::quality,
@@ -163,11 +188,6 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("GR", "Render_Console", sign_and_value, "file", "see -V"),
     ignored("GS", "Statistic_Console", sign_and_value, "file", "see --stats"),
     ignored("GW", "Warning_Console", sign_and_value, "file", "see -V"),
-    refused("SR", "Start_Row", value, "n", whole_pictures),
-    refused("ER", "End_Row", value, "n", whole_pictures),
-    refused("SC", "Start_Column", value, "n", whole_pictures),
-    refused("EC", "End_Column", value, "n", whole_pictures),
-    refused("C", "Continue_Trace", sign, "", "a stopped rendering cannot be continued"),
     refused("UA", "Output_Alpha", sign, "", "pictures have no alpha channel"),
     refused("", "Grayscale_Output", sign, "", "pictures have colours"),
     refused("TH", "Dither", sign_and_value, "x", "pictures are not dithered"),

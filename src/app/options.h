@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/animation.h"
+#include "app/shard.h"
 #include "evaluate/evaluator.h"
 #include "evaluate/limits.h"
 #include "picture/write.h"
@@ -31,7 +32,8 @@ enum class Task {
     dump_world,
     help,
     version,
-    describe
+    describe,
+    completion
 };
 
 /// A name that the scene finds declared, and its value.
@@ -61,7 +63,15 @@ struct Options {
     bool verbose = true;
     bool diagnostics_as_json = false;
     std::string stats_file;
-    std::string topic;                   ///< of --help, or what --describe describes
+    bool go_on = false;               ///< from the state that an earlier run has left
+    bool keep_state = false;          ///< also of a finished picture
+    double checkpoint_interval = 60;  ///< seconds between two states; 0: only when asked by signals
+    std::optional<double> time;       ///< seconds after which a picture is finished as it is
+    std::string shard;                ///< as given; empty: the whole
+    std::optional<ShardBy> shard_by;  ///< nothing: frames of an animation, samples of a picture
+    /// Part of the picture, as POV-Ray counts; see app/region.h.
+    std::optional<double> start_row, end_row, start_column, end_column;
+    std::string topic;                   ///< of --help, what --describe describes, or a shell
     ManualForm form = ManualForm::text;  ///< of --describe
 };
 

@@ -29,7 +29,7 @@ struct RawPicture {
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> values;
     std::string_view extension;    ///< names the format
     std::string_view compression;  ///< in OpenImageIO's words; empty for the format's own
-    std::string description;       ///< of what made it, for formats that have room for one
+    std::string description = {};  ///< of what made it, for formats that have room for one
 };
 
 /// One plane of a picture with named planes: 32 bits for each pixel, row by row from the top.

@@ -63,7 +63,7 @@ std::vector<float> floats(const Image& image, const PictureFormat& format) {
 }
 
 RawPicture raw_picture(const Image& image, const PictureFormat& format, const TypeInfo& type) {
-    RawPicture raw{image.width, image.height, {}, type.extension, {}};
+    RawPicture raw{image.width, image.height, {}, type.extension, {}, format.description};
     if (type.linear)
         raw.values = floats(image, format);
     else if (format.bits == 16)

@@ -20,6 +20,7 @@ struct PictureFormat {
     double gamma = 1;         ///< the picture's values to this power are linear
     bool encoded =
         true;  ///< false: values are neither made linear nor encoded, as before POV-Ray 3.7
+    std::string description = {};  ///< what made the picture, where the format has room for a text
 };
 
 /// Without the dot: "png".

@@ -13,6 +13,8 @@ struct RenderState {
     Film film;
     Share share;
     std::uint32_t rounds = 0;  ///< that have been planned
+
+    friend bool operator==(const RenderState&, const RenderState&) = default;
 };
 
 /// Before the first sample.

@@ -49,7 +49,7 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("+W"), "+Wn, Width=n"));
     CHECK(has(help("Width"), "+Wn, Width=n"));
     CHECK(has(help("--samples"), "--samples n"));
-    CHECK(has(help("compatibility"), "+SRn, Start_Row=n"));
+    CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on"));
     CHECK(help("shpere") == "! there is no help on `shpere` | did you mean `sphere`?");
     CHECK(help("qqqqqq") == "! there is no help on `qqqqqq` | --help lists the options");
 }

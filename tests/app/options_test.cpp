@@ -233,7 +233,7 @@ TEST_CASE("every wrong argument has one message") {
          "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
         {{"render.ini"}, "`render.ini`: there is no such file that can be read"},
         {{""}, "``: a file name cannot be empty"},
-        {{"+SR10"}, "`+SR10`: is not offered: only whole pictures are rendered"},
+        {{"+UF"}, "`+UF`: is not offered"},
         {{"+UF"}, "`+UF`: is not offered"},
         {{"+KIx"}, "`+KIx`: initial_clock must be a number, but it is `x`"},
         {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
+
 namespace {
 
 const char* const lamps = R"(
@@ -95,4 +97,42 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
     const double average = sum / runs;
     const double error = std::sqrt((squares / runs - average * average) / (runs - 1));
     CHECK(std::abs(average - exact) < 4 * error + 1e-4);
+}
+
+TEST_CASE("a picture that is stopped and continued again and again is the same", "[render]") {
+    const World world = world_of(lamps);
+    RenderSettings settings = small(2);
+    RenderState whole = begin_picture(settings), broken = whole;
+    RayCounts rays;
+    CHECK(advance(world, settings, whole, rays, {}));
+    std::atomic<int> asked = 0;
+    RenderHooks hooks;
+    int stops = 0, next = 500;
+    hooks.cancelled = [&] { return ++asked > next; };
+    while (!advance(world, settings, broken, rays, hooks)) {
+        asked = 0;
+        next = 500 + 977 * (++stops % 5);
+        REQUIRE(stops < 1000);
+    }
+    CHECK(stops > 3);
+    CHECK(broken == whole);
+}
+
+TEST_CASE("samples of one picture can be taken in parts and added", "[render]") {
+    const World world = world_of(lamps);
+    RenderSettings settings = small(2);
+    settings.samples = 5;
+    RayCounts rays;
+    RenderState whole = begin_picture(settings);
+    advance(world, settings, whole, rays, {});
+    Film sum(settings.width, settings.height);
+    for (const auto& [first, count] : {std::pair{3u, 2}, std::pair{0u, 1}, std::pair{1u, 2}}) {
+        settings.samples = count;
+        RenderState part = begin_picture(settings);
+        part.share.first_sample = first;
+        advance(world, settings, part, rays, {});
+        for (std::size_t i = 0; i < sum.pixels().size(); ++i)
+            sum.pixels()[i].add(part.film.pixels()[i]);
+    }
+    CHECK(sum.image().pixels == whole.film.image().pixels);
 }

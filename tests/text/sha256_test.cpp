@@ -14,7 +14,8 @@ TEST_CASE("digests are those of sha256sum") {
         {std::string(55, 'x'), "d5e285683cd4efc02d021a5c62014694958901005d6f71e89e0989fac77e4072"},
         {std::string(56, 'x'), "04c26261370ee7541549d16dee320c723e3fd14671e66a099afe0a377c16888e"},
         {std::string(64, 'x'), "7ce100971f64e7001e8fe5a51973ecdfe1ced42befe7ee8d5fd6219506b5393c"},
-        {std::string(1000, '\xff'), "b4f73dff046400b76728ab32619e3d89e00132653725f660c62ab9fca975b372"},
+        {std::string(1000, '\xff'),
+         "b4f73dff046400b76728ab32619e3d89e00132653725f660c62ab9fca975b372"},
     };
     for (const Case& each : cases) {
         CAPTURE(each.text.size());

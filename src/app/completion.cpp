@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/completion.h"
+
+#include "app/option_table.h"
+#include "text/message.h"
+
+#include <vector>
+
+namespace {
+
+/// One way to write an option.
+struct Spelling {
+    std::string text;  ///< "--samples", "+W", "Width="
+    std::string help;
+    bool valued = false;  ///< what follows is not complete yet
+    bool apart = false;   ///< the value is another word
+    bool is_path = false;
+};
+
+bool takes_path(const OptionRow& row) {
+    return row.parameter == "file" || row.parameter == "folder";
+}
+
+std::vector<Spelling> spellings() {
+    std::vector<Spelling> all;
+    for (const OptionRow& row : option_table()) {
+        if (row.unoffered != Unoffered::no) continue;
+        const std::string help = manual_entry(row).help;
+        const bool valued = row.takes == Takes::value;
+        const bool path = takes_path(row);
+        if (!row.letters.empty())
+            all.push_back({message('+', row.letters), help, valued, false, path});
+        if (row.takes == Takes::sign || row.takes == Takes::sign_and_value)
+            if (!row.letters.empty())
+                all.push_back({message('-', row.letters), help, false, false, false});
+        if (!row.keyword.empty())
+            all.push_back({message(row.keyword, '='), help, true, false, path});
+        if (!row.word.empty()) all.push_back({message("--", row.word), help, valued, valued, path});
+    }
+    return all;
+}
+
+/// In single quotes of a shell.
+std::string quoted(std::string_view text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
+/// Up to the first semicolon or full stop: there is one line.
+std::string short_help(const std::string& help) {
+    const std::size_t end = std::min(help.find_first_of(";."), help.find(" ("));
+    return help.substr(0, end);
+}
+
+std::string for_bash() {
+    std::string words, paths;
+    for (const Spelling& each : spellings()) {
+        words += message(each.text, ' ');
+        if (each.is_path && each.apart) paths += message(paths.empty() ? "" : "|", each.text);
+    }
+    return message(
+        "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+        "# Completion of candelabra for bash.\n"
+        "_candelabra() {\n"
+        "    local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
+        "    local words=",
+        quoted(words),
+        "\n"
+        "    COMPREPLY=()\n"
+        "    case \"$before\" in\n"
+        "        ",
+        paths,
+        ") mapfile -t COMPREPLY < <(compgen -f -- \"$word\"); return ;;\n"
+        "    esac\n"
+        "    case \"$word\" in\n"
+        "        [-+]*|[A-Z]*) mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\") ;;\n"
+        "    esac\n"
+        "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(\n"
+        "        compgen -f -X '!*.@(pov|ini|state.exr)' -- \"$word\"\n"
+        "        compgen -d -S / -- \"$word\"\n"
+        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W merge -- \"$word\")\n"
+        "    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace\n"
+        "    return 0\n"
+        "}\n"
+        "shopt -s extglob\n"
+        "complete -F _candelabra candelabra\n");
+}
+
+/// What _arguments would take for its own signs.
+std::string harmless_for_zsh(const std::string& help) {
+    std::string result;
+    for (const char c : help) {
+        if (c == '[' || c == ']' || c == ':' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+std::string for_zsh() {
+    std::string text =
+        "#compdef candelabra\n"
+        "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+        "# Completion of candelabra for zsh.\n"
+        "_arguments \\\n";
+    for (const Spelling& each : spellings()) {
+        if (each.text.ends_with('=')) continue;  // keywords complete as words below
+        const std::string_view action = each.is_path  ? ":file:_files"
+                                        : each.valued ? ":value: "
+                                                      : "";
+        text += message("  ",
+                        quoted(message(each.text,
+                                       each.apart    ? "="
+                                       : each.valued ? "-"
+                                                     : "",
+                                       '[', harmless_for_zsh(short_help(each.help)), ']', action)),
+                        " \\\n");
+    }
+    return text + "  '*:scene:_files -g \"*.(pov|ini|state.exr)(-.)\"'\n";
+}
+
+std::string for_fish() {
+    std::string text =
+        "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+        "# Completion of candelabra for fish.\n"
+        "complete -c candelabra -f\n"
+        "complete -c candelabra -k -a '(__fish_complete_suffix .pov)'\n"
+        "complete -c candelabra -k -a '(__fish_complete_suffix .ini)'\n"
+        "complete -c candelabra -n __fish_is_first_arg -a merge -d 'joins the states of shards'\n";
+    for (const Spelling& each : spellings()) {
+        const std::string help = quoted(short_help(each.help));
+        if (each.text.starts_with("--"))
+            text += message("complete -c candelabra -l ", each.text.substr(2),
+                            each.is_path  ? " -rF"
+                            : each.valued ? " -x"
+                                          : "",
+                            " -d ", help, '\n');
+        else
+            text += message("complete -c candelabra -a ", quoted(each.text), " -d ", help, '\n');
+    }
+    return text;
+}
+
+}  // namespace
+
+std::optional<std::string> completion(std::string_view shell) {
+    if (shell == "bash") return for_bash();
+    if (shell == "zsh") return for_zsh();
+    if (shell == "fish") return for_fish();
+    return std::nullopt;
+}

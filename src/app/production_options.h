@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of the options for long work: states, shards, limits, parts of a picture. The table
+// of options names these functions; more of the kind are in app/option_store.h.
+#pragma once
+
+#include "app/option_store.h"
+
+namespace store {
+
+void time(Options&, const Given&, Diagnostics&);
+void start_row(Options&, const Given&, Diagnostics&);
+void end_row(Options&, const Given&, Diagnostics&);
+void start_column(Options&, const Given&, Diagnostics&);
+void end_column(Options&, const Given&, Diagnostics&);
+void go_on(Options&, const Given&, Diagnostics&);
+void checkpoint(Options&, const Given&, Diagnostics&);
+void keep_state(Options&, const Given&, Diagnostics&);
+void shard(Options&, const Given&, Diagnostics&);
+void shard_by(Options&, const Given&, Diagnostics&);
+void memory(Options&, const Given&, Diagnostics&);
+
+}  // namespace store

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which rows and columns of the picture are rendered, by POV-Ray's rules for +SR, +ER, +SC, +EC.
+#pragma once
+
+#include "app/options.h"
+#include "render/share.h"
+
+/// Rows and columns count from 1, the last ones included; what is below 1 is a fraction of the
+/// picture. Clipped to the picture; may be empty.
+Region region_of(const Options&);

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render_job.h"
+
+#include "app/region.h"
+#include "picture/file.h"
+#include "text/harmless.h"
+#include "text/message.h"
+
+#include <atomic>
+#include <filesystem>
+#include <limits>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// With --time alone there are as many samples as the time allows.
+constexpr int most_samples_in_time = 1'000'000;
+
+RenderSettings timed(const Options& options) {
+    RenderSettings settings = options.render;
+    if (options.time && settings.samples == 0 && settings.noise == 0)
+        settings.samples = most_samples_in_time;
+    return settings;
+}
+
+std::uint32_t most_samples(const RenderState& state) {
+    std::uint32_t most = 0;
+    for (const PixelSum& pixel : state.film.pixels()) most = std::max(most, pixel.samples);
+    return most;
+}
+
+}  // namespace
+
+std::string state_path(const JobPlan& plan) {
+    const std::string part = plan.shard ? message('.', shard_name(*plan.shard)) : std::string();
+    return message(plan.picture, part, ".state.exr");
+}
+
+RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
+                     Diagnostics& diagnostics)
+    : plan_(std::move(plan)),
+      settings_(timed(plan_.options)),
+      world_(world),
+      interrupts_(interrupts),
+      diagnostics_(diagnostics) {}
+
+bool RenderJob::can_keep() const {
+    std::error_code none;
+    const fs::file_status status = fs::status(plan_.picture, none);
+    return plan_.options.to_file && plan_.picture != "-" &&
+           (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+void RenderJob::begin() {
+    RenderState& state = checkpoint_.state;
+    state = begin_picture(settings_);
+    state.share.region = region_of(plan_.options);
+    checkpoint_.identity = plan_.identity;
+    checkpoint_.all_samples = static_cast<std::uint32_t>(samples_per_pixel(world_, settings_));
+    checkpoint_.samples = checkpoint_.all_samples;
+    if (!plan_.shard) return;
+    const Shard& shard = *plan_.shard;
+    if (plan_.options.shard_by == ShardBy::tiles) {
+        state.share.first_tile = shard.number - 1;
+        state.share.tile_step = shard.count;
+        return;
+    }
+    state.share.first_sample = first_of(shard, checkpoint_.all_samples);
+    const Shard next{shard.number + 1, shard.count};
+    checkpoint_.samples =
+        first_of(next, checkpoint_.all_samples) - checkpoint_.state.share.first_sample;
+    settings_.samples = static_cast<int>(checkpoint_.samples);
+}
+
+bool RenderJob::fits(const Checkpoint& old) {
+    const std::string path = harmless(state_path(plan_));
+    const auto refuse = [&](const std::string& why) {
+        diagnostics_.add(error(Fault::option, {}, message("cannot go on from `", path, "`: ", why))
+                             .with_help("without +C the picture is begun anew"));
+        return false;
+    };
+    const std::string changed = difference(old.identity, plan_.identity);
+    if (!changed.empty()) return refuse(changed);
+    if (!(old.state.share == checkpoint_.state.share) ||
+        old.state.film.width() != settings_.width || old.state.film.height() != settings_.height)
+        return refuse("it is of another part of the picture");
+    if (is_even(settings_) && most_samples(old.state) > checkpoint_.samples)
+        return refuse(message("it has up to ", most_samples(old.state),
+                              " samples in a pixel already, and ", checkpoint_.samples,
+                              " are asked for"));
+    return true;
+}
+
+bool RenderJob::prepare() {
+    begin();
+    if (checkpoint_.samples == 0)
+        diagnostics_.add(error(Fault::option, {},
+                               message("there are more shards than the ", checkpoint_.all_samples,
+                                       " samples of each pixel")));
+    if (checkpoint_.samples == 0) return false;
+    if (!can_keep()) return true;
+    const std::string path = state_path(plan_);
+    std::error_code none;
+    if (!fs::exists(path, none)) return true;
+    if (!plan_.options.go_on) {
+        diagnostics_.add(note(Fault::option, {},
+                              message("`", harmless(path),
+                                      "` is left of an earlier run; +C would "
+                                      "have gone on from it")));
+        return true;
+    }
+    auto old = read_checkpoint(path, diagnostics_);
+    if (!old || !fits(*old)) return false;
+    checkpoint_.state = std::move(old->state);
+    return true;
+}
+
+bool RenderJob::save(Diagnostics& diagnostics) {
+    const auto bytes = encode(checkpoint_, diagnostics);
+    return bytes && write_file(state_path(plan_), *bytes, diagnostics);
+}
+
+/// There may be room later.
+void RenderJob::save_and_go_on() {
+    Diagnostics problems;
+    if (save(problems)) return;
+    diagnostics_.add(warning(Fault::option, {},
+                             message(problems.all().front().message, "; the rendering goes on")));
+}
+
+void RenderJob::leave_state(bool keep) {
+    if (!can_keep()) return;
+    checkpoint_.finished = true;
+    std::error_code none;
+    if (keep)
+        save(diagnostics_);
+    else
+        fs::remove(state_path(plan_), none);
+}
+
+/// Renders until the picture is finished (none), or why not.
+Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clock) {
+    std::atomic<Interrupt> asked = Interrupt::none;
+    RenderHooks hooks;
+    hooks.progress = [&](double done) {
+        const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
+        progress.update(std::max(done, spent));
+    };
+    hooks.cancelled = [&] {
+        if (asked == Interrupt::stop) return true;
+        if (interrupts_.take)
+            if (const Interrupt now = interrupts_.take(); now != Interrupt::none) asked = now;
+        Interrupt none = Interrupt::none;
+        const double time = clock();
+        if (time >= save_at_ || time >= deadline_)
+            asked.compare_exchange_strong(none, Interrupt::save);
+        return asked != Interrupt::none;
+    };
+    const bool finished = advance(world_, settings_, checkpoint_.state, rays_, hooks);
+    return finished ? Interrupt::none : asked.load();
+}
+
+JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) {
+    const double interval = plan_.options.checkpoint_interval;
+    const bool saves = can_keep();
+    const auto plan_save = [&](double now, double cost) {
+        // A large picture should not spend its time on states.
+        constexpr double most_share = 20;
+        save_at_ = saves && interval > 0 ? now + std::max(interval, most_share * cost) : never;
+    };
+    begun_ = clock();
+    deadline_ = plan_.options.time ? begun_ + *plan_.options.time : never;
+    plan_save(begun_, 0);
+    for (;;) {
+        const Interrupt asked = work(progress, clock);
+        const double now = clock();
+        if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_))
+            return JobEnd::finished;
+        if (asked == Interrupt::stop) {
+            if (saves) save(diagnostics_);
+            return JobEnd::stopped;
+        }
+        if (saves) save_and_go_on();
+        plan_save(clock(), clock() - now);
+    }
+}

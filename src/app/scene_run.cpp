@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_run.h"
+
+#include "app/diagnostics_json.h"
+#include "app/file_lock.h"
+#include "app/memory_limit.h"
+#include "app/output.h"
+#include "app/region.h"
+#include "app/render_job.h"
+#include "app/stats.h"
+#include "app/world_report.h"
+#include "base/parallel.h"
+#include "evaluate/evaluate.h"
+#include "picture/file.h"
+#include "scene/dump.h"
+#include "syntax/dump.h"
+#include "syntax/lexer.h"
+#include "syntax/parser.h"
+#include "text/excerpt.h"
+#include "text/harmless.h"
+#include "text/loader.h"
+#include "text/message.h"
+#include "text/sha256.h"
+#include "world/compile.h"
+#include "world/review.h"
+
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One run over one scene: what the steps share.
+class SceneRun {
+public:
+    SceneRun(const Options& options, const Console& console, Diagnostics& diagnostics)
+        : options_(options), console_(console), diagnostics_(diagnostics) {}
+
+    int execute() {
+        const Output output = output_of(options_, diagnostics_);
+        read_part();
+        if (say_diagnostics()) return exit_status::usage;
+        if (!destinations_work(output)) return exit_status::file;
+        bound_memory();
+        const std::optional<SourceId> main = read_scene();
+        if (say_diagnostics() || !main) return exit_status::file;
+        return dispatch(*main, output);
+    }
+
+private:
+    /// Which part of the work this run does, and whether that goes.
+    void read_part() {
+        const RenderSettings& settings = options_.render;
+        const Region region = region_of(options_);
+        const auto refuse = [&](std::string text, std::string help = {}) {
+            diagnostics_.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
+        };
+        if (region.left >= region.right || region.top >= region.bottom)
+            refuse("no row or column of the picture is left to render");
+        const bool frame = options_.facts.initial_frame != 0 || options_.facts.final_frame != 0;
+        if (!options_.shard.empty() && options_.shard_by == ShardBy::frames && !frame)
+            refuse("a single picture has no frames to share", "--shard-by samples or tiles");
+        if (options_.shard.empty() || options_.shard_by == ShardBy::frames) return;
+        shard_ = read_shard(options_.shard, console_.environment, diagnostics_);
+        if (options_.time || settings.noise > 0)
+            refuse(
+                "shards must know how many samples there will be: --shard goes neither with "
+                "--time nor with --noise");
+        else if (options_.shard_by != ShardBy::tiles && !is_even(settings))
+            refuse("shards of samples must know how many samples there will be",
+                   "--samples N, or --shard-by tiles");
+        if (output_path_is_stream())
+            refuse("a shard is a file, which cannot go to standard output or nowhere");
+    }
+
+    bool output_path_is_stream() const { return options_.output == "-" || !options_.to_file; }
+
+    /// The evaluation's stack is room that is set aside and hardly ever used, so it does not count.
+    void bound_memory() {
+        const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
+        if (bytes) limit_memory(*bytes + options_.limits.stack_bytes);
+    }
+
+    /// What the scene may touch: what belongs to it, and what the options add.
+    Door door(const std::string& picture_folder, const std::vector<std::string>& library) const {
+        std::vector<std::string> readable = {scene_folder_, ""};
+        std::vector<std::string> writable = {picture_folder};
+        readable.insert(readable.end(), library.begin(), library.end());
+        readable.insert(readable.end(), options_.readable.begin(), options_.readable.end());
+        writable.insert(writable.end(), options_.writable.begin(), options_.writable.end());
+        return Door(readable, std::move(writable));
+    }
+
+    bool is_check() const {
+        return options_.task == Task::check || options_.task == Task::check_syntax;
+    }
+
+    std::string written(const Diagnostic& diagnostic) const {
+        return options_.diagnostics_as_json ? to_json(diagnostic, sources_)
+                                            : format(diagnostic, sources_, console_.coloured);
+    }
+
+    /// Prints what is new; true when there are errors.
+    bool say_diagnostics() {
+        const auto& all = diagnostics_.all();
+        for (; said_ < all.size(); ++said_)
+            if (options_.verbose || all[said_].severity != Severity::note)
+                console_.err(written(all[said_]));
+        if (diagnostics_.full() && !options_.diagnostics_as_json)
+            console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
+        return diagnostics_.failed();
+    }
+
+    /// Long work should not end at a missing folder.
+    bool destinations_work(const Output& output) {
+        const bool renders = options_.task == Task::render;
+        for (const std::string& path :
+             {renders && options_.to_file ? output.path : std::string(), options_.stats_file}) {
+            if (path.empty()) continue;
+            std::error_code none;
+            std::string problem = problem_with_destination(path);
+            if (fs::equivalent(path, *options_.scene, none))
+                problem = message("`", harmless(path), "` is the scene itself");
+            if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
+        }
+        return !say_diagnostics();
+    }
+
+    /// Pictures remember what they were made from; checks need not.
+    Reader reader() {
+        return options_.task == Task::render ? noting(disk_reader(), files_) : disk_reader();
+    }
+
+    std::optional<SourceId> read_scene() {
+        std::string path = *options_.scene;
+        if (path == "-") {
+            std::string text(std::istreambuf_iterator<char>(std::cin), {});
+            files_.push_back({path, sha256(text)});
+            return sources_.add("standard input", std::move(text));
+        }
+        const Reader read = reader();
+        std::optional<std::string> text = read(path);
+        if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
+        if (!text) {
+            const std::string name = harmless(*options_.scene);
+            diagnostics_.add(
+                error(Fault::io, {}, message("there is no scene `", name, "` that can be read")));
+            return std::nullopt;
+        }
+        scene_folder_ = directory_of(path);
+        return sources_.add(path, std::move(*text));
+    }
+
+    std::vector<std::string> library_paths() {
+        // As in POV-Ray, whose settings name its own library before the command line is read.
+        std::vector<std::string> paths;
+        if (!console_.library.empty()) paths.push_back(console_.library);
+        for (std::string path : options_.library_paths) {
+            while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+            std::error_code none;
+            if (!fs::is_directory(path, none))
+                diagnostics_.add(warning(
+                    Fault::option, {},
+                    message("there is no folder `", harmless(path), "` to look for files in")));
+            paths.push_back(std::move(path));
+        }
+        return paths;
+    }
+
+    int dispatch(SourceId main, const Output& output) {
+        if (options_.task == Task::dump_tokens)
+            return say(dump_tokens(main, sources_, names_, diagnostics_));
+        if (options_.task == Task::dump_tree || options_.task == Task::check_syntax) {
+            const Tree tree = parse(main, sources_, names_, diagnostics_);
+            return say(is_check() ? "" : dump(tree, names_));
+        }
+        statistics_.parse = time_now();
+        Scene scene = evaluate_scene(main, folder_of(output));
+        statistics_.parse = time_now() - statistics_.parse;
+        if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
+        if (say_diagnostics()) return exit_status::scene;
+        if (options_.task != Task::dump_world)
+            review(scene, survey(scene, diagnostics_), diagnostics_);
+        if (say_diagnostics()) return exit_status::scene;
+        if (is_check() && options_.stats_file.empty()) return say("");
+        statistics_.compile = time_now();
+        const World world =
+            compile(std::move(scene), {options_.render.threads, options_.render.light_sampler},
+                    diagnostics_);
+        statistics_.compile = time_now() - statistics_.compile;
+        if (options_.task == Task::dump_world) return say(report(world));
+        if (is_check()) return finish(world);
+        Output fitting = output;
+        fitting.format.gamma = scene.settings.assumed_gamma;
+        fitting.format.encoded = scene.gamma_handling;
+        return render_picture(world, fitting);
+    }
+
+    /// The result of a check or a dump, and what is wrong.
+    int say(const std::string& text) {
+        console_.out(text);
+        if (say_diagnostics()) return exit_status::scene;
+        if (is_check()) say_correct();
+        return exit_status::done;
+    }
+
+    void say_correct() {
+        if (talks(options_)) console_.err(message(harmless(*options_.scene), ": no errors\n"));
+    }
+
+    Scene evaluate_scene(SourceId main, const std::string& picture_folder) {
+        const std::vector<std::string> library = library_paths();
+        const Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
+                            disk_lister());
+        EvaluateOptions options;
+        options.limits = options_.limits;
+        options.declares = options_.declares;
+        options.facts = options_.facts;
+        options.facts.image_width = options_.render.width;
+        options.facts.image_height = options_.render.height;
+        if (options_.diagnostics_as_json)
+            options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
+        else if (options_.verbose)
+            options.print = console_.err;
+        return evaluate(sources_, loader, main, options, diagnostics_);
+    }
+
+    Progress progress() const {
+        using enum Progress::Style;
+        return Progress(
+            !talks(options_)    ? silent
+            : console_.terminal ? terminal
+                                : lines,
+            [] { return time_now().seconds; }, console_.err);
+    }
+
+    int render_picture(const World& world, Output output) {
+        const Identity identity = identity_of(options_, files_, output.format);
+        const JobPlan plan{options_, identity, output.path, shard_};
+        RenderJob job(plan, world, console_.interrupts, diagnostics_);
+        const bool locks = job.can_keep();
+        const FileLock lock(locks ? state_path(plan) : std::string());
+        if (lock.taken())
+            diagnostics_.add(error(
+                Fault::io, {},
+                message("another run is making `", harmless(output.path), "` at the moment")));
+        else
+            job.prepare();
+        if (say_diagnostics()) return exit_status::file;
+        const JobEnd end = work(job);
+        if (end == JobEnd::stopped) return say_stopped(plan, job);
+        output.format.description = description(identity, job.samples());
+        if (options_.to_file && !shard_ && end == JobEnd::finished)
+            write_picture(job.film().image(), output.path, output.format, diagnostics_);
+        const bool lost = diagnostics_.failed();
+        job.leave_state(shard_ || options_.keep_state || lost);
+        if (say_diagnostics()) return exit_status::file;
+        const int status = finish(world);
+        if (talks(options_) && status == exit_status::done)
+            console_.err(message(made(plan, output), ": ", summary(statistics_), "\n"));
+        return status;
+    }
+
+    /// What the run has made, for people.
+    std::string made(const JobPlan& plan, const Output& output) const {
+        if (!options_.to_file) return "no file";
+        return harmless(shard_ ? state_path(plan) : output.path);
+    }
+
+    JobEnd work(RenderJob& job) {
+        Progress shown = progress();
+        if (console_.interrupts.listening) console_.interrupts.listening(true);
+        statistics_.render = time_now();
+        const JobEnd end = job.run(shown, [] { return time_now().seconds; });
+        statistics_.render = time_now() - statistics_.render;
+        if (console_.interrupts.listening) console_.interrupts.listening(false);
+        statistics_.rays = job.rays();
+        shown.finish();
+        return end;
+    }
+
+    int say_stopped(const JobPlan& plan, const RenderJob& job) {
+        if (say_diagnostics()) return exit_status::file;
+        if (!options_.diagnostics_as_json)
+            console_.err(job.can_keep() ? message("stopped; +C goes on from `",
+                                                  harmless(state_path(plan)), "`\n")
+                                        : std::string("stopped; there is no place for a state\n"));
+        return exit_status::stopped;
+    }
+
+    /// The statistics, which a check has, too.
+    int finish(const World& world) {
+        statistics_.total = time_now() - start_;
+        complete_statistics(world);
+        if (is_check()) say_correct();
+        if (options_.stats_file == "-")
+            console_.out(to_json(statistics_));
+        else if (!options_.stats_file.empty())
+            write_file(options_.stats_file, to_json(statistics_), diagnostics_);
+        return say_diagnostics() ? exit_status::file : exit_status::done;
+    }
+
+    void complete_statistics(const World& world) {
+        statistics_.objects = world.objects;
+        statistics_.primitives = world.material_of.size();
+        statistics_.luminaires = world.luminaires.size();
+        statistics_.light_sources = world.lights.size();
+        statistics_.kdtree = ::statistics(world.tree);
+        statistics_.peak_memory_bytes = peak_memory_bytes();
+        statistics_.light_sampler_bytes =
+            std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
+        const LightSampler& sampler = world.settings.light_sampler;
+        statistics_.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
+        if (std::holds_alternative<LightOctree>(sampler))
+            statistics_.light_octree_bytes = statistics_.light_sampler_bytes;
+        const RenderSettings& settings = options_.render;
+        statistics_.seed = settings.seed;
+        statistics_.threads = settings.threads > 0 ? settings.threads : core_count();
+        statistics_.width = settings.width;
+        statistics_.height = settings.height;
+        statistics_.samples = settings.samples;
+        statistics_.shadow_rays = settings.shadow_rays;
+    }
+
+    const Options& options_;
+    const Console& console_;
+    Diagnostics& diagnostics_;
+    SourceStore sources_;
+    Names names_;
+    std::string scene_folder_;
+    std::vector<ReadFile> files_;  ///< of the scene
+    std::optional<Shard> shard_;   ///< nothing: the whole picture
+    std::size_t said_ = 0;
+    Phase start_ = time_now();
+    RunStatistics statistics_;
+};
+
+}  // namespace
+
+int run_scene(const Options& options, const Console& console, Diagnostics& diagnostics) {
+    return SceneRun(options, console, diagnostics).execute();
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The signals that ask a rendering to stop (SIGINT, SIGTERM) or to write its state (SIGUSR1), taken
+// by a thread of their own, so that no handler and no global is needed. While nothing listens,
+// SIGINT and SIGTERM end the program as they always do, and SIGUSR1 is let go. Made first thing in
+// main(): threads that exist already would not leave the signals to it.
+#pragma once
+
+#include "app/interrupt.h"
+
+#include <atomic>
+#include <thread>
+
+class Signals {
+public:
+    Signals();
+    Signals(const Signals&) = delete;
+    Signals& operator=(const Signals&) = delete;
+    ~Signals();
+
+    Interrupts interrupts();
+
+private:
+    void wait();
+    void arrived(int signal);
+
+    std::atomic<Interrupt> asked_ = Interrupt::none;
+    std::atomic<bool> listening_ = false;
+    std::atomic<bool> ending_ = false;
+    std::thread thread_;
+};

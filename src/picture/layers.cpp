@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/layers.h"
+
+#include "picture/formats.h"
+#include "text/harmless.h"
+#include "text/message.h"
+
+std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& diagnostics) {
+    const Formats* formats = picture_formats(diagnostics);
+    if (!formats) return std::nullopt;
+    std::string bytes;
+    const std::string problem = formats->write_layers(picture, bytes);
+    if (problem.empty()) return bytes;
+    diagnostics.add(error(Fault::io, {},
+                          message("cannot make an exr file of ", picture.width, " by ",
+                                  picture.height, " pixels: ", harmless(problem))));
+    return std::nullopt;
+}
+
+std::optional<LayeredPicture> read_layers(const std::string& path,
+                                          std::span<const std::string_view> texts,
+                                          Diagnostics& diagnostics) {
+    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+    const Formats* formats = picture_formats(diagnostics);
+    if (!formats) return std::nullopt;
+    LayeredPicture picture;
+    for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
+    const std::string problem = formats->read_layers(path, most_pixels, picture);
+    if (problem.empty()) return picture;
+    diagnostics.add(
+        error(Fault::io, {}, message("cannot read `", harmless(path), "`: ", harmless(problem))));
+    return std::nullopt;
+}

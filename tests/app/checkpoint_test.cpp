@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/checkpoint.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+namespace {
+
+Checkpoint example() {
+    RenderSettings settings;
+    settings.width = 7;
+    settings.height = 5;
+    Checkpoint checkpoint{
+        {{"program", "x"}, {"file a b.pov", "12"}}, begin_picture(settings), 3, 9, true};
+    checkpoint.state.share = {{0, 1, 7, 5}, 2, 4, 6, 7};
+    checkpoint.state.rounds = 2;
+    double value = -1;
+    for (PixelSum& pixel : checkpoint.state.film.pixels()) {
+        pixel.target = 5;
+        for (int i = 0; i < 3; ++i, value += 0.37) pixel.add(Vec3(value, 1e9 * value, 1e-9));
+    }
+    return checkpoint;
+}
+
+}  // namespace
+
+TEST_CASE("a state comes back bit by bit; a damaged one is an error and no crash") {
+    const std::string path = std::filesystem::temp_directory_path() / "candelabra_state.exr";
+    Diagnostics diagnostics;
+    const Checkpoint made = example();
+    const auto bytes = encode(made, diagnostics);
+    REQUIRE(bytes);
+    const auto put = [&](const std::string& text) {
+        std::ofstream(path, std::ios::binary) << text;
+    };
+    put(*bytes);
+    CHECK(read_checkpoint(path, diagnostics) == made);
+    CHECK(diagnostics.all().empty());
+
+    std::mt19937 random(1);
+    for (int i = 0; i < 200; ++i) {
+        std::string damaged = *bytes;
+        if (i % 2)
+            damaged.resize(random() % damaged.size());
+        else
+            for (int k = 0; k < 1 + i / 20; ++k)
+                damaged[random() % damaged.size()] = static_cast<char>(random());
+        if (damaged == *bytes) continue;
+        put(damaged);
+        Diagnostics problems;
+        const auto read = read_checkpoint(path, problems);
+        CAPTURE(i);
+        // What the sums do not cover may differ: the picture that viewers show, and the texts.
+        CHECK((read ? read->state.film == made.state.film : problems.error_count() == 1));
+    }
+    std::filesystem::remove(path);
+}

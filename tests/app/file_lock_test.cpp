@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/file_lock.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+#include <unistd.h>
+
+TEST_CASE("one run at a time makes a file, and leaves no lock behind") {
+    namespace fs = std::filesystem;
+    const fs::path folder =
+        fs::temp_directory_path() / ("candelabra_lock_" + std::to_string(::getpid()));
+    fs::create_directory(folder);
+    const std::string file = (folder / "a.png").string();
+    {
+        const FileLock first(file);
+        CHECK_FALSE(first.taken());
+        const FileLock second(file), other((folder / "b.png").string());
+        CHECK(second.taken());
+        CHECK_FALSE(other.taken());
+    }
+    CHECK(fs::is_empty(folder));
+    CHECK_FALSE(FileLock(file).taken());
+    CHECK_FALSE(FileLock("/no/such/folder/a.png").taken());
+    CHECK_FALSE(FileLock("").taken());
+    fs::remove_all(folder);
+}

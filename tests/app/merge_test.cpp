@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/merge.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <random>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Farm : Shell {
+    int share(const std::string& shard, std::vector<std::string> more = {}) {
+        more.insert(more.end(), {path("lit.pov"), "-V", "+W40", "+H36", "+O" + path("a.png"),
+                                 "--shard", shard});
+        return (*this)(more);
+    }
+    int merge(const std::vector<std::string>& shards, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), "merge");
+        for (const std::string& shard : shards)
+            more.push_back(path("a.png." + shard + ".state.exr"));
+        return (*this)(more);
+    }
+    std::string alone(std::vector<std::string> more) {
+        more.insert(more.end(), {path("lit.pov"), "-V", "+W40", "+H36", "+O" + path("b.png")});
+        REQUIRE((*this)(more) == 0);
+        return content("b.png");
+    }
+};
+
+}  // namespace
+
+TEST_CASE("ten random partitions are merged to the bytes of the single run") {
+    std::mt19937 random(11);
+    for (int i = 0; i < 10; ++i) {
+        Farm farm;
+        const bool tiles = i % 3 == 0;
+        const int count = 1 + static_cast<int>(random() % 6);
+        const std::vector<std::string> way =
+            tiles ? std::vector<std::string>{} : std::vector<std::string>{"--samples", "6"};
+        const std::string whole = farm.alone(way);
+        std::vector<std::string> shards;
+        for (int k = 1; k <= count; ++k) {
+            std::vector<std::string> more = way;
+            if (tiles) more.insert(more.end(), {"--shard-by", "tiles"});
+            REQUIRE(farm.share(std::to_string(k) + "/" + std::to_string(count), more) == 0);
+            shards.push_back(shard_name({k, count}));
+        }
+        std::shuffle(shards.begin(), shards.end(), random);
+        CHECK_FALSE(fs::exists(farm.path("a.png")));
+        REQUIRE(farm.merge(shards) == 0);
+        CAPTURE(i, count, tiles);
+        CHECK(farm.content("a.png") == whole);
+    }
+}
+
+TEST_CASE("merging refuses what does not fit together, and says what is missing") {
+    Farm farm;
+    const std::vector<std::string> six = {"--samples", "6"};
+    for (const char* shard : {"1/3", "2/3", "3/3", "1/2"}) REQUIRE(farm.share(shard, six) == 0);
+    CHECK(farm.merge({"1of3", "3of3"}) == 2);
+    CHECK(has(farm.err, "samples 2 to 3 of 0 to 5 are missing"));
+    CHECK_FALSE(fs::exists(farm.path("a.png")));
+    CHECK(farm.merge({"1of3", "3of3"}, {"--partial"}) == 0);
+    CHECK(fs::exists(farm.path("a.png")));
+    CHECK(farm.merge({"1of3", "2of3", "3of3", "1of2"}) == 2);
+    CHECK(has(farm.err, "of which another shard has some, too"));
+    REQUIRE(farm.share("2/2", {"--samples", "6", "--seed", "1"}) == 0);
+    CHECK(farm.merge({"1of2", "2of2"}) == 2);
+    CHECK(has(farm.err, "seed was 0 and is 1"));
+    REQUIRE(farm.share("1/2", {"--shard-by", "tiles"}) == 0);
+    CHECK(farm.merge({"1of2", "1of2"}) == 2);
+    CHECK(has(farm.err, "is there twice"));
+    CHECK(farm.merge({"1of2"}) == 2);
+    CHECK(has(farm.err, "shard 2 of 2 is missing"));
+    CHECK(farm.merge({}) == 2);
+    CHECK(farm({"merge", farm.path("lit.pov")}) == 2);
+    farm.write("a.png.1of2.state.exr", "nonsense");
+    CHECK(farm.merge({"1of2"}) == 3);
+}
+
+TEST_CASE("shares can be joined to larger shares first") {
+    Farm farm;
+    const std::string whole = farm.alone({"--samples", "6"});
+    for (const char* shard : {"1/3", "2/3", "3/3"})
+        REQUIRE(farm.share(shard, {"--samples", "6"}) == 0);
+    REQUIRE(farm.merge({"2of3", "1of3"}, {"--partial", "+O" + farm.path("a.png.1to2.state.exr")}) ==
+            0);
+    REQUIRE(farm.merge({"3of3", "1to2"}, {"+O" + farm.path("a.png")}) == 0);
+    CHECK(farm.content("a.png") == whole);
+}
+
+TEST_CASE("shards must know what they share") {
+    Farm farm;
+    CHECK(farm.share("1/2") == 2);
+    CHECK(has(farm.err, "--samples N, or --shard-by tiles"));
+    CHECK(farm.share("1/2", {"--time", "1"}) == 2);
+    CHECK(farm.share("1/2", {"--shard-by", "frames"}) == 2);
+    CHECK(farm.share("7/9", {"--samples", "2"}) == 2 + 1);
+    CHECK(has(farm.err, "more shards than"));
+}

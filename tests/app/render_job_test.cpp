@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/render_job.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <random>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Runs with +C until the picture is finished, being stopped after some number of samples each
+/// time; gives the number of stops.
+int stop_and_go(Shell& shell, std::vector<std::string> arguments, std::mt19937& random) {
+    arguments.insert(arguments.end(), {shell.path("lit.pov"), "-V", "+C"});
+    std::atomic<int> left = 0;
+    shell.interrupts.take = [&] { return --left > 0 ? Interrupt::none : Interrupt::stop; };
+    int stops = 0;
+    for (;; ++stops) {
+        left = static_cast<int>(random() % 1500);
+        const int status = shell(arguments);
+        if (status == exit_status::done) break;
+        REQUIRE(status == exit_status::stopped);
+        REQUIRE(stops < 300);
+    }
+    shell.interrupts.take = nullptr;
+    return stops;
+}
+
+}  // namespace
+
+TEST_CASE("a picture that is stopped at random moments and continued has the same bytes") {
+    Shell shell;
+    std::mt19937 random(5);
+    const std::vector<std::vector<std::string>> ways = {
+        {"--samples", "7"}, {}, {"-A", "--seed", "4"}, {"--noise", "0.3", "+SR3", "+EC9"}};
+    for (const std::vector<std::string>& way : ways) {
+        std::vector<std::string> all = way;
+        all.insert(all.end(), {"+W32", "+H24", "+O" + shell.path("a.png")});
+        std::vector<std::string> plain = all;
+        plain.insert(plain.end(), {shell.path("lit.pov"), "-V"});
+        REQUIRE(shell(plain) == 0);
+        const std::string whole = shell.content("a.png");
+        fs::remove(shell.path("a.png"));
+        CHECK(stop_and_go(shell, all, random) > 1);
+        CHECK(shell.content("a.png") == whole);
+        CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+    }
+}
+
+TEST_CASE("a state is written when it is asked for, and the work goes on") {
+    Shell shell;
+    int calls = 0;
+    std::string seen;
+    shell.interrupts.take = [&] {
+        ++calls;
+        if (calls == 300) seen = shell.content("a.png.state.exr");
+        return calls == 100 ? Interrupt::save : Interrupt::none;
+    };
+    CHECK(shell.render({"-V", "+WT1", "+O" + shell.path("a.png")}) == 0);
+    CHECK(seen.size() > 100);
+    CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+}
+
+TEST_CASE("what cannot be kept is said") {
+    Shell shell;
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    CHECK(shell.render({"-F"}) == exit_status::stopped);
+    CHECK(has(shell.err, "there is no place for a state"));
+}

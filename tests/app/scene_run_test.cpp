@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scene_run.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("a part of the picture is rendered as the whole one has it") {
+    Shell shell;
+    REQUIRE(shell.render({"-V", "+O" + shell.path("whole.ppm")}) == 0);
+    REQUIRE(shell.render({"-V", "+O" + shell.path("part.ppm"), "+SR4", "+ER6"}) == 0);
+    const std::string whole = shell.content("whole.ppm"), part = shell.content("part.ppm");
+    REQUIRE(whole.size() == part.size());
+    const std::size_t row = 16 * 3, head = whole.size() - 12 * row;
+    CHECK(part.substr(head + 3 * row, 3 * row) == whole.substr(head + 3 * row, 3 * row));
+    CHECK(part.substr(head, 3 * row) == std::string(3 * row, '\0'));
+    CHECK(shell.render({"+SR6", "+ER4"}) == 2);
+    CHECK(has(shell.err, "no row or column"));
+}
+
+TEST_CASE("a finished picture that keeps its state takes more samples") {
+    Shell shell;
+    const std::string file = "+O" + shell.path("a.png");
+    REQUIRE(shell.render({"-V", file, "--samples", "5"}) == 0);
+    const auto run = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {shell.path("lit.pov"), "+W16", "+H12", file, "-V"});
+        return shell(more);
+    };
+    REQUIRE(run({"--samples", "9"}) == 0);
+    const std::string nine = shell.content("a.png");
+    CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+    REQUIRE(run({"--samples", "4", "--keep-state"}) == 0);
+    CHECK(fs::exists(shell.path("a.png.state.exr")));
+    CHECK(shell.content("a.png") != nine);
+    REQUIRE(run({"--samples", "9", "+C"}) == 0);
+    CHECK(shell.content("a.png") == nine);
+    CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+
+    REQUIRE(run({"--samples", "8", "--keep-state"}) == 0);
+    const auto refused = [&](std::vector<std::string> more, std::string_view why) {
+        more.push_back("+C");
+        CHECK(run(more) == 3);
+        CAPTURE(shell.err, why);
+        CHECK(has(shell.err, why));
+    };
+    refused({"--samples", "4"}, "it has up to 8 samples in a pixel already");
+    refused({"--samples", "9", "--seed", "2"}, "seed was 0 and is 2");
+    refused({"--samples", "9", "-A"}, "antialias was on and is off");
+    shell.write("lit.pov", std::string(lit_scene) + " ");
+    refused({"--samples", "9"}, "`lit.pov` has changed");
+    shell.write("a.png.state.exr", "short");
+    refused({"--samples", "9"}, "cannot read");
+    CHECK(fs::exists(shell.path("a.png")));
+}
+
+TEST_CASE("pictures with a wish for noise or a limit of time are finished") {
+    Shell shell;
+    const std::string file = "+O" + shell.path("a.png");
+    CHECK(shell({shell.path("lit.pov"), "+W16", "+H12", file, "--time", "0.1"}) == 0);
+    CHECK(fs::exists(shell.path("a.png")));
+    CHECK(shell({shell.path("lit.pov"), "+W16", "+H12", file, "--noise", "0.2"}) == 0);
+    const std::string once = shell.content("a.png");
+    CHECK(shell({shell.path("lit.pov"), "+W16", "+H12", file, "--noise", "0.2", "+WT1"}) == 0);
+    CHECK(shell.content("a.png") == once);
+}

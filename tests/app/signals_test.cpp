@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/signals.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+#include <sys/wait.h>
+
+TEST_CASE("SIGUSR1 writes the state, SIGTERM and SIGINT end the program with it") {
+    for (const char* signal : {"TERM", "INT"}) {
+        const Shell shell;
+        const std::string script = "cd " + shell.folder.string() +
+                                   "; " CANDELABRA_BINARY
+                                   " lit.pov -V +W200 +H200 --samples 100000 +Oa.png & p=$!\n"
+                                   "for i in $(seq 200); do kill -USR1 $p; sleep 0.1; [ -e "
+                                   "a.png.state.exr ] && break; done\n"
+                                   "kill -" +
+                                   signal + " $p; wait $p";
+        const int status = std::system(script.c_str());
+        REQUIRE(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == exit_status::stopped);
+        CHECK(shell.content("a.png.state.exr").size() > 1000);
+        CHECK(shell.content("a.png").empty());
+    }
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/schedule.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+RenderSettings tiny() {
+    RenderSettings settings;
+    settings.width = 20;
+    settings.height = 18;
+    return settings;
+}
+
+/// Every pixel gets what it wants: grey in even columns; in odd ones black and white in turn.
+void fill(Film& film) {
+    for (int y = 0; y < film.height(); ++y)
+        for (int x = 0; x < film.width(); ++x)
+            for (PixelSum& p = film.at(x, y); p.samples < p.target;)
+                p.add(Vec3(x < 10 ? 0.5 : p.samples % 2));
+}
+
+}  // namespace
+
+TEST_CASE("an even picture has one round, and another when more is asked for", "[render]") {
+    RenderSettings settings = tiny();
+    settings.samples = 4;
+    RenderState state = begin_picture(settings);
+    REQUIRE(plan_round(state, settings, 4));
+    CHECK(missing_samples(state.film) == 4u * 20 * 18);
+    fill(state.film);
+    CHECK_FALSE(plan_round(state, settings, 4));
+    REQUIRE(plan_round(state, settings, 7));
+    CHECK(missing_samples(state.film) == 3u * 20 * 18);
+}
+
+TEST_CASE("the adaptive scheme has two rounds, the second where it is noisy", "[render]") {
+    const RenderSettings settings = tiny();
+    RenderState state = begin_picture(settings);
+    REQUIRE(plan_round(state, settings, 8));
+    fill(state.film);
+    REQUIRE(plan_round(state, settings, 8));
+    CHECK(state.film.at(3, 3).target == 8);
+    CHECK(state.film.at(15, 3).target == 64);
+    fill(state.film);
+    CHECK_FALSE(plan_round(state, settings, 8));
+}
+
+TEST_CASE("rounds go on until the noise is low enough or the samples are used up", "[render]") {
+    RenderSettings settings = tiny();
+    settings.noise = 0.05;
+    RenderState state = begin_picture(settings);
+    int rounds = 0;
+    for (; plan_round(state, settings, 16); ++rounds) fill(state.film);
+    CHECK(rounds > 3);
+    const PixelSum& noisy = state.film.at(15, 9);
+    CHECK(noisy.deviation() / std::sqrt(noisy.samples) < 0.0501);
+    CHECK(state.film.at(3, 9).samples == 16);
+    settings.samples = 100;
+    state = begin_picture(settings);
+    while (plan_round(state, settings, 16)) fill(state.film);
+    CHECK(state.film.at(15, 9).samples == 100);
+}
+
+TEST_CASE("a share has its own pixels, and in the adaptive scheme their neighbours", "[render]") {
+    RenderSettings settings = tiny();
+    RenderState state = begin_picture(settings);
+    state.share.first_tile = 1;
+    state.share.tile_step = 4;
+    CHECK(state.share.owns(16, 0));
+    CHECK_FALSE(state.share.owns(15, 0));
+    REQUIRE(plan_round(state, settings, 8));
+    CHECK(state.film.at(17, 15).target == 8);
+    CHECK(state.film.at(15, 15).target == 8);
+    CHECK(state.film.at(15, 16).target == 8);
+    CHECK(state.film.at(14, 15).target == 0);
+    settings.samples = 3;
+    REQUIRE(plan_round(state, settings, 3));
+    CHECK(state.film.at(15, 15).target == 0);
+}
