@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What can go wrong around a rendering: each has a message, and nothing that was written before is lost.
+#   never_lost.sh PROGRAM
+set -uo pipefail
+
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+echo '#version 3.7; #include "part.inc" sphere { <0, 0, 5>, 2 pigment { rgb 1 } finish { emission 0.5 } }' > scene.pov
+echo 'camera { location 0 } sphere { <3, 3, 4>, 1 pigment { rgb 1 } finish { emission 5 } }' > part.inc
+failures=0
+
+# expect NAME STATUS TEXT COMMAND...: the command ends so, and says so.
+expect() {
+    local name=$1 status=$2 text=$3 got=0
+    shift 3
+    "$@" > out.txt 2>&1 || got=$?
+    if [ "$got" -eq "$status" ] && grep -qF -- "$text" out.txt; then
+        echo "ok: $name"
+    else
+        echo "FAILED: $name (status $got instead of $status)"
+        cat out.txt
+        failures=$((failures + 1))
+    fi
+}
+check() {
+    local name=$1
+    shift
+    if "$@"; then echo "ok: $name"; else echo "FAILED: $name"; failures=$((failures + 1)); fi
+}
+render() { "$program" scene.pov +W64 +H48 --samples 4 "$@"; }
+begin() { "$program" scene.pov +W64 +H48 -V "$@" & child=$!; }
+
+expect "a full device" 3 "No space left on device" render -V +O/dev/full +FN
+echo precious > old.png
+full() { (ulimit -f 1; render -V +Oold.png +W300 +H300); }
+expect "a file that grows too large" 3 "cannot write" full
+check "the old picture is as it was" grep -qx precious old.png
+check "no draft is left" test -z "$(find . -name '.candelabra*')"
+expect "no such folder" 3 "there is no folder" render -V +Onowhere/a.png
+mkdir -m 555 closed
+as_other=()
+if [ "$(id -u)" -eq 0 ]; then  # who may do everything
+    chmod 755 .
+    as_other=(setpriv --reuid=65534 --clear-groups)
+fi
+expect "a folder without permission" 3 "Permission denied" \
+       "${as_other[@]}" "$program" scene.pov -V +W64 +H48 +Oclosed/a.png
+
+# A file that changes while the picture is made does not matter to it, but a state remembers.
+render -V +Oundisturbed.png --samples 300
+begin +Oa.png --samples 300
+sleep 0.2
+cp part.inc part.old
+echo '// another scene' >> part.inc
+wait $child
+check "a scene that changes meanwhile" cmp -s undisturbed.png a.png
+cp part.old part.inc
+begin +Ob.png --samples 30000
+sleep 0.3
+kill -TERM $child
+wait $child
+status=$?
+check "a stop is told from an end" test $status -eq 4
+echo '// another scene' >> part.inc
+expect "a changed scene is not continued" 3 '`part.inc` has changed' render +Ob.png --samples 30000 +C
+cp part.old part.inc
+cp b.png.state.exr state
+for size in 0 1 100 5000; do
+    head -c $size state > b.png.state.exr
+    expect "a state of $size bytes" 3 "cannot read" render +Ob.png --samples 30000 +C
+done
+
+begin +Oc.png --samples 100000
+sleep 0.5
+expect "a second run with the same output" 3 "another run is making" render -V +Oc.png
+kill -TERM $child
+wait $child
+expect "a memory limit" 3 "not enough memory" render -V +Od.png +W20000 +H20000 --memory 300M
+exit $((failures > 0))
