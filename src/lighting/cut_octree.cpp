@@ -3,6 +3,7 @@
 
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
+#include "lighting/light_trials.h"
 
 #include <algorithm>
 
@@ -13,11 +14,30 @@ constexpr double near_radii = 2;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
 constexpr double divided_above = 20;
+/// Cells that look bigger than this to the eye (size over distance) are divided at once when their
+/// noise is above the bound: there are many hits in them, and what is seen from them differs.
+/// Smaller ones are not surveyed one by one.
+constexpr double coarse = 0.1;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
-/// Lines that tell how crowded the luminaires are.
-constexpr std::uint32_t trials = 4;
+/// Shadow rays that tell how noisy the choice of luminaires is in a cell.
+constexpr std::uint32_t trials = 48;
+/// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
+constexpr double least_noise = 0.02;
+/// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
+/// luminaire that nearly touches the point.
+constexpr double least_by_direction = 0.5;
+
+/// Around the middle of a box, as tight as spheres around the luminaires in it allow.
+LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
+    LightBall ball{box.centre(), 0};
+    for (const Luminaire& luminaire : luminaires) {
+        const LightBounds b = bounds(luminaire);
+        ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
+    }
+    return ball;
+}
 
 bool near(const Glow& g, const Vec3& position) {
     const Vec3 v = g.centre - position;
@@ -44,11 +64,24 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 
 }  // namespace
 
+/// What rays that were tried tell of a cell, for it and for the cells that it is divided into.
+struct BuiltCutOctree::Survey {
+    LightCut cut;
+    std::vector<float> shares;  ///< see arriving_shares()
+    Outlook outlook;
+    double by_direction = 0;  ///< see Weights
+
+    std::size_t memory_bytes() const {
+        return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
+               outlook.memory_bytes();
+    }
+};
+
 struct BuiltCutOctree::Cell {
     Box box;
     int depth = 0;
-    std::optional<LightCut> cut;  ///< none: it is divided
-    double crowding = 1;          ///< see Weights
+    std::optional<LightCut> cut;           ///< none: it is divided
+    std::shared_ptr<const Survey> survey;  ///< none: the scene was not there to be asked
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -64,10 +97,14 @@ struct BuiltCutOctree::State {
     CutRule rule;
     double unit = 1;
     std::span<const Luminaire> luminaires;
-    bool even = true;
     LightTree tree;
-    std::unique_ptr<Cell> root;
+    LightBall ball;
+    std::optional<Vec3> eye;
+    Box cube;
+    std::atomic<Cell*> root;
     std::atomic<std::size_t> cells = 0, bytes = 0;
+
+    ~State() { delete root.load(); }
 };
 
 BuiltCutOctree::BuiltCutOctree(BuiltCutOctree&&) noexcept = default;
@@ -79,9 +116,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->rule = {settings.eta, settings.cut};
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
-    state_->even = std::ranges::all_of(scene.luminaires, [](const Luminaire& luminaire) {
-        return std::holds_alternative<SphereEmitter>(luminaire.emitter);
-    });
+    state_->eye = scene.eye;
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
     LightBounds lights;
@@ -89,60 +124,111 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     Box cube = cube_to_light(scene, {&lights, 1});
     if (cube.empty()) cube = lights.box;
     state_->unit = std::fmax(max_component(cube.size()), 1e-100);
-    state_->root = make(cube, 0);
+    state_->ball = ball_around(lights.box, scene.luminaires);
+    state_->cube = cube;
 }
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 const LightOctree& BuiltCutOctree::settings() const { return state_->settings; }
 
-std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, int depth) const {
+std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const Cell* parent,
+                                                           const LightProbe* probe) const {
     auto cell = std::make_unique<Cell>();
     cell->box = box;
-    cell->depth = depth;
+    cell->depth = parent ? parent->depth + 1 : 0;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
-    const double bound = divided_above * state_->rule.noise;
-    if (cell->cut->noise() > bound && depth < state_->settings.max_depth)
+    const double limit = state_->eye ? coarse * length(box.centre() - *state_->eye) : 0,
+                 size = length(box.size());
+    const bool small = size <= limit;
+    const double bound = state_->rule.noise * (state_->eye && !small ? 1 : divided_above);
+    const bool divided = cell->cut->noise() > bound && cell->depth < state_->settings.max_depth;
+    if (parent) cell->survey = parent->survey;
+    if (probe && !state_->settings.alone && !cell->survey && (small || !divided))
+        cell->survey = survey(box, *cell->cut, *probe);
+    if (divided)
         cell->cut.reset();
-    else
-        cell->crowding = crowding(*cell);
+    else if (cell->survey)
+        adopt(*cell->survey, *cell);
     return cell;
 }
 
-double BuiltCutOctree::crowding(const Cell& cell) const {
-    // Lines from some points of the cell. The numbers are the same for each cell.
+std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
+    const Box& box, const LightCut& cut, const LightProbe& probe) const {
+    const std::vector<Receiver> receivers = receivers_in(box, probe);
+    const auto result = std::make_shared<Survey>(
+        Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
+               Outlook(box, state_->ball, receivers, probe)});
+    const double choice = noise_of_choice(cut, receivers, probe) + least_noise,
+                 outlook = result->outlook.noise() + least_noise;
+    const double share =
+        std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
+    result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    state_->bytes += result->memory_bytes();
+    return result;
+}
+
+/// Lets the entries of a cell count as the survey says of those that they are part of.
+void BuiltCutOctree::adopt(const Survey& survey, Cell& cell) const {
+    std::vector<float> shares;
+    for (std::size_t i = 0; i < cell.cut->entries(); ++i) {
+        const LightCluster& cluster = cell.cut->cluster(i);
+        const std::size_t entry = survey.cut.entry_of(cluster.first);
+        const float share = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
+        shares.push_back(cautious_share(share, cell.box, state_->tree.glow(cluster)));
+    }
+    cell.cut->scale(shares);
+}
+
+double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Receiver> receivers,
+                                       const LightProbe& probe) const {
     Weights weights;
-    weights.cut = &*cell.cut;
+    weights.cut = &cut;
     LightPicks picks;
-    LightMeetings met;
-    int lines = 0;
+    double sum = 0, squares = 0;
     for (std::uint32_t i = 0; i < trials; ++i) {
         const auto number = [&](std::uint32_t n) {
             return uniform(Key{n, i, 0, 0}, Purpose::light_representative);
         };
-        const Vec3 place(number(0), number(1), number(2));
-        const Vec3 position = cell.box.low + place * cell.box.size();
-        const ShadingPoint point{position, Vec3(0, 1, 0), true};
-        weights.cut->weigh(point, weights);
+        const Receiver& from = receivers[i % receivers.size()];
+        cut.weigh(from.point, weights);
         picks.clear();
-        choose(point, weights, Key{3, i, 0, 0}, number(3), picks);
+        choose(from.point, weights, Key{3, i, 0, 0}, number(3), picks);
         if (picks.empty()) continue;
-        const auto drawn =
-            sample(state_->luminaires[picks.front().light], position, {number(4), number(5)});
+        const Luminaire& luminaire = state_->luminaires[picks.front().light];
+        const auto drawn = sample(luminaire, from.point, {number(4), number(5)});
         if (!drawn) continue;
-        ++lines;
-        state_->tree.along(position, drawn->direction, [&](LightIndex light) {
-            meet(state_->luminaires[light], point, drawn->direction, met);
-        });
+        const double cosine = dot(drawn->direction, from.point.normal);
+        const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
+        if (!sight || sight->light != picks.front().light) continue;
+        const double given = sight->luminance *
+                             (from.point.both_sides ? std::abs(cosine) : std::fmax(cosine, 0)) /
+                             (drawn->density * picks.front().expected * weights.total);
+        sum += given;
+        squares += given * given;
     }
-    return lines > 0 ? static_cast<double>(met.size()) / lines : 1;
+    return sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY;
 }
 
 std::size_t BuiltCutOctree::entries_at(const Vec3& point) const {
-    return cell_at(point).cut->entries();
+    return cell_at(point, nullptr).cut->entries();
 }
 
-const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point) const {
-    Cell* cell = state_->root.get();
+/// The cell at a place of the tree, which is made when there is none.
+BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const Box& box,
+                                              const Cell* parent, const LightProbe* probe) const {
+    Cell* cell = place.load(std::memory_order_acquire);
+    if (cell) return cell;
+    std::unique_ptr<Cell> made = make(box, parent, probe);
+    if (!place.compare_exchange_strong(cell, made.get(), std::memory_order_acq_rel)) return cell;
+    cell = made.release();
+    state_->cells += 1;
+    state_->bytes += sizeof(Cell) + (cell->cut ? cell->cut->memory_bytes() : 0);
+    return cell;
+}
+
+const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
+                                                    const LightProbe* probe) const {
+    Cell* cell = cell_in(state_->root, state_->cube, nullptr, probe);
     while (!cell->cut) {
         const Vec3 middle = cell->box.centre();
         Box part = cell->box;
@@ -152,27 +238,26 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point) const {
             which |= std::size_t{upper} << axis;
             (upper ? part.low : part.high)[axis] = middle[axis];
         }
-        std::atomic<Cell*>& place = cell->children[which];
-        Cell* child = place.load(std::memory_order_acquire);
-        if (!child) {
-            std::unique_ptr<Cell> made = make(part, cell->depth + 1);
-            if (place.compare_exchange_strong(child, made.get(), std::memory_order_acq_rel)) {
-                child = made.release();
-                state_->cells += 1;
-                state_->bytes += sizeof(Cell) + (child->cut ? child->cut->memory_bytes() : 0);
-            }
-        }
-        cell = child;
+        cell = cell_in(cell->children[which], part, cell, probe);
     }
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const ShadingPoint& point, Weights& weights) const {
-    if (!state_->root) return;
-    const Cell& cell = cell_at(point.position);
-    weights.even = state_->even;
+void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
+                           Weights& weights) const {
+    if (state_->luminaires.empty()) return;
+    const Cell& cell = cell_at(point.position, &probe);
     weights.cut = &*cell.cut;
-    weights.crowding = cell.crowding;
+    weights.cut->weigh(point, weights);
+    weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
+    if (!(weights.by_direction > 0)) return;
+    cell.survey->outlook.weigh(point, weights.outlook);
+    if (!(weights.outlook.total > 0)) weights.by_direction = 0;
+}
+
+void BuiltCutOctree::weigh_choice(const ShadingPoint& point, Weights& weights) const {
+    if (state_->luminaires.empty()) return;
+    weights.cut = &*cell_at(point.position, nullptr).cut;
     weights.cut->weigh(point, weights);
 }
 
@@ -234,13 +319,13 @@ double BuiltCutOctree::expected(const ShadingPoint& point, const Weights& weight
 
 void BuiltCutOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
     Weights weights;
-    weigh(point, weights);
+    weigh_choice(point, weights);
     choose(point, weights, key, uniform(key, Purpose::light_choice), picks);
 }
 
 double BuiltCutOctree::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
     Weights weights;
-    weigh(point, weights);
+    weigh_choice(point, weights);
     return expected(point, weights, light);
 }
 

@@ -2,11 +2,12 @@
 // An octree over the points to be lit, whose cells hold cuts through the light tree: the paper's
 // lists of bright luminaires, with clusters in the place of the dim ones. A cell is made when a
 // point in it is asked for the first time, and is a pure function of its box, so that the answers
-// do not depend on who comes first. It also knows by trial how crowded the luminaires are.
+// do not depend on who comes first. By trial it also knows what light is seen from it: its outlook.
 #pragma once
 
 #include "base/random.h"
 #include "lighting/light_cut.h"
+#include "lighting/outlook.h"
 #include "lighting/settings.h"
 
 #include <atomic>
@@ -17,8 +18,8 @@ public:
     /// What luminaires give at one point: for several choices and questions there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
-        bool even = true;     ///< all are spheres, which are sampled without noise of their own
-        double crowding = 1;  ///< luminaires on a line that one of them was drawn for, in the mean
+        Outlook::Weights outlook;  ///< when the scene was there to be asked
+        double by_direction = 0;   ///< share of the shadow rays that should be drawn from it
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);
@@ -26,7 +27,9 @@ public:
     BuiltCutOctree& operator=(BuiltCutOctree&&) noexcept;
     ~BuiltCutOctree();
 
-    void weigh(const ShadingPoint&, Weights&) const;
+    void weigh(const ShadingPoint&, const LightProbe&, Weights&) const;
+    /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
+    void weigh_choice(const ShadingPoint&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.
     void choose(const ShadingPoint&, const Weights&, const Key&, double u, LightPicks&) const;
     double expected(const ShadingPoint&, const Weights&, LightIndex) const;
@@ -43,12 +46,16 @@ public:
     const LightOctree& settings() const;
 
 private:
+    struct Survey;
     struct Cell;
     struct State;
 
-    const Cell& cell_at(const Vec3&) const;
-    double crowding(const Cell&) const;
-    std::unique_ptr<Cell> make(const Box&, int depth) const;
+    Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell* parent, const LightProbe*) const;
+    const Cell& cell_at(const Vec3&, const LightProbe*) const;
+    std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
+    std::shared_ptr<const Survey> survey(const Box&, const LightCut&, const LightProbe&) const;
+    void adopt(const Survey&, Cell&) const;
+    double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
                           double& probability) const;
 

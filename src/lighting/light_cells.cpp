@@ -201,8 +201,10 @@ double bright_reach(const LightBounds& light, double radiance) {
     const double versine = solid_angle / (2 * pi);
     const double as_sphere =
         versine >= 1 ? light.radius : light.radius / std::sqrt(versine * (2 - versine));
-    // A flat one shows at most its area, any other at most twice what it shows on average.
-    const double seen = (light.axis != Vec3(0) ? 1 : 2) * light.intensity / light.luminance;
+    // A flat one shows at most its area, and what its thin sides show; any other at most twice what
+    // it shows on average.
+    const double seen =
+        (light.axis != Vec3(0) ? 1 + 2 * light.evenness : 2) * light.intensity / light.luminance;
     return std::fmin(as_sphere, light.radius + std::sqrt(seen / solid_angle));
 }
 

@@ -4,7 +4,6 @@
 #include "lighting/every_machine.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace {
 
@@ -15,8 +14,9 @@ constexpr double least_strength = 1e-24;
 constexpr float slack = 1e-6f;
 
 struct Columns {
-    const float *x, *y, *z, *radius, *strength, *seen;
+    const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
+    const float *half_x, *half_y, *half_z;
 };
 struct Place {
     float x, y, z, nx, ny, nz;
@@ -26,6 +26,7 @@ struct Place {
 template <bool both_sides>
 [[gnu::always_inline]] inline void weigh_even(const Columns& c, std::size_t count, const Place& p,
                                               float* out) {
+    const float steep_x = std::abs(p.nx), steep_y = std::abs(p.ny), steep_z = std::abs(p.nz);
     for (std::size_t i = 0; i < count; ++i) {
         const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z, radius = c.radius[i];
         const float r2 = radius * radius;
@@ -35,13 +36,19 @@ template <bool both_sides>
         const float inverse = 1 / distance;
         const float signed_height = p.nx * vx + p.ny * vy + p.nz * vz;
         const float height = both_sides ? std::abs(signed_height) : signed_height;
-        const float cut = height < radius ? height : radius;
-        float lifted = cut + radius + slack * distance;
+        const float of_box = steep_x * c.half_x[i] + steep_y * c.half_y[i] + steep_z * c.half_z[i];
+        const float least = 1e-3f * radius, wide = of_box > least ? of_box : least;
+        const float reach = wide < radius ? wide : radius;
+        const float cut = height < reach ? height : reach;
+        float lifted = cut + reach + slack * distance;
         lifted = lifted > 0 ? lifted : 0;
-        const float partly = both_sides ? 0.5f * (cut * cut + r2) : 0.25f * lifted * lifted;
-        const float above = partly + radius * (height - cut);
-        const float surrounded = both_sides ? 2 * r2 : r2;
-        out[i] = c.strength[i] * (d2 < r2 ? surrounded : above) * inverse * inverse * inverse;
+        const float partly =
+            both_sides ? 0.5f * (cut * cut / reach + reach) : 0.25f * lifted * lifted / reach;
+        const float above = partly + (height - cut);
+        const float surrounded = both_sides ? 2 * reach : reach;
+        const float within = d2 < r2 ? surrounded : 0;
+        out[i] = c.strength[i] * radius * (above > within ? above : within) * inverse * inverse *
+                 inverse;
     }
 }
 
@@ -77,17 +84,6 @@ void sum_blocks(const float* rows, std::size_t count, double* sums) {
             for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
         *sums++ = strand[0];
     }
-}
-
-/// The sum of products, in strands and always in the same order.
-CANDELABRA_EVERY_MACHINE
-float dot_rows(const float* a, const float* b, std::size_t count) {
-    std::array<float, CutWeights::block> sum{};
-    for (std::size_t i = 0; i < count; i += CutWeights::block)
-        for (std::size_t j = 0; j < CutWeights::block; ++j) sum[j] += a[i + j] * b[i + j];
-    for (std::size_t half = CutWeights::block / 2; half > 0; half /= 2)
-        for (std::size_t j = 0; j < half; ++j) sum[j] += sum[j + half];
-    return sum[0];
 }
 
 /// A cluster as a point of the cell sees it, roughly.
@@ -168,14 +164,13 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     std::fill_n(column(radius), rows_, 1.0f);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         const LightCluster& c = clusters_[i];
-        const LightBounds first = bounds(luminaires[tree.light(c.first)]);
-        Glow g = c.count == 1 ? glow(first) : tree.glow(c);
+        Glow g = c.count == 1 ? glow(bounds(luminaires[tree.light(c.first)])) : tree.glow(c);
         g.strength /= whole;
-        fill(i, g, first.luminance / whole);
+        fill(i, g);
     }
 }
 
-void LightCut::fill(std::size_t entry, const Glow& g, double luminance_share) {
+void LightCut::fill(std::size_t entry, const Glow& g) {
     const Vec3 place = (g.centre - middle_) * scale_;
     // Rounding must not carry any of it below a horizon that it is above.
     const double rounding = 4e-7 * (max_abs_component(place) + 1e-3);
@@ -186,12 +181,14 @@ void LightCut::fill(std::size_t entry, const Glow& g, double luminance_share) {
     column(radius)[entry] = static_cast<float>(r);
     const double share = std::fmax(g.strength * g.radius, least_strength);
     column(strength)[entry] = static_cast<float>(share / r);
+    const Vec3 half = glm::min(g.half * scale_ + rounding, r);
+    column(half_x)[entry] = static_cast<float>(half.x);
+    column(half_y)[entry] = static_cast<float>(half.y);
+    column(half_z)[entry] = static_cast<float>(half.z);
     column(axis_x)[entry] = static_cast<float>(g.axis.x);
     column(axis_y)[entry] = static_cast<float>(g.axis.y);
     column(axis_z)[entry] = static_cast<float>(g.axis.z);
     column(evenness)[entry] = static_cast<float>(g.evenness);
-    const double covered = scale_ * scale_ / (std::numbers::pi * luminance_share);
-    column(seen)[entry] = static_cast<float>(std::clamp(covered, 0.0, 1e30));
     flat_ = flat_ || g.axis != Vec3(0);
 }
 
@@ -208,21 +205,18 @@ void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
                       static_cast<float>(point.normal.x),
                       static_cast<float>(point.normal.y),
                       static_cast<float>(point.normal.z)};
-    const Columns c{column(x),
-                    column(y),
-                    column(z),
-                    column(radius),
-                    column(strength),
-                    column(seen),
-                    flat_ ? column(axis_x) : nullptr,
-                    column(axis_y),
-                    column(axis_z),
-                    column(evenness)};
+    const Columns c{column(x),      column(y),        column(z),
+                    column(radius), column(strength), flat_ ? column(axis_x) : nullptr,
+                    column(axis_y), column(axis_z),   column(evenness),
+                    column(half_x), column(half_y),   column(half_z)};
     weigh_rows(c, rows_, place, point.both_sides, result.weight.data());
     sum_blocks(result.weight.data(), rows_, result.block_sum.data());
     result.total = 0;
     for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];
-    result.coverage = dot_rows(result.weight.data(), c.seen, rows_);
+}
+
+void LightCut::scale(std::span<const float> factors) {
+    for (std::size_t i = 0; i < entries(); ++i) column(strength)[i] *= factors[i];
 }
 
 std::size_t LightCut::find(const CutWeights& weights, double& target) const {

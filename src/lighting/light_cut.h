@@ -20,7 +20,6 @@ struct CutWeights {
     std::array<float, most> weight;
     std::array<double, most / block> block_sum;
     double total = 0;
-    double coverage = 0;  ///< share of the directions, weighed by cosine, in which luminaires are
 };
 
 class LightCut {
@@ -37,6 +36,8 @@ public:
     std::size_t entry_of(std::uint32_t place) const;
 
     void weigh(const ShadingPoint&, CutWeights&) const;
+    /// Multiplies the weights of each entry by a number above 0.
+    void scale(std::span<const float> factors);
     /// The entry at which the running sum of the weights passes target, which is in [0, total).
     /// What is left of the target goes back. Precondition: the total is above 0.
     std::size_t find(const CutWeights&, double& target) const;
@@ -44,9 +45,23 @@ public:
     std::size_t memory_bytes() const;
 
 private:
-    enum Column { x, y, z, radius, strength, axis_x, axis_y, axis_z, evenness, seen, columns };
+    enum Column {
+        x,
+        y,
+        z,
+        radius,
+        half_x,
+        half_y,
+        half_z,
+        strength,
+        axis_x,
+        axis_y,
+        axis_z,
+        evenness,
+        columns
+    };
 
-    void fill(std::size_t entry, const Glow&, double luminance_share);
+    void fill(std::size_t entry, const Glow&);
     float* column(Column c) { return values_.data() + c * rows_; }
     const float* column(Column c) const { return values_.data() + c * rows_; }
 

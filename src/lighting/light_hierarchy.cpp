@@ -74,7 +74,8 @@ public:
         for (const Luminaire& luminaire : luminaires) {
             lights_.push_back(bounds(luminaire));
             const LightBounds& b = lights_.back();
-            leaves_.push_back({b.box, {b.axis, b.axis != Vec3(0) ? 0 : pi}, b.intensity});
+            leaves_.push_back(
+                {b.box, {b.axis, b.axis != Vec3(0) && b.evenness == 0 ? 0 : pi}, b.intensity});
         }
         std::iota(order_.begin(), order_.end(), LightIndex{0});
         nodes_.reserve(2 * luminaires.size());

@@ -65,6 +65,7 @@ LightTable::LightTable(std::span<const Luminaire> luminaires)
     : luminaires_(luminaires), records_(luminaires.size()) {
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
         records_[i].glow = ::glow(bounds(luminaires[i]));
+        records_[i].glow.half = Glow().half;  // the rows know spheres only
         const double reach = near_radii * records_[i].glow.radius;
         if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
             records_[i].exact_within2 = reach * reach;

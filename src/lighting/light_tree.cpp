@@ -212,7 +212,8 @@ private:
         if (cluster.count == 1) {
             const LightBounds b = bounds(luminaires_[tree_.order_[cluster.first]]);
             const bool flat = b.axis != Vec3(0);
-            sum = {b.intensity * b.axis, flat ? b.intensity : 0, flat ? 0 : b.intensity};
+            sum = {b.intensity * b.axis, flat ? b.intensity : 0,
+                   flat ? b.evenness * b.intensity : b.intensity};
         } else {
             const auto [first, second] = tree_.halves(cluster);
             const Shine before = shine(first);
@@ -252,8 +253,12 @@ Glow LightTree::glow(const LightCluster& c) const {
     const double rounding =
         1e-15 * (max_abs_component(around.low) + max_abs_component(around.high));
     const double radius = 0.5 * length(around.size()) + rounding + 1e-150;
-    return {around.centre(), radius, static_cast<double>(strength(c)) * unit_ / radius,
-            Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0, n.evenness / 255.0};
+    return {around.centre(),
+            radius,
+            static_cast<double>(strength(c)) * unit_ / radius,
+            Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0,
+            n.evenness / 255.0,
+            0.5 * around.size() + rounding};
 }
 
 std::uint64_t LightTree::strength_before(const LightCluster& c) const {

@@ -23,4 +23,5 @@ struct LightScene {
     std::span<const Box>
         surfaces;  ///< bounds of the finite primitives: where points to be lit may be
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
+    std::optional<Vec3> eye = {};        ///< where most points to be lit are seen from
 };

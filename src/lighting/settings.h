@@ -32,7 +32,7 @@ struct LightOctree {
     double eta = 0.02;
     int cut = 64;
     int max_depth = 10;
-    double brdf = 0.5;
+    double outlook = 0.9;
     bool alone = false;
     bool paper = false;
     double threshold = 0.0007;

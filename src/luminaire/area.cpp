@@ -2,6 +2,7 @@
 #include "luminaire/area.h"
 
 #include "luminaire/glow.h"
+#include "luminaire/seen_faces.h"
 #include "shape/area.h"
 
 namespace {
@@ -78,65 +79,33 @@ std::pair<Vec3, double> sphere_around(const T& shape) {
     return {box.centre(), length(box.size()) / 2};
 }
 
-/// The faces of a box that are seen from a point outside, one for each axis at most.
-struct SeenFaces {
-    /// In the box's space.
-    struct Face {
-        Vec3 normal = Vec3(0), corner = Vec3(0), side1 = Vec3(0), side2 = Vec3(0);
-    };
-    std::array<Face, 3> face;
-    std::array<double, 3> share{};  ///< how probably a point is drawn from it
-
-    SeenFaces(const AreaEmitter& e, const Cuboid& box, const Vec3& from) {
-        const Box b = bounds(box);
-        const Vec3 here = to_shape_point(e, from), size = b.size();
-        double sum = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const bool low = here[axis] < b.low[axis];
-            if (!low && !(here[axis] > b.high[axis])) continue;
-            Face& f = face[axis];
-            f.normal[axis] = low ? -1 : 1;
-            f.corner = b.low;
-            if (!low) f.corner[axis] = b.high[axis];
-            f.side1[(axis + 1) % 3] = size[(axis + 1) % 3];
-            f.side2[(axis + 2) % 3] = size[(axis + 2) % 3];
-            // What it fills of the view, as seen from its middle.
-            const Vec3 offset = from - to_world_point(e, f.corner + 0.5 * (f.side1 + f.side2));
-            const double distance = length(offset);
-            const double seen = std::abs(dot(stretched_normal(e, f.normal), offset));
-            share[axis] = area(axis, size) * seen / (distance * distance * distance);
-            sum += share[axis];
-        }
-        for (double& s : share) s = sum > 0 ? s / sum : 0;
-    }
-
-    static double area(int axis, const Vec3& size) {
-        return size[(axis + 1) % 3] * size[(axis + 2) % 3];
-    }
-    double area(int axis) const { return length(face[axis].side1) * length(face[axis].side2); }
-    bool any() const { return share[0] + share[1] + share[2] > 0; }
-
-    /// A point of one of them; u.x chooses and is then used up.
-    std::pair<int, Vec3> draw(Vec2 u) const {
-        int axis = 0, last = 0;
-        for (axis = 0; axis < 3; ++axis) {
-            if (!(share[axis] > 0)) continue;
-            last = axis;
-            if (u.x < share[axis]) break;
-            u.x -= share[axis];
-        }
-        const Face& f = face[last];
-        const double along = std::fmin(u.x / share[last], 1);
-        return {last, f.corner + along * f.side1 + u.y * f.side2};
-    }
-};
-
 /// The faces of a box seen from outside; nothing for other shapes.
 std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from) {
     const Cuboid* box = std::get_if<Cuboid>(&e.shape);
     if (!box) return {};
-    SeenFaces faces(e, *box, from);
+    const SeenFaces faces(bounds(*box), e.transform.get(), from);
     return faces.any() ? std::optional(faces) : std::nullopt;
+}
+
+/// A box that is thin shows its broad side's area times the cosine, and a little more.
+void flatten(const AreaEmitter& e, const Cuboid& box, LightBounds& result) {
+    const Vec3 size = bounds(box).size();
+    const Vec3 areas(size.y * size.z, size.z * size.x, size.x * size.y);
+    std::array<Vec3, 3> face;
+    int broad = 0;
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 normal(0);
+        normal[axis] = areas[axis];
+        face[axis] = stretched_normal(e, normal);
+        sum += length(face[axis]);
+        if (length(face[axis]) > length(face[broad])) broad = axis;
+    }
+    const double area = length(face[broad]), others = sum - area;
+    if (!(others < 0.5 * area)) return;
+    result.axis = face[broad] / area;
+    result.intensity = result.luminance * area;
+    result.evenness = 0.5 * others / area;
 }
 
 /// Density per steradian of a point with this share per area of the shape's own space.
@@ -163,6 +132,7 @@ LightBounds bounds(const AreaEmitter& e, double luminance) {
     const double seen = result.axis != Vec3(0) ? 1 : closed(e) ? 0.25 : 0.5;
     result.intensity = luminance * seen * emitting_area(e);
     result.luminance = luminance;
+    if (const auto* box = std::get_if<Cuboid>(&e.shape)) flatten(e, *box, result);
     return result;
 }
 
@@ -171,17 +141,15 @@ double unoccluded(const AreaEmitter& e, double luminance, const ShadingPoint& po
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec2& u) {
-    const auto faces = seen_faces(e, from);
-    SurfacePoint drawn;
-    double per_area = 0;
-    if (faces) {
-        const auto [axis, position] = faces->draw(u);
-        drawn = {position, faces->face[axis].normal};
-        per_area = faces->share[axis] / faces->area(axis);
-    } else {
-        drawn = sample_area(e.shape, u);
-        per_area = 1 / surface_area(e.shape);
+    if (const auto faces = seen_faces(e, from)) {
+        const auto drawn = faces->draw(u);
+        if (!drawn) return {};
+        const Vec3 offset = drawn->position - from;
+        const double distance = length(offset);
+        return LightPoint{drawn->position, offset / distance, distance, drawn->density};
     }
+    const SurfacePoint drawn = sample_area(e.shape, u);
+    const double per_area = 1 / surface_area(e.shape);
     const Vec3 position = to_world_point(e, drawn.position), offset = position - from;
     const double distance = length(offset);
     if (!(distance > 0)) return {};
@@ -202,20 +170,19 @@ void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction
     const bool solid = closed(e), within = inside(e.shape, to_shape_point(e, point.position));
     const Vec3 flat = flat_normal(e);
     const auto faces = seen_faces(e, point.position);
-    const double everywhere = 1 / surface_area(e.shape);
-    const auto per_area = [&](const Vec3& own_normal) {
-        if (!faces) return everywhere;
+    const double per_area = 1 / surface_area(e.shape);
+    const auto broadest = [](const Vec3& own_normal) {
         const Vec3 size = glm::abs(own_normal);
-        const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-        return faces->share[axis] > 0 ? faces->share[axis] / faces->area(axis) : 0;
+        return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     };
     for (std::size_t i = 0; i < met.size(); ++i) {
         const double distance = met[i].t;
         const Vec3 normal = stretched_normal(e, flat != Vec3(0) ? flat : met[i].normal);
         const double seen = std::abs(dot(normal, direction));
-        if (distance > 0 && seen > 0 && turned_to(normal, -direction, solid, within))
-            found.push_back(
-                {distance, solid_angle_density(per_area(met[i].normal), distance, seen)});
+        if (!(distance > 0 && seen > 0 && turned_to(normal, -direction, solid, within))) continue;
+        const double density = faces ? faces->density(broadest(met[i].normal), direction, distance)
+                                     : solid_angle_density(per_area, distance, seen);
+        if (density > 0) found.push_back({distance, density});
     }
 }
 

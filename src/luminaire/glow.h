@@ -10,10 +10,12 @@
 /// axis.
 struct Glow {
     Vec3 centre = Vec3(0);
-    double radius = 1;    ///< above 0
-    double strength = 0;  ///< intensity / radius
-    Vec3 axis = Vec3(0);  ///< 0: the same in all directions
-    double evenness = 1;  ///< share of the intensity that goes in all directions
+    double radius = 1;        ///< above 0
+    double strength = 0;      ///< intensity / radius
+    Vec3 axis = Vec3(0);      ///< 0: the same in all directions
+    double evenness = 1;      ///< share of the intensity that goes in all directions
+    Vec3 half = Vec3(1e300);  ///< of a box around it, from the centre: some are thinner than the
+                              ///< sphere
 };
 
 /// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
@@ -23,7 +25,12 @@ inline constexpr double flat_evenness = 0.05;
 inline Glow glow(const LightBounds& b) {
     const bool flat = b.axis != Vec3(0);
     const double radius = std::fmax(b.radius, 1e-150);
-    return {b.centre, radius, b.intensity / radius, b.axis, flat ? flat_evenness : 1};
+    return {b.centre,
+            radius,
+            b.intensity / radius,
+            b.axis,
+            flat ? flat_evenness + b.evenness : 1,
+            glm::max(b.box.high - b.centre, b.centre - b.box.low)};
 }
 
 /// Radius over distance at which rounding may still lift a luminaire over the horizon.
@@ -32,6 +39,14 @@ inline constexpr double horizon_slack = 1e-14;
 /// inside.
 inline constexpr double inside_share = 1 - 2e-9;
 
+/// How far a luminaire reaches towards a plane with this normal: not beyond its box, nor beyond its
+/// sphere. Never quite 0.
+[[gnu::always_inline]] inline double reach_along(const Vec3& n, const Vec3& half, double radius) {
+    const double of_box = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    const double least = 1e-3 * radius, reach = of_box > least ? of_box : least;
+    return reach < radius ? reach : radius;
+}
+
 /// What one sphere gives: elementwise arithmetic without branches, so that loops over it are
 /// vectorised, and so that every instruction set gives the same bits. v goes from the point to the
 /// centre, n is the point's normal.
@@ -39,10 +54,11 @@ inline constexpr double inside_share = 1 - 2e-9;
 /// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon,
 /// and strength (h + r)^2 r / 4 d^3 is put in the place of the exact formula where the horizon cuts
 /// it: the two meet at h = r, the second is zero only where all of the sphere is below, and never
-/// below the first. Inside, all directions meet the surface.
+/// below the first. What is flatter than its sphere is cut by the horizon within its reach instead:
+/// strength (h + reach)^2 r^2 / (4 reach d^3). Inside, all directions meet the surface.
 template <bool both_sides>
 [[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
-                                                double strength) {
+                                                double strength, double reach) {
     const double r2 = radius * radius;
     const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
     const double outside2 = d2 > r2 ? d2 : r2;
@@ -50,15 +66,23 @@ template <bool both_sides>
     const double inverse = 1 / distance;
     const double signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
     const double height = both_sides ? std::abs(signed_height) : signed_height;
-    const double cut = height < radius ? height : radius;
-    const double beyond = height - cut;
-    double lifted = cut + radius + horizon_slack * distance;
+    const double cut = height < reach ? height : reach;
+    double lifted = cut + reach + horizon_slack * distance;
     lifted = lifted > 0 ? lifted : 0;
-    const double partly = both_sides ? 0.5 * (cut * cut + r2) : 0.25 * lifted * lifted;
-    const double above = partly + radius * beyond;
-    const double surrounded = both_sides ? 2 * r2 : r2;
-    const double seen = d2 < r2 * inside_share ? surrounded : above;
+    const double partly =
+        both_sides ? 0.5 * (cut * cut / reach + reach) : 0.25 * lifted * lifted / reach;
+    const double above = radius * (partly + (height - cut));
+    const double surrounded = (both_sides ? 2 : 1) * radius * reach;
+    const double within = d2 < r2 * inside_share ? surrounded : 0;
+    const double seen = above > within ? above : within;
     return strength * seen * inverse * inverse * inverse;
+}
+
+/// The same for a sphere.
+template <bool both_sides>
+[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
+                                                double strength) {
+    return irradiance<both_sides>(v, n, radius, strength, radius);
 }
 
 /// The factor for the direction in which a flat luminaire is seen; 1 for others.
@@ -73,7 +97,9 @@ template <bool both_sides>
 /// Estimate of the irradiance of one luminaire; see unoccluded().
 inline double irradiance(const Glow& g, const ShadingPoint& point) {
     const Vec3 v = g.centre - point.position;
-    const double even = point.both_sides ? irradiance<true>(v, point.normal, g.radius, g.strength)
-                                         : irradiance<false>(v, point.normal, g.radius, g.strength);
+    const double reach = reach_along(point.normal, g.half, g.radius);
+    const double even = point.both_sides
+                            ? irradiance<true>(v, point.normal, g.radius, g.strength, reach)
+                            : irradiance<false>(v, point.normal, g.radius, g.strength, reach);
     return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
 }

@@ -77,6 +77,8 @@ struct LightBounds {
     double intensity =
         0;  ///< luminance times the area seen: face on when flat, else the mean over all directions
     double luminance = 0;  ///< of its brightest point
+    double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
+                           ///< share of its intensity
 };
 
 /// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above

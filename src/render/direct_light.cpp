@@ -118,9 +118,6 @@ Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, cons
     return response(s, direction, true, grain) * iridescence(world, s, direction);
 }
 
-/// From so many luminaires on a line, or such a share of the sky, whole lines are asked.
-constexpr double crowded = 1.3, covered = 0.05;
-
 Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
 }
@@ -143,12 +140,6 @@ double scattered_density(const Shading& s, const Vec3& direction) {
     return s.both_sides ? std::abs(cosine) / (2 * pi) : std::fmax(cosine, 0) / pi;
 }
 
-/// The share of the shadow rays that the surface chooses: the more of its sky the luminaires fill
-/// (coverage, which is above 1 where they hide each other), the better it does.
-double surface_share(double greatest, double coverage) {
-    return greatest * (coverage / (1 + coverage));
-}
-
 }  // namespace
 
 Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) const {
@@ -166,8 +157,10 @@ Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) con
     return luminaire.varying ? world_.emission(luminaire.primitive, position) : luminaire.radiance;
 }
 
+/// The density of a drawn point, per steradian, is for the caller to say.
+template <class Density>
 Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const Key& key,
-                                 RayCounts& rays) const {
+                                 RayCounts& rays, const Density& density) const {
     const Luminaire& luminaire = world_.luminaires[pick.light];
     const auto point = sample(luminaire, point_of(s), place_on_light(key));
     if (!point) return Vec3(0);
@@ -178,8 +171,9 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     ++rays.shadow;
     const Vec3 passed =
         world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
+    if (passed == Vec3(0)) return Vec3(0);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
-    return answer * sent * passed / (pi * point->density * pick.expected);
+    return answer * sent * passed / (pi * density(*point));
 }
 
 template <class Sampler>
@@ -191,7 +185,9 @@ Vec3 DirectLight::from_picks(const Sampler& sampler, const Shading& s, const Key
     // The conventional way asks every luminaire once; more shadow rays are more points on each.
     const bool several = picks_.size() > 1;
     for (const LightPick& pick : picks_)
-        sum += from_luminaire(s, pick, several ? key.with_branch(pick.light) : key, rays);
+        sum +=
+            from_luminaire(s, pick, several ? key.with_branch(pick.light) : key, rays,
+                           [&](const LightPoint& point) { return point.density * pick.expected; });
     return sum;
 }
 
@@ -229,58 +225,94 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
     return sum;
 }
 
-/// A direction chosen by a luminaire or by the surface; whatever luminaire it meets counts, by the
-/// density that all together have for it. So no ray is wasted that another luminaire stops, and the
-/// estimate is never far above what is there.
-Vec3 DirectLight::from_line(const Octree& octree, const Octree::Weights& weights, const Shading& s,
+/// A direction from the cell's outlook, in which whatever luminaire is seen counts, or a luminaire
+/// and a point on it: weighed by the density that both ways together have for a point of a
+/// luminaire (one-sample multiple importance sampling). So a luminaire that the outlook does not
+/// know keeps its chance, and no ray is lost where luminaires hide each other.
+Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights, const Shading& s,
                             const Key& key, RayCounts& rays) {
     const ShadingPoint point = point_of(s);
-    const double by_surface =
-        weights.even ? 0 : surface_share(octree.settings().brdf, weights.coverage);
-    const double u = uniform(key, Purpose::light_choice);
-    Vec3 direction;
-    if (u < by_surface) {
-        direction = scattered(s, place_on_light(key));
-    } else {
-        picks_.clear();
-        octree.choose(point, weights, key, (u - by_surface) / (1 - by_surface), picks_);
-        if (picks_.empty()) return Vec3(0);
-        const auto drawn =
-            sample(world_.luminaires[picks_.front().light], point, place_on_light(key));
-        if (!drawn) return Vec3(0);
-        direction = drawn->direction;
+    const double u = uniform(key, Purpose::light_choice), by_direction = weights.by_direction;
+    if (u < by_direction) {
+        const auto drawn = Outlook::draw(weights.outlook, place_on_light(key));
+        const Vec3 answer = answer_to(world_, s, drawn.direction, key);
+        if (answer == Vec3(0)) return Vec3(0);
+        return answer / pi * seen_towards(s, drawn.direction, rays, [&](const Met& met) {
+                   const double of_point =
+                       octree.expected(point, weights, met.light) * met.meeting.density;
+                   return 1 / (by_direction * drawn.density + (1 - by_direction) * of_point);
+               });
     }
-    const Vec3 answer = answer_to(world_, s, direction, key);
-    if (answer == Vec3(0)) return Vec3(0);
-    meet_along(octree.tree(), s, direction);
-    const Vec3 seen = seen_along(s, direction, rays, [](const Met&) { return 1.0; });
-    if (seen == Vec3(0)) return Vec3(0);
-    double density = 0;
-    for (const Met& met : met_)
-        density += octree.expected(point, weights, met.light) * met.meeting.density;
-    density = (1 - by_surface) * density + by_surface * scattered_density(s, direction);
-    return density > 0 ? answer * seen / (pi * density) : Vec3(0);
+    picks_.clear();
+    octree.choose(point, weights, key, (u - by_direction) / (1 - by_direction), picks_);
+    if (picks_.empty()) return Vec3(0);
+    const LightPick& pick = picks_.front();
+    return from_luminaire(s, pick, key, rays, [&](const LightPoint& p) {
+        const double of_point = pick.expected * p.density;
+        if (by_direction == 0) return of_point;
+        return by_direction * Outlook::density(weights.outlook, p.direction) +
+               (1 - by_direction) * of_point;
+    });
+}
+
+/// What a ray that is tried meets.
+std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) const {
+    Hit hit;
+    if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
+    LightSight result{
+        dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
+    const LightIndex light = world_.luminaire_of[hit.primitive];
+    if (light != no_primitive) {
+        result.light = light;
+        result.luminance = luminance(radiance(world_.luminaires[light], hit.position));
+    }
+    return result;
+}
+
+/// The radiance of all luminaires that are seen in a direction, each times its weight.
+template <class Weight>
+Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCounts& rays,
+                               const Weight& weight) {
+    // Clear surfaces in a row that are looked through; a stop for rays that rounding keeps in one
+    // place.
+    constexpr int most_passed = 1000;
+    ++rays.shadow;
+    const ShadingPoint point = point_of(s);
+    const Ray ray{s.position, direction};
+    double from = s.tolerance;
+    Vec3 sum(0);
+    for (int passed = 0; passed < most_passed; ++passed) {
+        Hit hit;
+        if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
+        const double distance = dot(hit.position - s.position, direction);
+        const LightIndex light = world_.luminaire_of[hit.primitive];
+        if (light != no_primitive) {
+            const Vec3 clear =
+                passed == 0 ? Vec3(1) : world_.transmittance(ray, s.tolerance, distance);
+            if (clear == Vec3(0)) break;
+            meetings_.clear();
+            meet(world_.luminaires[light], point, direction, meetings_);
+            for (const LightMeeting& meeting : meetings_)
+                if (std::abs(meeting.distance - distance) <= 1e-6 * distance + hit.tolerance)
+                    sum += clear * weight(Met{meeting, light}) *
+                           radiance(world_.luminaires[light], hit.position);
+        }
+        const Material& material = world_.material(hit.primitive);
+        if (!material.transparent && !material.no_shadow) break;
+        from = distance + hit.tolerance;
+    }
+    return sum;
 }
 
 Vec3 DirectLight::from_cuts(const Octree& octree, const Shading& s, const Key& key,
                             RayCounts& rays) {
     Octree::Weights weights;
     const ShadingPoint point = point_of(s);
-    octree.weigh(point, weights);
-    // Where luminaires stand apart and fill little of the sky, no other one is likely to be met.
-    const bool lines = !octree.settings().alone && (weights.crowding > crowded ||
-                                                    (!weights.even && weights.coverage > covered));
+    octree.weigh(
+        point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); }, weights);
     Vec3 sum(0);
-    for (int i = 0; i < shadow_rays_; ++i) {
-        const Key part = key.part(shadow_rays_, i);
-        if (lines) {
-            sum += from_line(octree, weights, s, part, rays);
-            continue;
-        }
-        picks_.clear();
-        octree.choose(point, weights, part, uniform(part, Purpose::light_choice), picks_);
-        for (const LightPick& pick : picks_) sum += from_luminaire(s, pick, part, rays);
-    }
+    for (int i = 0; i < shadow_rays_; ++i)
+        sum += from_cell(octree, weights, s, key.part(shadow_rays_, i), rays);
     return sum;
 }
 
@@ -293,11 +325,9 @@ Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Shading& s, const Ke
     bvh.choose(point_of(s), key, picks_);
     if (picks_.empty()) return sum;
     const LightPick pick = picks_.front();
-    const auto drawn = sample(world_.luminaires[pick.light], point_of(s), place_on_light(key));
-    if (!drawn) return sum;
-    const double own = pick.expected * drawn->density;
-    const double weight = own / (own + scattered_density(s, drawn->direction));
-    return sum + weight * from_luminaire(s, pick, key, rays);
+    return sum + from_luminaire(s, pick, key, rays, [&](const LightPoint& point) {
+               return point.density * pick.expected + scattered_density(s, point.direction);
+           });
 }
 
 Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const Key& key,

@@ -27,9 +27,14 @@ private:
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
     template <class Sampler>
     Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);
-    Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&) const;
+    template <class Density>
+    Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&,
+                        const Density&) const;
     Vec3 from_cuts(const Octree&, const Shading&, const Key&, RayCounts&);
-    Vec3 from_line(const Octree&, const Octree::Weights&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_cell(const Octree&, const Octree::Weights&, const Shading&, const Key&, RayCounts&);
+    std::optional<LightSight> sight(const Ray&, double tolerance) const;
+    template <class Weight>
+    Vec3 seen_towards(const Shading&, const Vec3& direction, RayCounts&, const Weight&);
     Vec3 from_pair(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
     Vec3 from_surface(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
     void meet_along(const LightTree&, const Shading&, const Vec3& direction);

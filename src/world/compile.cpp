@@ -70,6 +70,13 @@ World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     return world;
 }
 
+void note_luminaires(World& world) {
+    if (world.luminaires.empty()) return;
+    world.luminaire_of.assign(world.material_of.size(), no_primitive);
+    for (LightIndex light = 0; light < world.luminaires.size(); ++light)
+        world.luminaire_of[world.luminaires[light].primitive] = light;
+}
+
 /// What a flattened world still lacks.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
@@ -80,9 +87,11 @@ void build_indices(World& world, const CompileOptions& options) {
     world.tree = build_kdtree(
         boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
         {}, options.threads);
+    note_luminaires(world);
     const std::vector<Plane> planes = world_planes(world);
-    world.sampler = build(world.settings.light_sampler, LightScene{world.luminaires, boxes, planes},
-                          options.threads);
+    LightScene lit{world.luminaires, boxes, planes};
+    if (!world.camera.parallel) lit.eye = world.camera.location;
+    world.sampler = build(world.settings.light_sampler, lit, options.threads);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range
 
 bool World::left_out(PrimitiveIndex primitive, RayKind kind) const {
     const Material& m = material(primitive);
+    if (kind == RayKind::light) return false;
     return kind == RayKind::camera ? m.no_image : m.no_reflection;
 }
 

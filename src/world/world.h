@@ -66,7 +66,7 @@ struct Hit {
 };
 
 /// Who asks: some objects are left out for some rays.
-enum class RayKind { camera, reflected };
+enum class RayKind { camera, reflected, light };
 
 class World {
 public:
@@ -135,6 +135,8 @@ public:
     KdTree tree;
 
     std::vector<Luminaire> luminaires;
+    std::vector<std::uint32_t>
+        luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
     BuiltLightSampler sampler;
     std::vector<Light> lights;
 

@@ -67,13 +67,8 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
         const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
         CutWeights weights;
         cut.weigh(point, weights);
-        double sum = 0, covered = 0;
-        for (const Luminaire& luminaire : luminaires) {
-            const double given = unoccluded(luminaire, point);
-            sum += given;
-            covered += given / (3.14159265358979 * luminance(luminaire.radiance));
-        }
-        CHECK(weights.coverage == Approx(covered).epsilon(0.01));
+        double sum = 0;
+        for (const Luminaire& luminaire : luminaires) sum += unoccluded(luminaire, point);
         for (std::size_t entry = 0; entry < 40; ++entry) {
             const LightIndex light = tree.light(cut.cluster(entry).first);
             const double given = unoccluded(luminaires[light], point) / sum;

@@ -75,9 +75,9 @@ TEST_CASE("luminaires that hide each other are counted once, whoever is chosen",
     for (const std::string& text : {scene, scene + clear}) {
         const double exact = mean(text, EveryLight{});
         CHECK(exact > 0);
-        for (const double brdf : {0.0, 0.5, 0.9}) {
+        for (const double share : {0.5, 0.7, 0.9}) {
             LightOctree octree;
-            octree.brdf = brdf;
+            octree.outlook = share;
             CHECK(mean(text, octree) == Approx(exact).epsilon(0.02));
         }
         CHECK(mean(text, alone) == Approx(exact).epsilon(0.02));

@@ -87,7 +87,7 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire", "[statis
         LightOctree paper, alone, surface;
         paper.paper = true;
         alone.alone = true;
-        surface.brdf = 0.9;
+        surface.outlook = 0.5;
         LightBvh pair;
         pair.mis = true;
         std::vector<LightSampler> samplers = {paper, alone, surface, pair};

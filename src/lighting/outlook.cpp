@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/outlook.h"
+
+#include "base/random.h"
+#include "lighting/every_machine.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t rings = Outlook::rings, sectors = Outlook::sectors;
+/// Lines that look for surfaces in a cell, and places that are enough.
+constexpr std::uint32_t lines = 48, enough = 12;
+/// Rays tried for each bin: what some tell is held against what the others tell.
+constexpr std::size_t tries = 2;
+/// The luminaires' ball is looked at as such from so many of its radii on.
+constexpr double well_outside = 1.15;
+/// Share of a bin that its neighbours have in what is thought to come from it.
+constexpr double neighbours = 0.3;
+/// How many tries the mean of all bins may count for; the last is all but no picture at all.
+constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
+
+double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return uniform(Key{a, b, c, 0}, Purpose::light_representative);
+}
+
+/// Sine and cosine of the middles of the sectors.
+struct Compass {
+    std::array<float, sectors> cosine, sine;
+};
+const Compass& compass() {
+    static const Compass made = [] {
+        Compass c{};
+        for (std::size_t i = 0; i < sectors; ++i) {
+            const double angle = 2 * pi * (static_cast<double>(i) + 0.5) / sectors;
+            c.cosine[i] = static_cast<float>(std::cos(angle));
+            c.sine[i] = static_cast<float>(std::sin(angle));
+        }
+        return c;
+    }();
+    return made;
+}
+
+/// A ring's directions are along + across (cosine x + sine y) of the sectors.
+struct RingView {
+    float along, x, y, margin;
+};
+
+CANDELABRA_EVERY_MACHINE
+void weigh_ring(const float* light, const Compass& c, const RingView& view, bool both_sides,
+                float* out) {
+    for (std::size_t i = 0; i < sectors; ++i) {
+        const float signed_height = view.along + (view.x * c.cosine[i] + view.y * c.sine[i]);
+        const float height = both_sides ? std::abs(signed_height) : signed_height;
+        const float lifted = height + view.margin;
+        out[i] = light[i] * (lifted > 0 ? lifted : 0);
+    }
+}
+
+CANDELABRA_EVERY_MACHINE
+double sum_ring(const float* weights) {
+    std::array<double, 8> strand{};
+    for (std::size_t i = 0; i < sectors; i += 8)
+        for (std::size_t j = 0; j < 8; ++j) strand[j] += static_cast<double>(weights[i + j]);
+    for (std::size_t half = 4; half > 0; half /= 2)
+        for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
+    return strand[0];
+}
+
+/// The index at which the running sum passes the target, which becomes what is left, as a share.
+template <class Number>
+std::size_t find(const Number* sums, std::size_t count, double& target) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double sum = sums[i];
+        if (!(sum > 0)) continue;
+        last = i;
+        if (target < sum) {
+            target /= sum;
+            return i;
+        }
+        target -= sum;
+    }
+    target = 1 - 0x1p-53;
+    return last;
+}
+
+using Picture = std::array<double, Outlook::bins>;
+
+/// What is thought to come from each bin after one ray for each: some of it from the bins beside
+/// it, and, by this weight, from anywhere.
+Picture guess(const Picture& seen, double care) {
+    double mean = 0;
+    for (const double light : seen) mean += light / Outlook::bins;
+    Picture result{};
+    for (std::size_t r = 0; r < rings; ++r)
+        for (std::size_t s = 0; s < sectors; ++s) {
+            const auto at = [&](std::size_t ring, std::size_t sector) {
+                return seen[ring * sectors + sector % sectors];
+            };
+            const double beside = at(r, s + 1) + at(r, s + sectors - 1) + at(r > 0 ? r - 1 : r, s) +
+                                  at(r + 1 < rings ? r + 1 : r, s);
+            const double here = (1 - neighbours) * at(r, s) + neighbours / 4 * beside;
+            result[r * sectors + s] = (here + care * mean) / (1 + care);
+        }
+    return result;
+}
+
+/// Variance over squared mean of rays drawn in proportion to a guess, as other rays tell it.
+double noise_of(const Picture& guess, const Picture& seen) {
+    double all = 0, sum = 0, second = 0;
+    for (std::size_t bin = 0; bin < Outlook::bins; ++bin) {
+        all += guess[bin];
+        sum += seen[bin];
+        if (seen[bin] > 0) second += seen[bin] * seen[bin] / guess[bin];
+    }
+    return sum > 0 && all > 0 ? std::fmax(second * all / (sum * sum) - 1, 0) : INFINITY;
+}
+
+}  // namespace
+
+std::vector<Receiver> receivers_in(const Box& cell, const LightProbe& probe) {
+    // Outsides of solids that do not glow are what is looked at most.
+    std::array<std::vector<Receiver>, 3> found;
+    for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
+        const Vec3 place(number(i, 0, 1), number(i, 0, 2), number(i, 0, 3));
+        const double height = 2 * number(i, 0, 4) - 1, angle = 2 * pi * number(i, 0, 5);
+        const double across = std::sqrt(1 - height * height);
+        const Ray ray{cell.low + place * cell.size(),
+                      Vec3(across * std::cos(angle), across * std::sin(angle), height)};
+        const auto sight = probe(ray, 0);
+        if (!sight) continue;
+        const Vec3 position = ray.at(sight->distance);
+        if (!contains(cell, position)) continue;
+        const bool within = dot(sight->normal, ray.direction) > 0;
+        const ShadingPoint point{position, within ? -sight->normal : sight->normal};
+        found[within ? 2 : (sight->light ? 1 : 0)].push_back({point, sight->tolerance});
+    }
+    for (auto& kind : found)
+        if (!kind.empty()) return std::move(kind);
+    for (std::uint32_t i = 0; i < enough; ++i) {
+        const Vec3 place(number(i, 1, 1), number(i, 1, 2), number(i, 1, 3));
+        found[0].push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
+    }
+    return std::move(found[0]);
+}
+
+Vec3 Outlook::Cone::direction(double ring, double sector) const {
+    const double versine = ring / rings * widest, angle = 2 * pi * sector / sectors;
+    const double sine = std::sqrt(versine * (2 - versine));
+    return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+double Outlook::Cone::bin_density() const { return bins / (2 * pi * widest); }
+
+Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receiver> receivers,
+                 const LightProbe& probe)
+    : ball_(ball) {
+    const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
+    around_ = !(length(nearest - ball.centre) > well_outside * ball.radius);
+    // A pole far from the ball, so that all points of the cell turn the picture alike.
+    const Vec3 away = glm::abs(cell.centre() - ball.centre);
+    if (!around_)
+        pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
+                                : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
+    std::array<Picture, tries> seen{};
+    for (std::uint32_t bin = 0; bin < bins; ++bin)
+        for (std::uint32_t i = 0; i < tries; ++i) {
+            const Receiver& from = receivers[(tries * bin + i) * 5 % receivers.size()];
+            const Cone cone = cone_at(from.point.position);
+            const Vec3 direction = cone.direction(bin / sectors + number(bin, i, 10),
+                                                  bin % sectors + number(bin, i, 11));
+            if (!from.point.both_sides && dot(direction, from.point.normal) <= 0) continue;
+            const auto sight = probe({from.point.position, direction}, from.tolerance);
+            if (sight && sight->light) seen[i][bin] = sight->luminance;
+        }
+    noise_ = INFINITY;
+    double best = caution[0];
+    for (const double care : caution) {
+        // Each half of the rays says how well the picture by the other half does.
+        const double noise = 0.5 * (noise_of(guess(seen[0], care), seen[1]) +
+                                    noise_of(guess(seen[1], care), seen[0]));
+        if (!(noise < noise_)) continue;
+        noise_ = noise;
+        best = care;
+    }
+    if (std::isinf(noise_)) return;
+    Picture all{};
+    for (std::size_t bin = 0; bin < bins; ++bin) all[bin] = 0.5 * (seen[0][bin] + seen[1][bin]);
+    const Picture picture = guess(all, best / tries);
+    light_.assign(picture.begin(), picture.end());
+}
+
+Outlook::Cone Outlook::cone_at(const Vec3& point) const {
+    if (around_) return {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 1, 0), 2};
+    const Vec3 offset = ball_.centre - point;
+    const double distance = length(offset), sine = ball_.radius / distance;
+    if (!(sine < 0.99)) return {};
+    const Vec3 middle = offset / distance, x = unit(cross(pole_, middle));
+    return {middle, x, cross(middle, x), sine * sine / (1 + std::sqrt(1 - sine * sine))};
+}
+
+void Outlook::weigh(const ShadingPoint& point, Weights& result) const {
+    result.total = 0;
+    if (light_.empty()) return;
+    result.cone = cone_at(point.position);
+    const double widest = result.cone.widest;
+    if (!(widest > 0)) return;
+    const double along = dot(result.cone.middle, point.normal),
+                 x = dot(result.cone.x, point.normal), y = dot(result.cone.y, point.normal);
+    // Bins that the horizon cuts get something as well.
+    const double margin = 0.12 * std::sqrt(widest / 2);
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const double versine = (static_cast<double>(ring) + 0.5) / rings * widest;
+        const double sine = std::sqrt(versine * (2 - versine));
+        const RingView view{static_cast<float>((1 - versine) * along), static_cast<float>(sine * x),
+                            static_cast<float>(sine * y), static_cast<float>(margin)};
+        float* weights = result.weight.data() + ring * sectors;
+        weigh_ring(light_.data() + ring * sectors, compass(), view, point.both_sides, weights);
+        result.ring[ring] = sum_ring(weights);
+        result.total += result.ring[ring];
+    }
+}
+
+Outlook::Drawn Outlook::draw(const Weights& weights, const Vec2& u) {
+    double along = u.x * weights.total, around = 0;
+    const std::size_t ring = find(weights.ring.data(), rings, along);
+    around = u.y * weights.ring[ring];
+    const float* sector_weights = weights.weight.data() + ring * sectors;
+    const std::size_t sector = find(sector_weights, sectors, around);
+    return {weights.cone.direction(static_cast<double>(ring) + along,
+                                   static_cast<double>(sector) + around),
+            sector_weights[sector] / weights.total * weights.cone.bin_density()};
+}
+
+double Outlook::density(const Weights& weights, const Vec3& direction) {
+    if (!(weights.total > 0)) return 0;
+    const Vec3 off = direction - weights.cone.middle;
+    const double share = dot(off, off) / 2 / weights.cone.widest;
+    if (share > 1 + 1e-12) return 0;
+    const double angle =
+        std::atan2(dot(direction, weights.cone.y), dot(direction, weights.cone.x)) / (2 * pi);
+    const auto ring = static_cast<std::size_t>(share * rings);
+    const auto sector = static_cast<std::size_t>((angle < 0 ? angle + 1 : angle) * sectors);
+    const std::size_t bin = std::min(ring, rings - 1) * sectors + std::min(sector, sectors - 1);
+    return weights.weight[bin] / weights.total * weights.cone.bin_density();
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The light that arrives in a cell as a picture of few pixels: how bright what is seen from there
+// is, direction by direction. Made of rays that are tried when the cell is made. The renderer draws
+// directions from it, in proportion to brightness times cosine, and knows their density exactly.
+#pragma once
+
+#include "base/box.h"
+#include "base/function_ref.h"
+#include "base/ray.h"
+#include "lighting/pick.h"
+
+#include <array>
+
+/// What a tried ray meets first.
+struct LightSight {
+    double distance = 0;
+    Vec3 normal = Vec3(0);  ///< unit, outward
+    double tolerance = 0;   ///< of rays that start there
+    std::optional<LightIndex> light;
+    double luminance = 0;
+};
+/// Asks the scene for it: a ray, and from which distance on. Nothing when the ray meets nothing.
+using LightProbe = FunctionRef<std::optional<LightSight>(const Ray&, double tolerance)>;
+
+/// A place in a cell where light may arrive.
+struct Receiver {
+    ShadingPoint point;
+    double tolerance = 0;
+};
+/// Places on the surfaces in a cell, or, where none are found, anywhere in it. The same each time.
+std::vector<Receiver> receivers_in(const Box& cell, const LightProbe&);
+
+/// Where luminaires are.
+struct LightBall {
+    Vec3 centre = Vec3(0);
+    double radius = 0;
+};
+
+class Outlook {
+public:
+    static constexpr std::size_t rings = 8, sectors = 32, bins = rings * sectors;
+
+    /// The directions of the picture as a point sees them: a cone, which may be the whole sphere.
+    /// Rings and sectors divide it into bins of equal solid angle.
+    struct Cone {
+        Vec3 middle = Vec3(0), x = Vec3(0), y = Vec3(0);
+        double widest = 0;  ///< 1 - cosine of its half angle; 0: there is none
+
+        /// The direction at a place in [0, rings) x [0, sectors).
+        Vec3 direction(double ring, double sector) const;
+        double bin_density() const;  ///< per steradian, in one bin
+    };
+    /// What comes from each bin to a point.
+    struct Weights {
+        Cone cone;
+        std::array<float, bins> weight;
+        std::array<double, rings> ring;
+        double total = 0;  ///< 0: nothing can be drawn
+    };
+    struct Drawn {
+        Vec3 direction;
+        double density;  ///< per steradian
+    };
+
+    /// Nothing is known: no direction can be drawn.
+    Outlook() = default;
+    Outlook(const Box& cell, const LightBall&, std::span<const Receiver>, const LightProbe&);
+
+    /// Expected variance over squared mean of a ray that is drawn from it, as far as the rays that
+    /// were tried tell.
+    double noise() const { return noise_; }
+
+    void weigh(const ShadingPoint&, Weights&) const;
+    static Drawn draw(const Weights&, const Vec2& u);
+    static double density(const Weights&, const Vec3& direction);
+
+    std::size_t memory_bytes() const { return light_.capacity() * sizeof(float); }
+
+private:
+    Cone cone_at(const Vec3& point) const;
+
+    LightBall ball_;
+    bool around_ = true;  ///< the whole sphere of directions; else those of the ball
+    Vec3 pole_ = Vec3(0, 0, 1);
+    double noise_ = 0;
+    std::vector<float> light_;  ///< bin by bin, ring by ring; empty: nothing is known
+};

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/seen_faces.h"
+
+namespace {
+
+/// Squared diagonal over squared distance from which on a face is sampled by solid angle: below,
+/// points spread evenly over the area are as good.
+constexpr double large = 0.02;
+/// Points this near to the plane of a face, as a share of all lengths, lie on it: rounding says
+/// where they would see it.
+constexpr double surface = 1e-9;
+
+}  // namespace
+
+SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from) : from_(from) {
+    const Vec3 here = map ? map->inverse_point(from) : from, size = box.size();
+    const double margin = surface * (max_component(size) + max_abs_component(here));
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool low = here[axis] < box.low[axis] - margin;
+        if (!low && !(here[axis] > box.high[axis] + margin)) continue;
+        Face& f = face_[axis];
+        f.corner = box.low;
+        if (!low) f.corner[axis] = box.high[axis];
+        f.side1[(axis + 1) % 3] = size[(axis + 1) % 3];
+        f.side2[(axis + 2) % 3] = size[(axis + 2) % 3];
+        if (map) {
+            f.corner = map->point(f.corner);
+            f.side1 = map->direction(f.side1);
+            f.side2 = map->direction(f.side2);
+        }
+        // What it fills of the view, exactly or as seen from its middle.
+        const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from;
+        const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
+        const double side2 = dot(f.side1, f.side1) + dot(f.side2, f.side2);
+        share_[axis] = std::abs(dot(cross(f.side1, f.side2), offset)) / (distance2 * distance);
+        if (side2 > large * distance2 && std::abs(dot(f.side1, f.side2)) < 1e-12 * side2) {
+            const SphericalRectangle near(from, f.corner, f.side1, f.side2);
+            if (near.solid_angle() > 1e-3) {
+                share_[axis] = near.solid_angle();
+                f.near = near;
+            }
+        }
+        sum += share_[axis];
+    }
+    for (double& share : share_) share = sum > 0 ? share / sum : 0;
+}
+
+double SeenFaces::density(int axis, const Vec3& direction, double distance) const {
+    if (!(share_[axis] > 0)) return 0;
+    const Face& f = face_[axis];
+    if (f.near) return share_[axis] / f.near->solid_angle();
+    const double seen = std::abs(dot(cross(f.side1, f.side2), direction));
+    return seen > 0 ? share_[axis] * distance * distance / seen : 0;
+}
+
+std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
+    int axis = 0, last = 0;
+    for (axis = 0; axis < 3; ++axis) {
+        if (!(share_[axis] > 0)) continue;
+        last = axis;
+        if (u.x < share_[axis]) break;
+        u.x -= share_[axis];
+    }
+    u.x = std::fmin(u.x / share_[last], 1 - 0x1p-53);
+    const Face& f = face_[last];
+    const Vec3 position = f.near ? f.near->sample(u) : f.corner + u.x * f.side1 + u.y * f.side2;
+    const Vec3 offset = position - from_;
+    const double distance = length(offset);
+    if (!(distance > 0)) return {};
+    const double found = density(last, offset / distance, distance);
+    return found > 0 ? std::optional(Drawn{last, position, found}) : std::nullopt;
+}

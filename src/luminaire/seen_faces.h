@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The faces of a glowing box that a point outside sees, and points on them. Used by area
+// luminaires, for which boxes are the one shape whose far side never shows.
+#pragma once
+
+#include "luminaire/luminaire.h"
+#include "luminaire/spherical_rectangle.h"
+
+class SeenFaces {
+public:
+    /// Of a box in its own space, which the map takes to the world's (null: it is there).
+    SeenFaces(const Box&, const Transform*, const Vec3& from);
+
+    /// False from inside and on the surface.
+    bool any() const { return share_[0] + share_[1] + share_[2] > 0; }
+
+    struct Drawn {
+        int axis;        ///< of the face
+        Vec3 position;   ///< in the world
+        double density;  ///< per steradian
+    };
+    /// Nothing where rounding puts the point in the plane of the face.
+    std::optional<Drawn> draw(Vec2 u) const;
+    /// Density of a point of the face across an axis, in the direction of the given unit vector.
+    double density(int axis, const Vec3& direction, double distance) const;
+
+private:
+    struct Face {
+        Vec3 corner = Vec3(0), side1 = Vec3(0), side2 = Vec3(0);  ///< in the world
+        std::optional<SphericalRectangle> near;  ///< of rectangles that fill much of the view
+    };
+    std::array<Face, 3> face_;
+    std::array<double, 3> share_{};  ///< how probably a point is drawn from it
+    Vec3 from_;
+};

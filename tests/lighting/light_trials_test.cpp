@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_trials.h"
+
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("entries of which nothing arrives count little, but not nothing", "[lighting]") {
+    // Two rows of lamps far away; what lies at x < 0 is behind a wall.
+    std::vector<Luminaire> luminaires;
+    for (int i = 0; i < 20; ++i)
+        luminaires.push_back(glowing(SphereEmitter{Vec3(i % 2 ? 30 : -30, 20, i - 10), 0.3}, 5));
+    const LightTree tree(luminaires);
+    const Box cell{Vec3(-1, -0.1, -1), Vec3(1, 0.1, 1)};
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 60);
+    const auto probe = [&](const Ray& ray, double) -> std::optional<LightSight> {
+        if (ray.direction.x < 0) return LightSight{5, Vec3(1, 0, 0), 0, {}, 0};
+        LightMeetings met;
+        for (LightIndex light = 0; light < luminaires.size(); ++light) {
+            meet(luminaires[light], {ray.origin, Vec3(0, 1, 0)}, ray.direction, met);
+            if (!met.empty()) return LightSight{met[0].distance, -ray.direction, 0, light, 5};
+        }
+        return {};
+    };
+    std::vector<Receiver> receivers;
+    for (int i = 0; i < 6; ++i)
+        receivers.push_back({{Vec3(0.3 * i - 0.8, 0, 0.1), Vec3(0, 1, 0)}, 1e-9});
+    const std::vector<float> shares = arriving_shares(cut, tree, luminaires, receivers, probe);
+    REQUIRE(shares.size() == cut.entries());
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
+        const LightIndex light = tree.light(cut.cluster(entry).first);
+        const bool seen = light % 2 == 1;
+        CHECK(shares[entry] > 0.01f);
+        CHECK((seen ? shares[entry] > 0.9f : shares[entry] < 0.1f));
+        CHECK(cautious_share(shares[entry], cell, tree.glow(cut.cluster(entry))) >= shares[entry]);
+        CHECK(cautious_share(shares[entry], cell, {Vec3(0, 1, 0), 0.5}) >= 0.99f);
+    }
+    const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
+    for (const float share : arriving_shares(cut, tree, luminaires, receivers, dark))
+        CHECK(share == 1);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/outlook.h"
+
+#include "support/draw.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// A glowing ball of radius 1 around the origin over a floor at y = -1.5, one way or the other.
+const auto sight = [](const Ray& ray, double tolerance) -> std::optional<LightSight> {
+    const double b = dot(ray.origin, ray.direction), c = dot(ray.origin, ray.origin) - 1;
+    if (b * b > c) {
+        const double t = -b - std::sqrt(b * b - c);
+        if (t > tolerance) return LightSight{t, ray.at(t), 1e-9, 0, 2.5};
+    }
+    const double t = (-1.5 - ray.origin.y) / ray.direction.y;
+    if (t > tolerance) return LightSight{t, Vec3(0, 1, 0), 1e-9, {}, 0};
+    return {};
+};
+
+const LightBall ball{Vec3(0), 1.2};
+
+Outlook outlook_of(const Box& cell) {
+    return Outlook(cell, ball, receivers_in(cell, sight), sight);
+}
+
+}  // namespace
+
+TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]") {
+    const Box cell{Vec3(2, -2, 2), Vec3(4, 0, 4)};
+    const std::vector<Receiver> found = receivers_in(cell, sight);
+    REQUIRE(found.size() > 3);
+    for (const Receiver& each : found) {
+        CHECK(each.point.position.y == Approx(-1.5));
+        CHECK(each.point.normal == Vec3(0, 1, 0));
+        CHECK(contains(cell, each.point.position));
+    }
+    // Nothing there: anywhere will do.
+    for (const Receiver& each : receivers_in({Vec3(5, 5, 5), Vec3(6)}, sight))
+        CHECK(each.point.both_sides);
+}
+
+TEST_CASE("directions of an outlook have the density that is stated for them", "[lighting]") {
+    // Near the ball the whole sphere is looked at, farther away only the ball.
+    for (const Box& cell :
+         {Box{Vec3(0.5, -2, 0.5), Vec3(1, -1, 1)}, Box{Vec3(4, -2, 4), Vec3(5, -1, 5)}}) {
+        const Outlook outlook = outlook_of(cell);
+        Draw draw(3);
+        for (int i = 0; i < 20; ++i) {
+            Vec3 position = cell.low + Vec3(draw.number(), 0, draw.number()) * cell.size();
+            position.y = -1.5;
+            const ShadingPoint point{position, i % 4 ? Vec3(0, 1, 0) : draw.direction(),
+                                     i % 3 == 0};
+            Outlook::Weights weights;
+            outlook.weigh(point, weights);
+            if (!(weights.total > 0)) continue;
+            double all = 0;
+            constexpr int steps = 64;
+            for (int a = 0; a < steps; ++a)
+                for (int b = 0; b < steps; ++b) {
+                    const auto drawn =
+                        Outlook::draw(weights, {(a + 0.5) / steps, (b + 0.5) / steps});
+                    CHECK(length(drawn.direction) == Approx(1));
+                    CHECK(Outlook::density(weights, drawn.direction) ==
+                          Approx(drawn.density).epsilon(1e-6));
+                    all += 1 / drawn.density / (steps * steps);
+                }
+            // The mean of 1 / density is the solid angle of the bins that can be drawn.
+            CHECK(all <= 4 * 3.1416);
+            CHECK(all > 0.2 / weights.cone.bin_density());
+        }
+    }
+}
+
+TEST_CASE("an outlook draws what shines more often than chance", "[lighting]") {
+    const Box cell{Vec3(3, -2, 3), Vec3(3.5, -1, 3.5)};
+    const Outlook outlook = outlook_of(cell);
+    CHECK(outlook.noise() < 2);
+    const ShadingPoint point{Vec3(3.2, -1.5, 3.2), Vec3(0, 1, 0)};
+    Outlook::Weights weights;
+    outlook.weigh(point, weights);
+    int met = 0;
+    Draw draw(4);
+    for (int i = 0; i < 1000; ++i) {
+        const auto drawn = Outlook::draw(weights, {draw.number(), draw.number()});
+        const auto seen = sight({point.position, drawn.direction}, 1e-9);
+        met += seen && seen->light;
+    }
+    CHECK(met > 500);
+}
+
+TEST_CASE("no direction is drawn where nothing shines", "[lighting]") {
+    const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
+    const Box cell{Vec3(3, -2, 3), Vec3(4, -1, 4)};
+    const Outlook outlook(cell, ball, receivers_in(cell, dark), dark);
+    Outlook::Weights weights;
+    outlook.weigh({Vec3(3.5, -1.5, 3.5), Vec3(0, 1, 0)}, weights);
+    CHECK(weights.total == 0);
+    CHECK(std::isinf(outlook.noise()));
+    CHECK(Outlook::density(weights, Vec3(0, 1, 0)) == 0);
+}
