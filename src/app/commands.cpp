@@ -5,6 +5,7 @@
 #include "app/completion.h"
 #include "app/help.h"
 #include "app/merge.h"
+#include "app/preview.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
 #include "text/loader.h"
@@ -56,6 +57,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         usage_errors(console, options, diagnostics);
         return exit_status::file;
     }
+    if (options.preview_port) return run_preview(options, console, diagnostics);
     if (animation) return run_animation(options, *animation, console, diagnostics);
     return run_scene(options, console, diagnostics);
 }

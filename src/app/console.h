@@ -3,8 +3,10 @@
 // the system, tests with what they want to hear. Everything that the commands say goes through it.
 #pragma once
 
+#include "app/identity.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "render/film.h"
 
 #include <functional>
 #include <string>
@@ -27,7 +29,10 @@ struct Console {
     std::string library;      ///< folder of the standard library; empty: none
     Interrupts interrupts;    ///< what signals ask
     Environment environment;  ///< variables; empty: there are none
-    std::string settings;     ///< INI file that is read before the command line; empty: none
+    /// Who looks at pictures on their way, and at the files that they are made from; may be empty.
+    std::function<void(const Film&, double done)> watch;
+    std::function<void(const std::vector<ReadFile>&)> files_read;
+    std::string settings;  ///< INI file that is read before the command line; empty: none
 };
 
 /// Writes all diagnostics to the console in the form that the options ask for.

@@ -143,6 +143,14 @@ constexpr auto rows = std::to_array<OptionRow>({
            "builds what rays need; =syntax: reads the scene, but does not evaluate it"),
     option("", "", "dump", value, "stage", store::dump,
            "prints what the scene is at a stage: tokens, tree, scene or world"),
+    option("", "", "progress", value, "form", store::progress,
+           "auto (the default), plain lines, none; or for programs: json on the error stream, alf "
+           "(of RenderMan's queues) or openjd (Open Job Description) on the standard output"),
+    option("", "", "preview", value, "port", store::preview,
+           "shows the picture at http://localhost:PORT/ while it becomes better, and makes it anew "
+           "when the scene changes; 0: any free port"),
+    option("", "", "depfile", value, "file", store::depfile,
+           "writes a rule for make(1) with all files that the picture was made from"),
     option("", "", "stats", value, "file", store::stats,
            "writes what the run cost as JSON; - for standard output"),
     option("", "", "help", maybe_words, "topic", store::help,

@@ -63,6 +63,9 @@ struct Options {
     bool verbose = true;
     bool diagnostics_as_json = false;
     std::string stats_file;
+    std::string depfile;              ///< rule for make; empty: none
+    std::string progress = "auto";    ///< or plain, json, alf, openjd, none
+    std::optional<int> preview_port;  ///< nothing: no preview
     bool go_on = false;               ///< from the state that an earlier run has left
     bool keep_state = false;          ///< also of a finished picture
     double checkpoint_interval = 60;  ///< seconds between two states; 0: only when asked by signals

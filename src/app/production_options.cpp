@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/production_options.h"
 
+#include "app/progress.h"
 #include "text/harmless.h"
 #include "text/message.h"
 
@@ -81,6 +82,25 @@ void store::shard_by(Options& options, const Given& given, Diagnostics& diagnost
         refuse(given, diagnostics,
                message("there are no parts called `", harmless(*given.value), "`"),
                "samples, tiles or frames");
+}
+
+void store::depfile(Options& options, const Given& given, Diagnostics&) {
+    options.depfile = *given.value;
+}
+
+void store::preview(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const auto port = number(*given.value);
+    if (!port || *port < 0 || *port > 65535 || *port != static_cast<int>(*port))
+        return refuse(given, diagnostics, "a port is a number from 0 to 65535");
+    options.preview_port = static_cast<int>(*port);
+}
+
+void store::progress(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.progress = *given.value;
+    if (options.progress != "auto" && !progress_style(options.progress))
+        refuse(given, diagnostics,
+               message("there is no such form of progress as `", harmless(*given.value), "`"),
+               "auto, plain, json, alf, openjd or none");
 }
 
 void store::memory(Options& options, const Given& given, Diagnostics& diagnostics) {

@@ -17,6 +17,9 @@ void checkpoint(Options&, const Given&, Diagnostics&);
 void keep_state(Options&, const Given&, Diagnostics&);
 void shard(Options&, const Given&, Diagnostics&);
 void shard_by(Options&, const Given&, Diagnostics&);
+void preview(Options&, const Given&, Diagnostics&);
+void depfile(Options&, const Given&, Diagnostics&);
+void progress(Options&, const Given&, Diagnostics&);
 void memory(Options&, const Given&, Diagnostics&);
 
 }  // namespace store

@@ -4,13 +4,16 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace {
 
 constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
 constexpr double line_interval =
     10;  ///< seconds after which a line is due even without a tenth of progress
+constexpr double program_interval = 0.5;
 constexpr double shortest_interval = 1;  ///< lines of a quick rendering would be noise
 
 std::string two_digits(long number) { return message(number < 10 ? "0" : "", number); }
@@ -27,6 +30,7 @@ Progress::Progress(Style style, Seconds clock, Output output)
 bool Progress::worth_showing(double now) const {
     const double passed = now - shown_at_;
     if (style_ == Style::terminal) return passed >= terminal_interval;
+    if (for_programs()) return passed >= program_interval;
     return passed >= line_interval ||
            (passed >= shortest_interval && std::floor(fraction_ * 10) > std::floor(shown_ * 10));
 }
@@ -37,9 +41,13 @@ void Progress::update(double fraction) {
     const double now = clock_();
     if (!(fraction >= fraction_)) return;
     fraction_ = std::min(fraction, 1.0);
-    if (!worth_showing(now)) return;
+    if (worth_showing(now)) show(now);
+}
+
+void Progress::show(double now) {
     shown_at_ = now;
     shown_ = fraction_;
+    if (for_programs()) return output_(progress_line(style_, fraction_, now - start_));
     std::string text = progress_text(fraction_, now - start_);
     if (style_ == Style::lines) return output_(text + "\n");
     const std::size_t length = text.size();
@@ -53,6 +61,26 @@ void Progress::finish() {
     if (style_ == Style::terminal && width_ > 0)
         output_(message("\r", std::string(width_, ' '), "\r"));
     width_ = 0;
+    if (for_programs() && fraction_ > shown_) show(clock_());
+}
+
+std::optional<Progress::Style> progress_style(std::string_view name) {
+    using enum Progress::Style;
+    static constexpr auto styles =
+        std::array{std::pair{"none", silent}, std::pair{"plain", lines}, std::pair{"json", json},
+                   std::pair{"alf", alf}, std::pair{"openjd", openjd}};
+    for (const auto& [known, style] : styles)
+        if (name == known) return style;
+    return std::nullopt;
+}
+
+std::string progress_line(Progress::Style style, double fraction, double elapsed) {
+    const double percent = std::floor(fraction * 1000) / 10;
+    if (style == Progress::Style::alf)
+        return message("ALF_PROGRESS ", std::lround(std::floor(percent)), "%\n");
+    if (style == Progress::Style::openjd) return message("openjd_progress: ", percent, "\n");
+    return message("{\"progress\":", percent / 100,
+                   ",\"seconds\":", std::floor(elapsed * 1000) / 1000, "}\n");
 }
 
 std::string progress_text(double fraction, double elapsed) {

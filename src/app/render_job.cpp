@@ -148,6 +148,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
         progress.update(std::max(done, spent));
+        if (plan_.watch) done_ = std::max(done, spent);
     };
     hooks.cancelled = [&] {
         if (asked == Interrupt::stop) return true;
@@ -177,6 +178,7 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     for (;;) {
         const Interrupt asked = work(progress, clock);
         const double now = clock();
+        if (plan_.watch && asked != Interrupt::stop) plan_.watch(film(), done_);
         if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_))
             return JobEnd::finished;
         if (asked == Interrupt::stop) {

@@ -9,6 +9,8 @@
 #include "app/progress.h"
 #include "render/render.h"
 
+#include <atomic>
+
 enum class JobEnd {
     finished,  ///< the picture is complete
     stopped,   ///< a signal came; the state was kept, or there is an error in the diagnostics
@@ -20,6 +22,8 @@ struct JobPlan {
     Identity identity;
     std::string picture;         ///< path of the picture; its state lies beside it
     std::optional<Shard> shard;  ///< nothing: the whole picture
+    /// Shown the picture when somebody asks to save it, and at its end; may be empty.
+    std::function<void(const Film&, double done)> watch;
 };
 
 /// Beside which a state lies: the picture's name and, of a shard, its number.
@@ -61,4 +65,5 @@ private:
     double begun_ = 0;
     double deadline_ = 0;
     double save_at_ = 0;
+    std::atomic<double> done_ = 0;  ///< share of the work
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/scene_run.h"
 
+#include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
 #include "app/memory_limit.h"
@@ -116,8 +117,8 @@ private:
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path :
-             {renders && options_.to_file ? output.path : std::string(), options_.stats_file}) {
+        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
+                                        options_.stats_file, options_.depfile}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -179,6 +180,7 @@ private:
         statistics_.parse = time_now();
         Scene scene = evaluate_scene(main, folder_of(output));
         statistics_.parse = time_now() - statistics_.parse;
+        if (console_.files_read) console_.files_read(files_);
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
         if (options_.task != Task::dump_world)
@@ -229,16 +231,20 @@ private:
 
     Progress progress() const {
         using enum Progress::Style;
+        const Progress::Style usual = !talks(options_)    ? silent
+                                      : console_.terminal ? terminal
+                                                          : lines;
+        const Progress::Style style = progress_style(options_.progress).value_or(usual);
+        // Who manages a farm listens to the standard output, unless the picture goes there.
+        const bool out = (style == alf || style == openjd) && options_.output != "-";
         return Progress(
-            !talks(options_)    ? silent
-            : console_.terminal ? terminal
-                                : lines,
-            [] { return time_now().seconds; }, console_.err);
+            style, [] { return time_now().seconds; }, out ? console_.out : console_.err);
     }
 
     int render_picture(const World& world, Output output) {
         const Identity identity = identity_of(options_, files_, output.format);
-        const JobPlan plan{options_, identity, output.path, shard_};
+        const JobPlan plan{options_, identity, output.path, shard_, console_.watch};
+        made_path_ = shard_ ? state_path(plan) : output.path;
         RenderJob job(plan, world, console_.interrupts, diagnostics_);
         const bool locks = job.can_keep();
         const FileLock lock(locks ? state_path(plan) : std::string());
@@ -259,14 +265,9 @@ private:
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (talks(options_) && status == exit_status::done)
-            console_.err(message(made(plan, output), ": ", summary(statistics_), "\n"));
+            console_.err(message(options_.to_file ? harmless(made_path_) : "no file", ": ",
+                                 summary(statistics_), "\n"));
         return status;
-    }
-
-    /// What the run has made, for people.
-    std::string made(const JobPlan& plan, const Output& output) const {
-        if (!options_.to_file) return "no file";
-        return harmless(shard_ ? state_path(plan) : output.path);
     }
 
     JobEnd work(RenderJob& job) {
@@ -295,6 +296,8 @@ private:
         statistics_.total = time_now() - start_;
         complete_statistics(world);
         if (is_check()) say_correct();
+        if (!options_.depfile.empty() && options_.task == Task::render)
+            write_file(options_.depfile, depfile(made_path_, files_), diagnostics_);
         if (options_.stats_file == "-")
             console_.out(to_json(statistics_));
         else if (!options_.stats_file.empty())
@@ -332,6 +335,7 @@ private:
     std::string scene_folder_;
     std::vector<ReadFile> files_;  ///< of the scene
     std::optional<Shard> shard_;   ///< nothing: the whole picture
+    std::string made_path_;        ///< of the picture or the shard
     std::size_t said_ = 0;
     Phase start_ = time_now();
     RunStatistics statistics_;

@@ -101,3 +101,22 @@ TEST_CASE("progress never goes back") {
     CHECK(listener.said[1].starts_with("\r60.0 %"));
     CHECK(listener.said[2].starts_with("\r100.0 %"));
 }
+
+TEST_CASE("programs read how far it is") {
+    using enum Progress::Style;
+    CHECK(progress_line(json, 0.4237, 12.5) == "{\"progress\":0.423,\"seconds\":12.5}\n");
+    CHECK(progress_line(alf, 0.4299, 1) == "ALF_PROGRESS 42%\n");
+    CHECK(progress_line(openjd, 1, 1) == "openjd_progress: 100\n");
+    CHECK(progress_style("plain") == lines);
+    CHECK_FALSE(progress_style("auto"));
+    double now = 0;
+    std::string heard;
+    Progress progress(
+        openjd, [&] { return now; }, [&](std::string_view text) { heard += text; });
+    progress.update(0.1);
+    now = 1;
+    progress.update(0.25);
+    progress.update(1);
+    progress.finish();
+    CHECK(heard == "openjd_progress: 25\nopenjd_progress: 100\n");
+}

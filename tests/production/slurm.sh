@@ -66,7 +66,7 @@ for _ in $(seq 60); do
     sinfo -h -o %T 2> /dev/null | grep -q idle && break
     sleep 0.5
 done
-sinfo -h -o %T | grep -q idle || { echo "the cluster does not come up"; tail -5 ctld.out slurmd.out slurm*.log; exit 1; }
+sinfo -h -o %T | grep -q idle || { echo "the cluster does not come up"; cat ctld.out slurmd.out slurm*.log; exit 1; }
 echo "cluster: $(sinfo -h -o '%n %T %c cores')"
 
 cat > scene.pov <<'SCENE'
@@ -96,9 +96,11 @@ echo "killed in the middle and requeued: $running"
 scontrol requeue "$running"
 for _ in $(seq 240); do
     [ -z "$(squeue -h 2> /dev/null)" ] && break
+    # A requeued task would wait two minutes.
+    scontrol update "jobid=$running" StartTime=now 2> /dev/null || true
     sleep 0.5
 done
 squeue
 scontrol show job "$array" | grep -E "ArrayTaskId|JobState|Restarts" | sed 's/^ *//' || true
-cmp single.png array.png || { tail -5 slurm-*.out; exit 1; }
+cmp single.png array.png || { cat slurm-*.out; exit 1; }
 echo "the picture of the array is that of the single run, byte for byte"

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/preview.h"
+
+#include "app/preview_page.h"
+#include "app/scene_run.h"
+#include "app/stats.h"
+#include "picture/write.h"
+#include "text/message.h"
+#include "web/server.h"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the page is shown; made by the renderer, read by the server.
+struct Shown {
+    std::mutex mutex;
+    Image image;
+    std::string png;
+    std::string errors, line = "reading the scene";
+    double progress = 0;
+    int pictures = 0;
+};
+
+class Preview {
+public:
+    Preview(const Options& options, const Console& console, Diagnostics& diagnostics)
+        : options_(options), console_(console), diagnostics_(diagnostics) {
+        options_.to_file = false;
+        options_.task = Task::render;
+    }
+
+    int run() {
+        const WebServer server(*options_.preview_port,
+                               [this](const WebRequest& request) { return answer(request); });
+        if (server.port() == 0) {
+            diagnostics_.add(
+                error(Fault::io, {}, message("port ", *options_.preview_port, " cannot be had"))
+                    .with_help("--preview 0 takes any that is free"));
+            say_errors(console_, options_, diagnostics_);
+            return exit_status::file;
+        }
+        console_.err(message("preview: http://localhost:", server.port(), "/\n"));
+        if (console_.interrupts.listening) console_.interrupts.listening(true);
+        while (!ending_) {
+            render();
+            wait_for_change();
+        }
+        return exit_status::done;
+    }
+
+private:
+    /// One picture, up to its end or a change of the scene.
+    void render() {
+        Console console = console_;
+        std::string said;
+        console.err = [&](std::string_view text) { said += text; };
+        console.out = [](std::string_view) {};
+        console.terminal = console.coloured = false;
+        console.interrupts.listening = nullptr;
+        console.interrupts.take = [this] { return look_up(); };
+        console.watch = [this](const Film& film, double done) { show(film, done); };
+        console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
+        remember({{*options_.scene, {}}});
+        show_at_ = time_now().seconds + first_look;
+        Diagnostics diagnostics = diagnostics_.fresh();
+        Options options = options_;
+        options.progress = "none";
+        const int status = run_scene(options, console, diagnostics);
+        const std::lock_guard lock(shown_.mutex);
+        shown_.errors = diagnostics.failed() ? said : std::string();
+        shown_.line = said.substr(0, said.find('\n'));
+        if (status == exit_status::done) shown_.progress = 1;
+    }
+
+    /// May be asked by any thread of the renderer.
+    Interrupt look_up() {
+        const std::lock_guard lock(look_);
+        if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
+            ending_ = true;
+        if (ending_) return Interrupt::stop;
+        const double now = time_now().seconds;
+        if (now < show_at_) return Interrupt::none;
+        show_at_ = now + between_looks;
+        return changed() ? Interrupt::stop : Interrupt::save;
+    }
+
+    void wait_for_change() {
+        while (!ending_ && !changed()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
+                ending_ = true;
+        }
+        const std::lock_guard lock(shown_.mutex);
+        shown_.progress = 0;
+        shown_.line = "reading the scene";
+    }
+
+    void remember(const std::vector<ReadFile>& files) {
+        if (files.empty()) return;
+        times_.clear();
+        for (const ReadFile& file : files) times_[file.path] = time_of(file.path);
+    }
+
+    static fs::file_time_type time_of(const std::string& path) {
+        std::error_code none;
+        return fs::last_write_time(path, none);
+    }
+
+    bool changed() const {
+        for (const auto& [path, time] : times_)
+            if (time_of(path) != time) return true;
+        return false;
+    }
+
+    void show(const Film& film, double done) {
+        Diagnostics problems;
+        Image image = film.image();
+        auto png = encode(image, PictureFormat(), problems);
+        const std::lock_guard lock(shown_.mutex);
+        shown_.errors.clear();
+        shown_.line = message(film.width(), " x ", film.height());
+        shown_.progress = done;
+        shown_.image = std::move(image);
+        shown_.png = std::move(png).value_or("");
+        ++shown_.pictures;
+    }
+
+    WebAnswer answer(const WebRequest& request) {
+        const std::lock_guard lock(shown_.mutex);
+        if (request.path == "/") return {"text/html; charset=utf-8", preview_page};
+        if (request.path == "/picture.png") return {"image/png", shown_.png};
+        if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
+        if (request.path != "/status") return {"text/plain", "no such page\n", 404};
+        const nlohmann::json status = {{"picture", shown_.pictures},
+                                       {"progress", shown_.progress},
+                                       {"errors", shown_.errors},
+                                       {"line", shown_.line}};
+        return {"application/json",
+                status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+    }
+
+    /// The colour of a pixel; the lock is held.
+    std::string picked(const WebRequest& request) const {
+        const auto whole = [&](std::string_view name) {
+            const std::string text = request.parameter(name);
+            int value = -1;
+            std::from_chars(text.data(), text.data() + text.size(), value);
+            return value;
+        };
+        const int x = whole("x"), y = whole("y");
+        if (x < 0 || y < 0 || x >= shown_.image.width || y >= shown_.image.height) return "";
+        const Vec3& colour = shown_.image.at(x, y);
+        return message("<", x, ", ", y, ">: rgb <", static_cast<float>(colour.x), ", ",
+                       static_cast<float>(colour.y), ", ", static_cast<float>(colour.z), ">");
+    }
+
+    static constexpr double first_look = 0.2;  ///< seconds until the first picture is shown
+    static constexpr double between_looks = 1;
+
+    Options options_;
+    const Console& console_;
+    Diagnostics& diagnostics_;
+    Shown shown_;
+    std::map<std::string, fs::file_time_type> times_;
+    std::mutex look_;
+    double show_at_ = 0;
+    std::atomic<bool> ending_ = false;
+};
+
+}  // namespace
+
+int run_preview(const Options& options, const Console& console, Diagnostics& diagnostics) {
+    return Preview(options, console, diagnostics).run();
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// --preview: shows the picture in a browser while it becomes better, and makes it anew when the
+// scene or a file that it reads changes. Called by the commands.
+#pragma once
+
+#include "app/console.h"
+#include "app/options.h"
+
+/// Serves until a signal ends it; gives the exit status.
+int run_preview(const Options&, const Console&, Diagnostics&);

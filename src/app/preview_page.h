@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of the preview: plain HTML, CSS and JavaScript in one text. It asks /status twice a
+// second and takes a new /picture.png when there is one; where one looks (pan, zoom) is the page's
+// own business, and so outlives every change of the scene.
+#pragma once
+
+inline constexpr char preview_page[] = R"page(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>Candelabra</title>
+<style>
+body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow: hidden; }
+#stage { position: absolute; inset: 0 0 2em 0; overflow: hidden; cursor: grab; }
+#picture { position: absolute; transform-origin: 0 0; image-rendering: pixelated; }
+#errors { position: absolute; left: 2em; right: 2em; top: 2em; max-height: 80%; overflow: auto;
+  margin: 0; padding: 1em; background: #300c; border-left: 4px solid #f44; white-space: pre-wrap;
+  font-family: monospace; }
+#errors:empty { display: none; }
+#line { position: absolute; left: 0; right: 0; bottom: 0; height: 2em; line-height: 2em;
+  padding: 0 1em; background: #111; white-space: nowrap; }
+#bar { position: absolute; left: 0; bottom: 2em; height: 3px; background: #fb4; width: 0; }
+#picked { float: right; }
+</style>
+</head>
+<body>
+<div id="stage"><img id="picture" alt=""><pre id="errors"></pre></div>
+<div id="bar"></div>
+<div id="line"><span id="picked"></span><span id="status">waiting</span></div>
+<script>
+"use strict";
+const element = name => document.getElementById(name);
+const stage = element("stage"), picture = element("picture");
+const view = { x: 20, y: 20, zoom: 1 };
+let shown = -1, drag = null;
+function place() {
+  picture.style.transform = `translate(${view.x}px,${view.y}px) scale(${view.zoom})`;
+}
+stage.addEventListener("wheel", event => {
+  event.preventDefault();
+  const factor = Math.exp(-event.deltaY / 500);
+  view.x = event.clientX - (event.clientX - view.x) * factor;
+  view.y = event.clientY - (event.clientY - view.y) * factor;
+  view.zoom *= factor;
+  place();
+}, { passive: false });
+stage.addEventListener("pointerdown", event => {
+  event.preventDefault();
+  drag = { x: event.clientX - view.x, y: event.clientY - view.y, moved: false };
+});
+addEventListener("pointermove", event => {
+  if (!drag) return;
+  const x = event.clientX - drag.x, y = event.clientY - drag.y;
+  drag.moved = drag.moved || Math.abs(x - view.x) + Math.abs(y - view.y) > 3;
+  view.x = x;
+  view.y = y;
+  place();
+});
+addEventListener("pointerup", async event => {
+  const click = drag && !drag.moved;
+  drag = null;
+  if (!click) return;
+  const x = Math.floor((event.clientX - view.x) / view.zoom);
+  const y = Math.floor((event.clientY - view.y) / view.zoom);
+  element("picked").textContent = await (await fetch(`/pick?x=${x}&y=${y}`)).text();
+});
+async function ask() {
+  try {
+    const status = await (await fetch("/status")).json();
+    element("errors").textContent = status.errors;
+    element("status").textContent = status.line;
+    element("bar").style.width = 100 * status.progress + "%";
+    if (status.picture !== shown) {
+      shown = status.picture;
+      picture.src = "/picture.png?" + shown;
+    }
+  } catch {
+    element("status").textContent = "the program has ended";
+  }
+  setTimeout(ask, 500);
+}
+place();
+ask();
+</script>
+</body>
+</html>
+)page";

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/preview.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+
+#include <sys/wait.h>
+
+TEST_CASE("the preview shows a picture, an error after a change, and the picture again") {
+    if (std::system("command -v python3 > /dev/null") != 0) return;
+    const Shell shell;
+    shell.write("client.py", R"(
+import json, subprocess, sys, time, urllib.request
+program, scene = sys.argv[1:]
+run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0"], stderr=subprocess.PIPE, text=True)
+address = run.stderr.readline().split()[-1]
+def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
+def status(): return json.loads(get("status"))
+def until(what, test):
+    for _ in range(300):
+        if test(status()): return
+        time.sleep(0.1)
+    sys.exit("never: " + what + " " + str(status()))
+try:
+    until("a finished picture", lambda s: s["progress"] == 1 and not s["errors"])
+    assert get("picture.png")[1:4] == b"PNG"
+    assert b"<!DOCTYPE html>" in get("")
+    assert get("pick?x=3&y=40").startswith(b"<3, 40>: rgb <")
+    assert get("pick?x=64&y=0") == b""
+    good = open(scene).read()
+    open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
+    until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
+    before = status()["picture"]
+    open(scene, "w").write(good + " ")
+    until("a new picture", lambda s: s["picture"] > before and s["progress"] == 1 and not s["errors"])
+finally:
+    run.terminate()
+assert run.wait(20) == 0
+)");
+    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
+                                " " CANDELABRA_BINARY " " + shell.path("lit.pov");
+    CHECK(std::system(command.c_str()) == 0);
+}
