@@ -26,11 +26,12 @@ while [ "$done_kills" -lt "$kills" ]; do
     way=(+W160 +H120 --seed "$pictures")
     [ $((pictures % 2)) -eq 0 ] || way+=(--samples 24)
     "$program" scene.pov -V "${way[@]}" +Owhole.png
+    here=0
     while true; do
         "$program" scene.pov -V "${way[@]}" "+WT$((RANDOM % 3 + 1))" --checkpoint 0.05s +Obroken.png +C &
         child=$!
         sleep "0.$(printf %03d $((RANDOM % 700)))"
-        if kill "-${signals[RANDOM % 3]}" "$child" 2> /dev/null; then done_kills=$((done_kills + 1)); fi
+        if kill "-${signals[RANDOM % 3]}" "$child" 2> /dev/null; then done_kills=$((done_kills + 1)) here=$((here + 1)); fi
         status=0
         wait "$child" 2> /dev/null || status=$?
         case $status in
@@ -38,8 +39,8 @@ while [ "$done_kills" -lt "$kills" ]; do
             4 | 130 | 137 | 143) ;;  # stopped with its state; or ended by the signal, before or after
             *) echo "exit status $status after $done_kills signals"; exit 1 ;;
         esac
-        # Nobody waits for a picture that never comes: the rest without signals.
-        if [ "$done_kills" -ge "$kills" ]; then
+        # A picture is ended so often; the rest is made without signals.
+        if [ "$here" -ge 10 ] || [ "$done_kills" -ge "$kills" ]; then
             "$program" scene.pov -V "${way[@]}" +Obroken.png +C
             break
         fi
