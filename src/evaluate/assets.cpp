@@ -96,5 +96,5 @@ void complete(OpenBlock& block, Shape& shape) {
     else if (auto* field = std::get_if<Shared<HeightField>>(&shape))
         complete_heights(block, *field);
     else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
-        if (problem(**mesh).empty()) shape = Shared<Mesh>(build(**mesh));
+        if (problem(**mesh).empty()) shape = Shared<Mesh>(as_mesh(**mesh));
 }

@@ -10,8 +10,10 @@
 #include "evaluate/memo.h"
 #include "evaluate/shape_plans.h"
 #include "evaluate/texture_store.h"
+#include "picture/read.h"
 #include "scene/scene.h"
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -45,5 +47,9 @@ struct Binder {
     Memo<Texture, Object> objects = {};  ///< the base is the default texture
     /// Words that have no effect, and have been told of.
     std::set<std::string, std::less<>> warned = {};
+    /// What has been read already, by file and coding.
+    std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
+    /// `assumed_gamma`, once the scene has said it.
+    std::optional<double> working_gamma = {};
     int nesting = 0;  ///< objects around the one that is read
 };

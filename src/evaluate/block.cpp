@@ -58,6 +58,7 @@ constexpr auto structure = std::array{
     Structure{"no_reflection", "object"},
     Structure{"hollow", "object"},
     Structure{"double_illuminate", "object"},
+    Structure{"uv_mapping", "object"},
 };
 
 /// Words that mean something in POV-Ray in a block where they mean nothing here, though they do in

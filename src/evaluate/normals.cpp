@@ -12,6 +12,7 @@ namespace {
 /// A normal while it is read.
 struct BumpDraft {
     explicit BumpDraft(const Bump& bump) {
+        uv = bump.uv;
         if (!bump.pattern) return;
         pattern = PatternDraft(bump.pattern->use, bump.transform);
         settings = bump.pattern->settings;
@@ -19,12 +20,13 @@ struct BumpDraft {
     }
     Bump made() const {
         if (!pattern.pattern) return {};
-        return {make_handle<PatternedBump>(pattern.use(), settings, map), pattern.transform};
+        return {make_handle<PatternedBump>(pattern.use(), settings, map), pattern.transform, uv};
     }
 
     PatternDraft pattern;
     BumpSettings settings;
     PatternedBump::Map map;
+    bool uv = false;
 };
 
 /// A pattern, how strong it is, and a map.
@@ -33,7 +35,7 @@ public:
     BumpReader(OpenBlock& block, BumpDraft& draft)
         : block_(block),
           draft_(draft),
-          pattern_(block, draft.pattern),
+          pattern_(block, draft.pattern, "normal"),
           settings_(block, BumpSettings::vocabulary, &draft.settings) {}
 
     bool waiting() const { return pattern_.waiting() || settings_.waiting(); }
@@ -47,7 +49,11 @@ public:
             else
                 draft_.map = {};
         }
-        if (pattern_.take(element) || settings_.take(element)) return true;
+        if (pattern_.take(element)) {
+            take_bump_size();
+            return true;
+        }
+        if (settings_.take(element)) return true;
         return element.kind == Element::Kind::block && take_block(element);
     }
 
@@ -79,6 +85,15 @@ private:
         else
             return false;
         return true;
+    }
+
+    /// A bump_map has a height for the whole normal in its braces.
+    void take_bump_size() {
+        auto& pattern = draft_.pattern.pattern;
+        auto* map = pattern ? std::get_if<BumpMap>(&*pattern) : nullptr;
+        if (!map || !map->bump_size) return;
+        draft_.settings.bump_size = *map->bump_size;
+        map->bump_size.reset();
     }
 
     template <class Map>

@@ -14,7 +14,9 @@ const ItemInfo Switches::vocabulary = described<Switches>([] {
         F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
         F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
         F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
-        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"});
+        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"},
+        F{"uv_mapping", &Switches::uv_mapping, flag,
+          "textures are wrapped around the shape and do not move with it"});
 });
 
 namespace {
@@ -36,8 +38,8 @@ ObjectHandle with(ObjectHandle object, const Transform& transform) {
 }  // namespace
 
 void ObjectDraft::take(const Object& from) {
-    switches = {from.no_shadow, from.no_image, from.no_reflection,
-                from.hollow,    from.inverse,  from.double_illuminate};
+    switches = {from.no_shadow, from.no_image,          from.no_reflection, from.hollow,
+                from.inverse,   from.double_illuminate, from.uv_mapping};
     declared_switches = switches;
     if (from.texture) texture.replace(from.texture);
     textured = from.texture != nullptr;
@@ -61,6 +63,7 @@ void ObjectDraft::move(const Movement& next) {
     modified = true;
     for (auto* objects : {&confines.clips, &confines.bounds})
         for (ObjectHandle& each : *objects) each = with(each, next.transform);
+    if (switches.uv_mapping) return;
     for (Handle<Texture>& each : part_textures)
         if (TextureDraft(each).movable())
             each = make_handle<Texture>(transformed(*each, next.transform));
@@ -105,6 +108,7 @@ ObjectHandle ObjectDraft::finished(Span span) {
     object.hollow = switches.hollow;
     object.inverse = switches.inverse;
     object.double_illuminate = switches.double_illuminate;
+    object.uv_mapping = switches.uv_mapping;
     return std::move(made);
 }
 

@@ -15,6 +15,7 @@ struct Switches {
     bool hollow = false;
     bool inverse = false;
     bool double_illuminate = false;
+    bool uv_mapping = false;
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Switches&, const Switches&) = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/patterns.h"
 
+#include "evaluate/pictures.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
 #include "surface/normal_map.h"
@@ -85,6 +86,10 @@ void load_density(OpenBlock& block, Span span, DensityFile& file) {
     if (grid) file.grid = make_handle<DensityGrid>(std::move(*grid));
 }
 
+std::string_view pattern_name(const Pattern& pattern) {
+    return Patterns::infos[pattern.index()]->name;
+}
+
 }  // namespace
 
 PatternDraft::PatternDraft(const PatternUse& use, const Transform& outside)
@@ -100,9 +105,10 @@ void PatternDraft::add(Warp warp) {
     steps.emplace_back(std::move(warp));
 }
 
-PatternReader::PatternReader(OpenBlock& block, PatternDraft& draft)
+PatternReader::PatternReader(OpenBlock& block, PatternDraft& draft, std::string_view home)
     : block_(block),
       draft_(draft),
+      home_(home),
       fields_(block, Bozo::vocabulary, nullptr),
       modifiers_(block, PatternModifiers::vocabulary, &draft.modifiers),
       wave_(block, RampWave::vocabulary, nullptr) {}
@@ -218,6 +224,8 @@ bool PatternReader::read_in_braces(const Element& element) {
         Pigment pigment = block_.binder.default_texture->pigment;
         inner.broken = !read_pigment(block_.binder, element, pigment);
         made = grey_of(std::move(pigment));
+    } else if (picture_of(made) && !std::holds_alternative<MaterialMap>(made)) {
+        read_picture(inner, element.body, made);
     } else {
         return false;
     }
@@ -244,7 +252,7 @@ void PatternReader::finish() {
     fields_.finish();
     modifiers_.finish();
     wave_.finish();
-    if (!named_ || block_.broken) return;
+    if (!named_ || block_.broken || !belongs_here(name_span_)) return;
     if (auto* file = std::get_if<DensityFile>(&*draft_.pattern))
         load_density(block_, name_span_, *file);
     const auto* slope = std::get_if<Slope>(&*draft_.pattern);
@@ -258,10 +266,23 @@ void PatternReader::finish() {
                                                  : "pigment_pattern { bozo color_map { ... } }"));
 }
 
+bool PatternReader::belongs_here(Span span) {
+    const std::string_view only = home(*draft_.pattern), word = pattern_name(*draft_.pattern);
+    if (!only.empty() && only != home_)
+        block_.report(
+            error(Fault::misplaced, span, message('`', word, "` is for ", only, "s only")));
+    else if (const PictureMap* picture = picture_of(*draft_.pattern); picture && !picture->texels)
+        block_.report(error(Fault::missing, span, message('`', word, "` needs a picture in braces"))
+                          .with_help(message(word, " { \"picture.png\" }")));
+    else
+        return true;
+    return false;
+}
+
 bool read_pattern(Binder& binder, const Element& element, PatternDraft& draft) {
     OpenBlock block(binder, "pattern", element.word_span);
     block.form = "{ name [values] [transformations] }";
-    PatternReader pattern(block, draft);
+    PatternReader pattern(block, draft, {});
     const auto apply = [&](const Transform& transform) { draft.move(transform); };
     TransformReader moves(block, apply);
     block.read(element.body, pattern, moves);

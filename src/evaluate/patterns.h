@@ -26,8 +26,9 @@ struct PatternDraft {
 
 class PatternReader {
 public:
-    /// Both outlive the reader.
-    PatternReader(OpenBlock&, PatternDraft&);
+    /// All outlive the reader. `home` says what the pattern is for: "pigment", "normal" or
+    /// "texture"; empty: nothing of these.
+    PatternReader(OpenBlock&, PatternDraft&, std::string_view home);
 
     bool waiting() const;
     bool wants() const { return fields_.wants() || modifiers_.wants() || wave_.wants(); }
@@ -46,11 +47,13 @@ private:
     bool take_word(const Element&);
     bool take_block(const Element&);
     bool read_in_braces(const Element&);
+    bool belongs_here(Span);
     void name(std::size_t kind);
     void read_warp(const Element&);
 
     OpenBlock& block_;
     PatternDraft& draft_;
+    std::string_view home_;
     ItemReader fields_;  ///< of the pattern; of no use before it is named
     ItemReader modifiers_;
     ItemReader wave_;             ///< of no use before a wave is named
@@ -61,6 +64,18 @@ private:
 
 /// The braces of `function { pattern { ... } }`. False: reported.
 bool read_pattern(Binder&, const Element& block, PatternDraft&);
+
+/// `uv_mapping` at the head of a block.
+struct UvReader : SimpleReader {
+    bool take(const Element& element) {
+        const bool mine = element.kind == Element::Kind::word && element.word == "uv_mapping"_word;
+        given = given || mine;
+        return mine;
+    }
+    void add_words(WordList& words) const { words.push_back("uv_mapping"); }
+
+    bool given = false;
+};
 
 /// What stands in the braces of a pigment or normal, or behind the number of an entry in a map: a
 /// declared one, the block's own words, transformations. Draft is what is changed, Reader reads the
@@ -75,9 +90,11 @@ void read_patterned(OpenBlock& block, Body body, Patterned& patterned, std::stri
     Reader reader(block, draft);
     const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
     TransformReader moves(block, apply);
-    block.read(body, first..., declared, reader, moves);
+    UvReader uv;
+    block.read(body, first..., declared, uv, reader, moves);
     if (block.broken) return;
     patterned = draft.made();
+    patterned.uv = patterned.uv || uv.given;
     if (nesting(patterned).too_deep())
         block.report(error(
             Fault::recursion_limit, block.span,

@@ -18,18 +18,19 @@ constexpr std::string_view pigment_form =
 
 /// A pigment while it is read.
 struct PigmentDraft {
-    explicit PigmentDraft(const Pigment& pigment) : colour(pigment.colour) {
+    explicit PigmentDraft(const Pigment& pigment) : colour(pigment.colour), uv(pigment.uv) {
         if (!pigment.pattern) return;
         pattern = PatternDraft(pigment.pattern->use, pigment.transform);
         map = pigment.pattern->map;
     }
     Pigment made() const {
         if (!pattern.pattern || !map) return {colour, nullptr, {}};
-        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform};
+        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform, uv};
     }
     void clear() { *this = PigmentDraft(Pigment()); }
 
     Colour colour;
+    bool uv = false;
     PatternDraft pattern;
     std::optional<PatternedPigment::Map> map;
 };
@@ -38,7 +39,7 @@ struct PigmentDraft {
 class ColouringReader {
 public:
     ColouringReader(OpenBlock& block, PigmentDraft& draft)
-        : block_(block), draft_(draft), pattern_(block, draft.pattern) {}
+        : block_(block), draft_(draft), pattern_(block, draft.pattern, "pigment") {}
 
     bool waiting() const { return pattern_.waiting(); }
     bool wants() const { return block_.taken == 0 || pattern_.wants(); }
@@ -56,10 +57,7 @@ public:
 
     void finish() {
         pattern_.finish();
-        if (block_.broken || !draft_.pattern.pattern) return;
-        if (std::holds_alternative<Facets>(*draft_.pattern.pattern))
-            block_.report(error(Fault::misplaced, block_.span, "`facets` is for normals only"));
-        if (block_.broken || draft_.map) return;
+        if (block_.broken || !draft_.pattern.pattern || draft_.map) return;
         if (std::holds_alternative<Average>(*draft_.pattern.pattern))
             block_.report(error(Fault::missing, block_.span, "`average` needs a `pigment_map`")
                               .with_help("pigment { average pigment_map { [1 ...] [2 ...] } }"));

@@ -127,6 +127,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
         settings.assumed_gamma = gamma;
     }
     before.gamma = true;
+    binder.working_gamma = settings.assumed_gamma;
 }
 
 void read_background(Binder& binder, const Element& element, Background& background) {

@@ -4,6 +4,7 @@
 #include "evaluate/colour_maps.h"
 #include "evaluate/normals.h"
 #include "evaluate/patterns.h"
+#include "evaluate/pictures.h"
 #include "evaluate/transforms.h"
 #include "surface/texture_map.h"
 #include "text/message.h"
@@ -86,10 +87,35 @@ private:
     OpenBlock& block_;
 };
 
+/// The textures of a material_map, numbered from 0.
+class TexturesReader : public SimpleReader {
+public:
+    explicit TexturesReader(OpenBlock& block) : block_(block) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "texture"_word) return false;
+        const Handle<Texture> texture = read_whole(block_.binder, element);
+        block_.broken |= !texture;
+        map.push_back({static_cast<double>(map.size()), texture});
+        return true;
+    }
+    void finish() {
+        if (map.empty() && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`material_map` needs textures")
+                              .with_help(block_.help()));
+    }
+    void add_words(WordList& words) const { words.push_back("texture"); }
+
+    TextureMap map;
+
+private:
+    OpenBlock& block_;
+};
+
 /// A pattern with the textures that it chooses from.
 class ChoiceReader {
 public:
-    explicit ChoiceReader(OpenBlock& block) : block_(block), pattern_(block, draft_) {}
+    explicit ChoiceReader(OpenBlock& block) : block_(block), pattern_(block, draft_, "texture") {}
 
     bool waiting() const { return pattern_.named() && pattern_.waiting(); }
     bool wants() const { return pattern_.named() && pattern_.wants(); }
@@ -110,11 +136,11 @@ public:
 
     void add_words(WordList& words) const {
         pattern_.add_words(words);
-        words.insert(words.end(), {"texture_map", "tiles"});
+        words.insert(words.end(), {"texture_map", "tiles", "material_map"});
     }
 
     /// Whether there is a pattern; otherwise the texture is a plain one.
-    bool named() const { return pattern_.named() || tiles_; }
+    bool named() const { return pattern_.named() || named_; }
     void move(const Transform& transform) { draft_.move(transform); }
 
     /// Precondition: named(), and the block is not broken.
@@ -128,6 +154,8 @@ private:
             take_map(element);
         else if (element.word == "tiles"_word)
             take_tiles(element);
+        else if (element.word == "material_map"_word)
+            take_material_map(element);
         else if (element.word == "texture"_word && pattern_.named() && choices(*draft_.pattern) > 0)
             take_list_entry(element);
         else
@@ -155,10 +183,25 @@ private:
         TilesReader reader(inner);
         inner.read(element.body, reader);
         block_.broken |= inner.broken;
-        tiles_ = true;
+        named_ = true;
         draft_.pattern = Checker{};
         name_pattern(*draft_.pattern, draft_.modifiers, draft_.wave);
         map_ = std::move(reader.map);
+    }
+
+    /// A picture, then the textures that its colours choose.
+    void take_material_map(const Element& element) {
+        OpenBlock inner(block_.binder, "material_map", element.word_span);
+        inner.form = "{ \"picture.png\" texture { ... } texture { ... } ... }";
+        TexturesReader textures(inner);
+        Pattern pattern = MaterialMap{};
+        read_picture(inner, element.body, pattern, textures);
+        block_.broken |= inner.broken;
+        std::get<MaterialMap>(pattern).textures = static_cast<int>(textures.map.size());
+        named_ = true;
+        draft_.pattern = std::move(pattern);
+        name_pattern(*draft_.pattern, draft_.modifiers, draft_.wave);
+        map_ = std::move(textures.map);
     }
 
     /// The next texture behind checker and its kin; those that are missing are the default texture.
@@ -185,7 +228,7 @@ private:
     PatternReader pattern_;
     TextureMap map_;
     std::size_t listed_ = 0;
-    bool tiles_ = false;
+    bool named_ = false;  ///< by tiles or material_map
 };
 
 /// What stands in the braces of a texture, or behind the number of an entry.
@@ -202,9 +245,11 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
             draft.move(transform);
     };
     TransformReader moves(block, apply);
-    block.read(body, first..., declared, choice, parts, moves);
+    UvReader uv;
+    block.read(body, first..., declared, uv, choice, parts, moves);
     if (block.broken) return;
     if (choice.named()) draft.edit().choice = choice.made();
+    if (uv.given) draft.edit() = uv_mapped(draft.now());
     if (nesting(draft.now()).too_deep())
         block.report(error(Fault::recursion_limit, block.span,
                            "too many textures are nested here: each level can double the work"));

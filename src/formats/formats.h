@@ -11,15 +11,18 @@
 #include <variant>
 #include <vector>
 
-/// What a file holds. Whole numbers come as 0..1; alpha is left out.
+/// What a file holds. Whole numbers come as 0..1; alpha comes apart, and colours are as they would
+/// be without it, unless the file says nothing of how they were stored.
 struct StoredPicture {
     int width = 0;
     int height = 0;
     int channels = 3;           ///< 1 or 3
     int bits = 8;               ///< of a channel
     std::vector<float> values;  ///< row by row from the top, channels side by side
+    std::vector<float> alpha;   ///< of each pixel; empty: the file has none
     bool linear = false;        ///< the file says so, or holds floating-point numbers
     double gamma = 0;           ///< of the values, if the file says it; otherwise 0
+    std::string format;         ///< in OpenImageIO's words: "png", "pnm", "openexr" ...
 };
 
 /// What a file shall hold: three channels.

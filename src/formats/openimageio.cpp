@@ -4,11 +4,27 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+
 namespace {
 
 using OIIO::TypeDesc;
 
 std::string number(std::int64_t n) { return std::to_string(n); }
+
+/// Colours and alpha of pixels that have `stored` channels side by side.
+void split(const std::vector<float>& all, std::size_t stored, std::size_t alpha,
+           StoredPicture& picture) {
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const std::size_t count = all.size() / stored;
+    picture.values.reserve(count * channels);
+    if (alpha < stored) picture.alpha.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float* const pixel = &all[i * stored];
+        picture.values.insert(picture.values.end(), pixel, pixel + channels);
+        if (alpha < stored) picture.alpha.push_back(pixel[alpha]);
+    }
+}
 
 std::string read(const std::string& path, std::int64_t most_pixels, StoredPicture& picture) {
     OIIO::ImageSpec as_stored;
@@ -26,11 +42,18 @@ std::string read(const std::string& path, std::int64_t most_pixels, StoredPictur
     picture.linear =
         spec.format.is_floating_point() || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
     picture.gamma = spec.get_float_attribute("oiio:Gamma", 0);
-    picture.values.resize(static_cast<std::size_t>(spec.width) *
-                          static_cast<std::size_t>(spec.height) *
-                          static_cast<std::size_t>(picture.channels));
-    if (!input->read_image(0, 0, 0, picture.channels, TypeDesc::FLOAT, picture.values.data()))
-        return input->geterror();
+    picture.format = input->format_name();
+    const int stored = std::min(spec.nchannels, 4);
+    std::vector<float> all(static_cast<std::size_t>(spec.width) *
+                           static_cast<std::size_t>(spec.height) *
+                           static_cast<std::size_t>(stored));
+    if (!input->read_image(0, 0, 0, stored, TypeDesc::FLOAT, all.data())) return input->geterror();
+    const bool has_alpha = stored == 2 || stored == 4;
+    if (stored == picture.channels)
+        picture.values = std::move(all);
+    else
+        split(all, static_cast<std::size_t>(stored),
+              static_cast<std::size_t>(has_alpha ? stored - 1 : stored), picture);
     return {};
 }
 

@@ -21,6 +21,7 @@ struct PigmentGrey {
     PointFunction grey;
     int depth = 0;       ///< of maps and pigment patterns in the pigment
     double entries = 0;  ///< of all maps in it
+    bool uv = false;     ///< it asks for u and v
 
     static const ItemInfo vocabulary;
 };

@@ -24,6 +24,7 @@ struct Facets {
     double coords = 0;
     double metric = 2;
 
+    static constexpr std::string_view home = "normal";
     static const ItemInfo vocabulary;
 };
 

@@ -38,6 +38,7 @@ struct PatternScene {
     NoiseGenerator noise_generator = NoiseGenerator::full_range;
     int number_of_waves = 10;
     const SurfaceView* view = nullptr;  ///< null: the point is on no surface
+    Vec2 uv = Vec2(0);  ///< where the point is on a picture that is wrapped around the surface
 };
 
 /// All that a pattern can know: the point in its own space, and what surrounds it.

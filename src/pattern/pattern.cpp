@@ -41,6 +41,28 @@ int choices(const Pattern& pattern) {
         pattern);
 }
 
+std::string_view home(const Pattern& pattern) {
+    return std::visit(
+        []<class T>(const T&) -> std::string_view {
+            if constexpr (requires { T::home; })
+                return T::home;
+            else
+                return {};
+        },
+        pattern);
+}
+
+const PictureMap* picture_of(const Pattern& pattern) {
+    return std::visit(
+        []<class T>(const T& kind) -> const PictureMap* {
+            if constexpr (std::is_base_of_v<PictureMap, T>)
+                return &kind;
+            else
+                return nullptr;
+        },
+        pattern);
+}
+
 bool displaced(const Pattern& pattern) {
     return std::visit(
         []<class T>(const T&) {

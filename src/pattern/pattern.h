@@ -12,6 +12,7 @@
 #include "pattern/fractal.h"
 #include "pattern/function_pattern.h"
 #include "pattern/noise_patterns.h"
+#include "pattern/picture_map.h"
 #include "pattern/quilted.h"
 #include "pattern/ripples.h"
 #include "pattern/slope.h"
@@ -20,17 +21,24 @@
 #include "pattern/waveform.h"
 
 using Pattern =
-    std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, Bumps, Cells, Checker, Crackle,
+    std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, BumpMap, Bumps, Cells, Checker, Crackle,
                  CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, FunctionPattern,
-                 Gradient, Granite, Hexagon, JuliaPattern, Leopard, Magnet, Mandel, Marble, Onion,
-                 PigmentGrey, PlanarPattern, Quilted, Radial, Ripples, Slope, SphericalPattern,
-                 Spiral1, Spiral2, Spotted, Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
+                 Gradient, Granite, Hexagon, ImageMap, ImagePattern, JuliaPattern, Leopard, Magnet,
+                 Mandel, Marble, MaterialMap, Onion, PigmentGrey, PlanarPattern, Quilted, Radial,
+                 Ripples, Slope, SphericalPattern, Spiral1, Spiral2, Spotted, Square, Tiling,
+                 Triangular, Waves, Wood, Wrinkles>;
 
 /// The value before any wave.
 double evaluate(const Pattern&, const PatternPoint&);
 
 /// How many colours or pigments may follow the name as a list; 0: it takes a map.
 int choices(const Pattern&);
+
+/// The one block that the pattern may stand in: "pigment", "normal" or "texture"; empty: any.
+std::string_view home(const Pattern&);
+
+/// What a pattern has of a picture; null when it is made of none.
+const PictureMap* picture_of(const Pattern&);
 
 /// Whether turbulence displaces the point; otherwise the pattern does something else with it.
 bool displaced(const Pattern&);

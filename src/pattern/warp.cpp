@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/warp.h"
 
+#include "base/turn.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -91,13 +92,6 @@ constexpr double farthest = 1e17;
 
 double limited(double x) { return x > farthest ? farthest : x >= -farthest ? x : -farthest; }
 
-/// The angle around the y axis, from the x axis towards z: 0 to 1 for a whole turn.
-double turn(double x, double z) {
-    if (z == 0) return x > 0 ? 0 : 0.5;
-    const double angle = std::acos(x / std::sqrt(x * x + z * z));
-    return (z < 0 ? 2 * pi - angle : angle) / (2 * pi);
-}
-
 /// u, v, w with the map's plane turned to face the orientation.
 Vec3 oriented(const Vec3& orientation, double u, double v, double w) {
     const Vec3 n = unit(orientation);
@@ -172,10 +166,9 @@ Vec3 moved(const ToroidalWarp& warp, const Vec3& p) {
     const double outwards = away - warp.major_radius;
     const double distance = std::sqrt(outwards * outwards + p.y * p.y);
     if (distance == 0) return p;
-    double angle = std::acos(std::clamp(-outwards / distance, -1.0, 1.0));
-    if (p.y > 0) angle = 2 * pi - angle;
     const double factor = stretch(warp, distance);
-    return oriented(warp.orientation, turn(p.x, p.z) * factor, angle / (2 * pi) * factor, distance);
+    return oriented(warp.orientation, turn(p.x, p.z) * factor,
+                    turn_of_tube(outwards, p.y) * factor, distance);
 }
 
 Vec3 moved(const PlanarWarp& warp, const Vec3& p) {

@@ -2,9 +2,11 @@
 #include "picture/read.h"
 
 #include "base/colour.h"
+#include "picture/file_facts.h"
 #include "picture/formats.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace {
@@ -16,7 +18,98 @@ double decoded(float stored, const StoredPicture& picture) {
                              : srgb_decode(stored);
 }
 
+/// From stored values to the scene's.
+class Decoder {
+public:
+    Decoder(const TexelCoding& coding, const StoredPicture& picture, const FileFacts& facts)
+        : coding_(coding), picture_(picture) {
+        const bool said = facts.says_coding.value_or(false) || picture.linear;
+        const bool plain = picture.format == "pnm";
+        decodes_ = coding.gamma == 0 && !plain &&
+                   (coding.decode == TexelCoding::always ||
+                    (coding.decode == TexelCoding::where_said && said));
+        for (std::size_t i = 0; i < bytes_.size(); ++i)
+            bytes_[i] = exactly(static_cast<float>(i) / 255);
+    }
+
+    float operator()(float stored) const {
+        if (picture_.bits != 8 || !(stored >= 0 && stored <= 1)) return exactly(stored);
+        return bytes_[static_cast<std::size_t>(std::lround(255 * stored))];
+    }
+
+private:
+    float exactly(float stored) const {
+        double value = stored;
+        if (coding_.gamma < 0)
+            value = srgb_decode(value);
+        else if (coding_.gamma > 0)
+            value = std::pow(std::max(0.0, value), coding_.gamma);
+        else if (decodes_)
+            value = decoded(stored, picture_);
+        else
+            return stored;
+        const bool encodes = coding_.working_gamma != 1 && coding_.decode != TexelCoding::as_stored;
+        return static_cast<float>(encodes && value > 0 ? std::pow(value, 1 / coding_.working_gamma)
+                                                       : value);
+    }
+
+    const TexelCoding& coding_;
+    const StoredPicture& picture_;
+    bool decodes_;
+    std::array<float, 256> bytes_{};
+};
+
+/// Colours as they are without their alpha.
+void divide_by_alpha(StoredPicture& picture) {
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for (std::size_t i = 0; i < picture.values.size(); ++i)
+        if (const float alpha = picture.alpha[i / channels]; alpha > 0) picture.values[i] /= alpha;
+}
+
+/// The numbers of all pixels' colours; none when a pixel has a colour that the table has not.
+std::vector<std::uint16_t> numbers_of(const StoredPicture& picture, const FileFacts& facts) {
+    std::vector<std::uint16_t> numbers;
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    for (std::size_t i = 0; !facts.table.empty() && i < picture.values.size(); i += channels) {
+        const float alpha = picture.alpha.empty() ? 1 : picture.alpha[i / channels];
+        const std::size_t number = number_in(facts, {&picture.values[i], channels}, alpha);
+        if (number >= facts.table.size()) return {};
+        numbers.push_back(static_cast<std::uint16_t>(number));
+    }
+    return numbers;
+}
+
 }  // namespace
+
+std::optional<Texels> read_texels(const std::string& path, const TexelCoding& coding,
+                                  Diagnostics& diagnostics, Span asked_at) {
+    std::optional<StoredPicture> read = read_stored(path, diagnostics, asked_at);
+    if (!read) return std::nullopt;
+    StoredPicture& stored = *read;
+    const FileFacts facts = file_facts(path);
+    const Decoder decode(coding, stored, facts);
+    Texels texels{stored.width, stored.height, stored.channels, {}, {}, {}, {}};
+    texels.numbers = numbers_of(stored, facts);
+    const bool opaque = std::ranges::all_of(stored.alpha, [](float alpha) { return alpha == 1; });
+    if (!texels.numbers.empty()) {
+        const auto value = [&](std::uint8_t byte) {
+            return static_cast<double>(decode(static_cast<float>(byte) / 255));
+        };
+        for (const auto& [red, green, blue, alpha] : facts.table)
+            texels.table.push_back(
+                {Vec3(value(red), value(green), value(blue)), 0, 1 - alpha / 255.0});
+        if (!opaque) texels.alpha = std::move(stored.alpha);
+        texels.measure();
+        return texels;
+    }
+    const bool multiplied = coding.premultiplied || stored.format == "openexr";
+    if (!opaque && multiplied) divide_by_alpha(stored);
+    for (float& value : stored.values) value = decode(value);
+    texels.values = std::move(stored.values);
+    if (!opaque) texels.alpha = std::move(stored.alpha);
+    texels.measure();
+    return texels;
+}
 
 std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnostics,
                                   Span asked_at) {

@@ -26,8 +26,9 @@ Shading with_layer(const World&, Shading, const Layer&);
 
 /// Where patterns are asked at a hit.
 struct SurfacePlace {
-    SurfacePlace(const World& world, const Shading& s)
-        : view{s.position, s.normal, s.view}, scene(world.pattern_scene()) {
+    SurfacePlace(const World& world, const Hit& hit, const Shading& s)
+        : view{s.position, s.normal, s.view},
+          scene(world.pattern_scene(hit.primitive, hit.part, hit.position)) {
         scene.view = &view;
     }
     SurfacePlace(const SurfacePlace&) = delete;

@@ -75,13 +75,16 @@ Vec3 Tracer::follow(const Path& path) {
 /// What all textures that are mixed at a hit show together.
 Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const Shading s = shading_at(world_, path.ray, hit);
-    const SurfacePlace place(world_, s);
+    const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
-    for_layers(*world_.material(hit.primitive).texture, s.position, s.normal, place.scene,
-               [&](double weight, std::span<const Layer> layers) {
-                   if (weight >= world_.settings.adc_bailout)
-                       sum += weight * layered(path, hit, s, layers);
-               });
+    world_.for_textures(
+        hit.primitive, hit.part, s.position, [&](double share, const Texture& texture) {
+            for_layers(texture, s.position, s.normal, place.scene,
+                       [&](double weight, std::span<const Layer> layers) {
+                           if (share * weight >= world_.settings.adc_bailout)
+                               sum += share * weight * layered(path, hit, s, layers);
+                       });
+        });
     return sum;
 }
 

@@ -27,6 +27,7 @@ constexpr auto object_flags = std::array{
     ObjectFlag{"hollow", &Object::hollow},
     ObjectFlag{"inverse", &Object::inverse},
     ObjectFlag{"double_illuminate", &Object::double_illuminate},
+    ObjectFlag{"uv_mapping", &Object::uv_mapping},
 };
 
 template <class T>

@@ -7,8 +7,31 @@
 
 namespace {
 
+/// What stands in the braces of a picture, up to the textures of a material_map.
+std::string picture_text(Pattern pattern, const PictureMap& picture) {
+    std::string text = picture.function ? message(" function ", picture.texels->width, ", ",
+                                                  picture.texels->height, " { /* compiled */ }")
+                                        : " " + written(picture.file, FieldType::text);
+    const ItemInfo& info = *Kinds<Pattern>::infos[pattern.index()];
+    // The function would stand where a file can stand as well.
+    const_cast<PictureMap&>(*picture_of(pattern)).function = nullptr;
+    const_cast<PictureMap&>(*picture_of(pattern)).gamma = std::fmax(0, picture.gamma);
+    const std::string fields = written_fields(info, Kinds<Pattern>::address(pattern));
+    if (!fields.empty()) text += " " + fields;
+    if (picture.gamma < 0) text += " gamma srgb";
+    if (const auto* image = std::get_if<ImageMap>(&pattern))
+        for (const ImageMap::Adjustment& each : image->adjustments)
+            text += message(each.filter ? " filter " : " transmit ",
+                            each.number < 0 ? "all " : message(each.number, ", "), each.amount);
+    return text;
+}
+
 std::string pattern_text(const Pattern& pattern) {
     const std::string text = item_text(pattern);
+    if (const PictureMap* picture = picture_of(pattern)) {
+        const std::size_t name = Kinds<Pattern>::infos[pattern.index()]->name.size();
+        return message(text.substr(0, name), " {", picture_text(pattern, *picture), " }");
+    }
     if (std::holds_alternative<Slope>(pattern))
         return message("slope {", text.substr(std::string_view("slope").size()), " }");
     if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
@@ -17,6 +40,16 @@ std::string pattern_text(const Pattern& pattern) {
         std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));
         return message("pigment_pattern", inner.substr(std::string_view("pigment").size()));
     }
+    return text;
+}
+
+std::string steps_text(const PatternUse& use) {
+    std::string text;
+    for (const WarpStep& step : use.steps)
+        if (const auto* transform = std::get_if<Transform>(&step))
+            text += matrix_text(*transform);
+        else
+            text += message(" warp { ", item_text(std::get<Warp>(step)), " }");
     return text;
 }
 
@@ -35,16 +68,12 @@ std::string use_text(const PatternUse& use) {
     text += message(fields.empty() ? "" : " ", fields);
     if (!same_frequency && use.modifiers.frequency == PatternModifiers().frequency)
         text += message(" frequency ", use.modifiers.frequency);
-    for (const WarpStep& step : use.steps)
-        if (const auto* transform = std::get_if<Transform>(&step))
-            text += matrix_text(*transform);
-        else
-            text += message(" warp { ", item_text(std::get<Warp>(step)), " }");
-    return text;
+    return text + steps_text(use);
 }
 
 std::string map_text(const PatternUse& use, const ColourMap& map) {
     std::string text;
+    if (std::holds_alternative<ImageMap>(use.pattern)) return text;
     if (choices(use.pattern) > 0) {
         for (const ColourStop& stop : map)
             text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
@@ -115,7 +144,14 @@ std::string layer_content(const Texture& texture) {
     if (!texture.choice)
         return message(dump(texture.pigment), dump(texture.normal), finish_text(texture.finish));
     const PatternedTexture& choice = *texture.choice;
-    std::string text = message(use_text(choice.use), " texture_map { ");
+    std::string text = choice.uv ? "uv_mapping " : "";
+    if (const auto* map = std::get_if<MaterialMap>(&choice.use.pattern)) {
+        text += message("material_map {", picture_text(*map, *map), " ");
+        for (const TextureStop& stop : choice.map)
+            text += message("texture { ", layer_content(*stop.texture), " } ");
+        return message(text, "}", steps_text(choice.use), matrix_text(choice.transform));
+    }
+    text += message(use_text(choice.use), " texture_map { ");
     for (const TextureStop& stop : choice.map)
         text += message("[", stop.value, " ", layer_content(*stop.texture), "] ");
     return message(text, "}", matrix_text(choice.transform));
@@ -137,7 +173,7 @@ std::string dump(const Pigment& pigment) {
     if (!pigment.pattern) return message("pigment { ", colour_text(pigment.colour), " }");
     const PatternUse& use = pigment.pattern->use;
     return message(
-        "pigment { ", use_text(use),
+        "pigment { ", pigment.uv ? "uv_mapping " : "", use_text(use),
         std::visit([&](const auto& map) { return map_text(use, map); }, pigment.pattern->map),
         matrix_text(pigment.transform), " }");
 }
@@ -150,7 +186,7 @@ std::string dump(const Bump& bump) {
     words.bump_size = BumpSettings().bump_size;
     const std::string settings = written_fields(BumpSettings::vocabulary, &words);
     const std::string amount = message("bump_size ", normal.settings.bump_size);
-    return message(" normal { ", use_text(normal.use), " ", amount,
+    return message(" normal { ", bump.uv ? "uv_mapping " : "", use_text(normal.use), " ", amount,
                    settings.substr(std::min(settings.size(), settings.find(' '))),
                    std::visit([](const auto& map) { return map_text(map); }, normal.map),
                    matrix_text(bump.transform), " }");

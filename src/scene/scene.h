@@ -83,6 +83,7 @@ struct Object {
     bool hollow = false;
     bool inverse = false;
     bool double_illuminate = false;
+    bool uv_mapping = false;  ///< textures are on u and v
     Span span;
 };
 

@@ -80,32 +80,50 @@ public:
     explicit Divider(const BicubicPatch& patch, BuiltBicubicPatch& result)
         : patch_(patch), result_(result) {}
 
-    void divide(const Points& p, int u_step, int v_step) {
-        const bool flat = farthest_from_plane(p) < patch_.flatness;
+    /// A part of the patch, and which one: u and v of its first and its last corner.
+    struct Piece {
+        Points points;
+        Vec2 low = Vec2(0), high = Vec2(1);
+    };
+
+    void divide(const Piece& piece, int u_step, int v_step) {
+        const bool flat = farthest_from_plane(piece.points) < patch_.flatness;
         if (!flat && v_step < patch_.v_steps) {
-            const auto [first, last] = halves(p);
-            across(first, u_step, v_step + 1);
-            across(last, u_step, v_step + 1);
+            const auto [first, last] = halves(piece.points);
+            const double middle = (piece.low.y + piece.high.y) / 2;
+            across({first, piece.low, {piece.high.x, middle}}, u_step, v_step + 1);
+            across({last, {piece.low.x, middle}, piece.high}, u_step, v_step + 1);
         } else if (!flat && u_step < patch_.u_steps) {
-            across(p, u_step, v_step);
+            across(piece, u_step, v_step);
         } else {
-            add(p);
+            add(piece);
         }
     }
 
 private:
-    void across(const Points& p, int u_step, int v_step) {
-        if (u_step >= patch_.u_steps) return divide(p, u_step, v_step);
-        const auto [first, last] = halves(transposed(p));
-        divide(transposed(first), u_step + 1, v_step);
-        divide(transposed(last), u_step + 1, v_step);
+    void across(const Piece& piece, int u_step, int v_step) {
+        if (u_step >= patch_.u_steps) return divide(piece, u_step, v_step);
+        const auto [first, last] = halves(transposed(piece.points));
+        const double middle = (piece.low.x + piece.high.x) / 2;
+        divide({transposed(first), piece.low, {middle, piece.high.y}}, u_step + 1, v_step);
+        divide({transposed(last), {middle, piece.low.y}, piece.high}, u_step + 1, v_step);
     }
 
-    void add(const Points& p) {
+    /// Between the corners' u and v.
+    Vec2 uv(double across_rows, double along_row) const {
+        const Vec2 first = patch_.uv1 + along_row * (patch_.uv2 - patch_.uv1);
+        const Vec2 last = patch_.uv4 + along_row * (patch_.uv3 - patch_.uv4);
+        return first + across_rows * (last - first);
+    }
+
+    void add(const Piece& piece) {
+        const Points& p = piece.points;
         const Vec3 n00 = corner_normal(p, 0, 0), n03 = corner_normal(p, 0, 3),
                    n33 = corner_normal(p, 3, 3), n30 = corner_normal(p, 3, 0);
-        add({{p[0][0], p[0][3], p[3][3]}, {n00, n03, n33}});
-        add({{p[0][0], p[3][3], p[3][0]}, {n00, n33, n30}});
+        const Vec2 uv00 = uv(piece.low.x, piece.low.y), uv03 = uv(piece.low.x, piece.high.y),
+                   uv33 = uv(piece.high.x, piece.high.y), uv30 = uv(piece.high.x, piece.low.y);
+        add({{p[0][0], p[0][3], p[3][3]}, {n00, n03, n33}, {uv00, uv03, uv33}});
+        add({{p[0][0], p[3][3], p[3][0]}, {n00, n33, n30}, {uv00, uv33, uv30}});
     }
 
     void add(BuiltBicubicPatch::Facet facet) {
@@ -132,7 +150,7 @@ BuiltBicubicPatch build(const BicubicPatch& patch) {
     Points points;
     for (std::size_t i = 0; i < 16; ++i) points[i / 4][i % 4] = patch.points[i];
     BuiltBicubicPatch result;
-    Divider(patch, result).divide(points, 0, 0);
+    Divider(patch, result).divide({points}, 0, 0);
     std::vector<Box> boxes;
     for (const auto& facet : result.facets)
         boxes.push_back(join(join(Box{facet.corners[0], facet.corners[0]}, facet.corners[1]),
@@ -147,12 +165,12 @@ void crossings(const BuiltBicubicPatch& patch, const Ray& ray, Crossings& found)
     if (ray.direction == Vec3(0)) return;
     const ShearedRay sheared(ray);
     patch.index.along(ray, whole_line, [&](std::uint32_t i) {
-        const auto& [corners, normals] = patch.facets[i];
+        const auto& [corners, normals, uvs] = patch.facets[i];
         const TriangleHit hit = sheared.meet(corners[0], corners[1], corners[2], whole_line);
         if (!(hit.t < whole_line.max)) return;
         const Vec3 normal = unit((1 - hit.weight2 - hit.weight3) * normals[0] +
                                  hit.weight2 * normals[1] + hit.weight3 * normals[2]);
-        if (normal != Vec3(0)) found.add({hit.t, normal, dot(ray.direction, normal) < 0});
+        if (normal != Vec3(0)) found.add({hit.t, normal, dot(ray.direction, normal) < 0, i});
     });
 }
 

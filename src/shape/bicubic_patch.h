@@ -25,6 +25,7 @@ struct BicubicPatch {
 struct BuiltBicubicPatch {
     struct Facet {
         std::array<Vec3, 3> corners, normals;
+        std::array<Vec2, 3> uvs;
     };
     std::vector<Facet> facets;
     PartIndex index;

@@ -109,31 +109,50 @@ MeshTriangle face(const Mesh& mesh, std::size_t i) {
     return result;
 }
 
-Box bounds(const Mesh& mesh) {
-    Box box;
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));
-    return box;
+std::array<Vec2, 3> face_uvs(const Mesh& mesh, std::size_t i) {
+    std::array<Vec2, 3> result = {Vec2(0), Vec2(0), Vec2(0)};
+    if (mesh.uvs.empty()) return result;
+    const Face* const places = !mesh.uv_faces.empty() ? &mesh.uv_faces[i]
+                               : mesh.uvs.size() == 1 ? nullptr
+                                                      : &mesh.faces[i];
+    for (std::size_t k = 0; k < 3; ++k)
+        result[k] = mesh.uvs[places ? static_cast<std::size_t>((*places)[k]) : 0];
+    return result;
 }
 
-void crossings(const Mesh& mesh, const Ray& ray, Crossings& found) {
-    const ShearedRay sheared(ray, Edges::one);
+BuiltMesh build(const Mesh& mesh) {
+    std::vector<Box> boxes;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        Box box;
+        for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));
+        boxes.push_back(box);
+    }
+    return {make_handle<Mesh>(mesh), PartIndex(std::move(boxes))};
+}
+
+Box bounds(const BuiltMesh& built) { return built.index.bounds(); }
+
+void crossings(const BuiltMesh& built, const Ray& ray, Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    const Mesh& mesh = *built.mesh;
+    const ShearedRay sheared(ray, Edges::one);
+    built.index.along(ray, whole_line, [&](std::uint32_t i) {
         const TriangleHit hit =
             sheared.meet(corner(mesh, i, 0), corner(mesh, i, 1), corner(mesh, i, 2), whole_line);
-        if (!(hit.t < whole_line.max)) continue;
+        if (!(hit.t < whole_line.max)) return;
         const MeshTriangle met = face(mesh, i);
         const Vec3 own = triangle_normal(met.corners[0], met.corners[1], met.corners[2]);
-        if (own == Vec3(0)) continue;
+        if (own == Vec3(0)) return;
         const Vec3 shown = normal_at(met, own, hit);
-        found.add({hit.t, shown, dot(ray.direction, shown) < 0});
-    }
+        found.add({hit.t, shown, dot(ray.direction, shown) < 0, i});
+    });
 }
 
-bool inside(const Mesh& mesh, const Vec3& point) {
-    if (!mesh.inside_vector || *mesh.inside_vector == Vec3(0)) return false;
+bool inside(const BuiltMesh& built, const Vec3& point) {
+    const std::optional<Vec3>& direction = built.mesh->inside_vector;
+    if (!direction || *direction == Vec3(0)) return false;
     Crossings found;
-    crossings(mesh, Ray{point, *mesh.inside_vector}, found);
+    crossings(built, Ray{point, *direction}, found);
     bool result = false;
     for (std::size_t i = 0; i < found.size(); ++i) result ^= found[i].t > 0;
     return result;

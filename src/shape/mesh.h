@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangle meshes: vertices stored once, faces by index. The world takes them apart into triangles.
+// Triangle meshes: vertices stored once, faces by index. The world takes them apart into triangles;
+// composites and the functions of the language ask the BuiltMesh.
 #pragma once
 
+#include "base/handle.h"
 #include "base/ray.h"
+#include "shape/part_index.h"
 #include "vocabulary/item_info.h"
 
 /// Triangles over shared vertices (POV-Ray's mesh2). Without an inside_vector, or with one of
@@ -37,6 +40,16 @@ struct MeshTriangle {
 /// Precondition: problem() is empty.
 MeshTriangle face(const Mesh&, std::size_t i);
 
-Box bounds(const Mesh&);
-void crossings(const Mesh&, const Ray&, Crossings&);
-bool inside(const Mesh&, const Vec3&);
+/// u and v of the corners of face number i; 0 where the mesh has none.
+std::array<Vec2, 3> face_uvs(const Mesh&, std::size_t i);
+
+/// A mesh as rays ask it where it is not taken apart. A crossing's part is the face.
+struct BuiltMesh {
+    Handle<Mesh> mesh;
+    PartIndex index;  ///< of the faces
+};
+BuiltMesh build(const Mesh&);
+
+Box bounds(const BuiltMesh&);
+void crossings(const BuiltMesh&, const Ray&, Crossings&);
+bool inside(const BuiltMesh&, const Vec3&);

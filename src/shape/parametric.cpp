@@ -5,6 +5,8 @@
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
+#include <algorithm>
+
 const ItemInfo Parametric::vocabulary = described<Parametric>([] {
     using F = Field<Parametric>;
     return schema<Parametric>(
@@ -155,3 +157,26 @@ void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found)
 }
 
 bool inside(const BuiltParametric&, const Vec3&) { return false; }
+
+Vec2 parameters_at(const BuiltParametric& surface, const Vec3& point,
+                   std::optional<std::uint32_t> part) {
+    Vec2 mesh(0.5);
+    if (part) {
+        mesh += Vec2(*part % fineness, *part / fineness);
+    } else {
+        const auto off = [&](const Vec3& p) { return length(p - point); };
+        const auto nearest = std::ranges::min_element(surface.net, {}, off) - surface.net.begin();
+        const auto i = static_cast<std::size_t>(nearest);
+        mesh = Vec2(static_cast<double>(i % row), static_cast<double>(i / row));
+    }
+    Vec2 at = surface.first + surface.step * mesh;
+    for (int i = 0; i < 8; ++i) {
+        const auto [by_u, by_v] = slopes(surface, at);
+        const Vec3 off = point - surface.at(at), normal = cross(by_u, by_v);
+        const double size = dot(normal, normal);
+        if (!(size > 0) || !std::isfinite(size)) break;
+        const Vec2 move(dot(cross(off, by_v), normal) / size, dot(cross(by_u, off), normal) / size);
+        at += glm::clamp(move, -2.0 * glm::abs(surface.step), 2.0 * glm::abs(surface.step));
+    }
+    return at;
+}

@@ -38,3 +38,6 @@ BuiltParametric build(const Parametric&);
 Box bounds(const BuiltParametric&);
 void crossings(const BuiltParametric&, const Ray&, Crossings&);
 bool inside(const BuiltParametric&, const Vec3&);
+
+/// u and v of a point of the surface; the mesh of the net, when it is known.
+Vec2 parameters_at(const BuiltParametric&, const Vec3& point, std::optional<std::uint32_t> part);

@@ -140,3 +140,12 @@ std::string problem(const SmoothTriangle& t) {
             return "a `smooth_triangle` needs normals with lengths above 0 and below 1e150";
     return {};
 }
+
+Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point) {
+    const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double size = dot(normal, normal);
+    if (size == 0) return Vec3(1, 0, 0);
+    const double second = dot(cross(point - corners[0], corners[2] - corners[0]), normal) / size;
+    const double third = dot(cross(corners[1] - corners[0], point - corners[0]), normal) / size;
+    return {1 - second - third, second, third};
+}

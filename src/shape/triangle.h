@@ -44,6 +44,9 @@ inline Vec3 triangle_normal(const Vec3& corner1, const Vec3& corner2, const Vec3
     return unit(cross(corner1 - corner2, corner3 - corner2));
 }
 
+/// Weights of the three corners that give a point of the triangle's plane; they add up to 1.
+Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point);
+
 /// Where a ray meets the plane of a triangle: parameter and barycentric weights of corners 2 and 3.
 struct TriangleHit {
     double t, weight2, weight3;

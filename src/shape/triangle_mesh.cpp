@@ -62,7 +62,9 @@ std::string problem(const TriangleMesh& mesh) {
                                                                    : "";
 }
 
-Mesh build(const TriangleMesh& mesh) {
+BuiltMesh build(const TriangleMesh& mesh) { return build(as_mesh(mesh)); }
+
+Mesh as_mesh(const TriangleMesh& mesh) {
     Mesh result;
     result.inside_vector = mesh.inside_vector;
     // The first faces are the smooth ones.

@@ -36,4 +36,5 @@ struct TriangleMesh {
 /// What is wrong beyond the ranges of single fields (no triangle), as a sentence; empty when
 /// nothing is.
 std::string problem(const TriangleMesh&);
-Mesh build(const TriangleMesh&);
+Mesh as_mesh(const TriangleMesh&);
+BuiltMesh build(const TriangleMesh&);

@@ -86,6 +86,18 @@ Vec3 tilted(const Facets& facets, const BumpPoint& at) {
     return normal + facets.coords * tilt;
 }
 
+Vec3 tilted(const BumpMap& map, const BumpPoint& at) {
+    const std::optional<Vec3> bump = bump_at(map, at.place, at.amount());
+    if (!bump) return at.normal;
+    Vec3 up = at.normal, across = cross(up, Vec3(0, 1, 0));
+    if (length(across) < 1e-10) {
+        up = Vec3(0, std::abs(up.y - 1) < 1e-10 ? 1 : -1, 0);
+        across = Vec3(1, 0, 0);
+    }
+    across = unit(across);
+    return bump->x * across + bump->y * up - bump->z * unit(cross(across, up));
+}
+
 /// What a normal becomes whose pattern has only a value: the slope of that value, measured towards
 /// the corners of a tetrahedron.
 Vec3 tilted_by_slope(const BumpPoint& at) {
@@ -147,7 +159,9 @@ Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const Patt
     const NormalSpace space(pattern.use.steps, bump.transform);
     const auto made_unit = [&](const Vec3& n) { return keep ? n : unit(n); };
     const BumpPoint at{pattern, made_unit(space.enter(made_unit(normal))),
-                       pattern.use.place(bump.transform.inverse_point(point)), scene, keep};
+                       pattern.use.place(bump.transform.inverse_point(
+                           bump.uv ? Vec3(scene.uv.x, scene.uv.y, 0) : point)),
+                       scene, keep};
     return made_unit(space.leave(made_unit(tilted(at))));
 }
 
@@ -159,10 +173,15 @@ PatternedBump::PatternedBump(PatternUse the_use, const BumpSettings& the_setting
     if (const auto* normals = std::get_if<NormalMap>(&map))
         for (const NormalStop& stop : *normals) nesting.add(::nesting(stop.bump));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries});
+        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
-Nesting nesting(const Bump& bump) { return bump.pattern ? bump.pattern->nesting : Nesting(); }
+Nesting nesting(const Bump& bump) {
+    if (!bump.pattern) return {};
+    Nesting result = bump.pattern->nesting;
+    result.uv |= bump.uv;
+    return result;
+}
 
 double look_up(const SlopeMap& map, double value) {
     const MapPlace at = place_in(map, value);

@@ -17,6 +17,7 @@ using SlopeMap = std::vector<SlopeStop>;
 struct Bump {
     Handle<PatternedBump> pattern;  ///< null: smooth
     Transform transform;            ///< after all steps of the pattern: to the object's space
+    bool uv = false;                ///< as in Pigment
 };
 
 Nesting nesting(const Bump&);

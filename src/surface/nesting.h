@@ -8,6 +8,7 @@
 struct Nesting {
     int depth = 0;       ///< maps within each other: each may double the work at a point
     double entries = 1;  ///< of all maps written out, however often one part is used
+    bool uv = false;     ///< some of it asks for u and v
 
     bool too_deep() const { return depth > 16 || entries > 1e6; }
 
@@ -15,5 +16,6 @@ struct Nesting {
     void add(const Nesting& part) {
         depth = std::max(depth, part.depth + 1);
         entries += part.entries;
+        uv |= part.uv;
     }
 };

@@ -10,6 +10,22 @@ namespace {
 
 bool passes_light(const Colour& c) { return c.filter != 0 || c.transmit != 0; }
 
+/// Cubic interpolation goes beyond the values that it goes through, by up to this.
+constexpr double overshoot = 1.6;
+
+Vec3 greatest(const ImageMap& map) {
+    if (!map.texels) return Vec3(0);
+    const Vec3 result = glm::max(map.texels->greatest, Vec3(map.once ? 1 : 0));
+    return map.interpolate == 3 ? overshoot * result : result;
+}
+
+bool passes_light(const ImageMap& map) {
+    if (map.once || map.filter != 0 || map.transmit != 0) return true;
+    return map.texels && (map.texels->transparent() ||
+                          std::ranges::any_of(map.texels->table,
+                                              [](const Colour& c) { return passes_light(c); }));
+}
+
 Colour averaged(const PigmentMap& map, const Vec3& place, const PatternScene& scene) {
     Colour sum;
     double total = 0;
@@ -25,6 +41,8 @@ Colour averaged(const PigmentMap& map, const Vec3& place, const PatternScene& sc
 
 Colour colour_at(const PatternedPigment& pigment, const Vec3& point, const PatternScene& scene) {
     const Vec3 place = pigment.use.place(point);
+    if (const auto* image = std::get_if<ImageMap>(&pigment.use.pattern))
+        return colour_at(*image, place).value_or(Colour{Vec3(1), 0, 1});
     const auto* colours = std::get_if<ColourMap>(&pigment.map);
     if (colours) return look_up(*colours, pigment.use.value(place, scene));
     const auto& pigments = std::get<PigmentMap>(pigment.map);
@@ -36,11 +54,23 @@ Colour colour_at(const PatternedPigment& pigment, const Vec3& point, const Patte
     return mixed(below, evaluate(pigments[at.above].pigment, place, scene), at.share);
 }
 
+Vec3 own_place(const Pigment& pigment, const Vec3& point, const PatternScene& scene) {
+    return pigment.transform.inverse_point(pigment.uv ? uv_place(scene) : point);
+}
+
+/// Whether there is no colour at a point: it lies beside a picture that is there once only.
+bool misses(const Pigment& pigment, const Vec3& point, const PatternScene& scene) {
+    if (!pigment.pattern) return false;
+    const PatternUse& use = pigment.pattern->use;
+    const auto* image = std::get_if<ImageMap>(&use.pattern);
+    return image && image->once && !colour_at(*image, use.place(own_place(pigment, point, scene)));
+}
+
 }  // namespace
 
 Colour evaluate(const Pigment& pigment, const Vec3& point, const PatternScene& scene) {
     if (!pigment.pattern) return pigment.colour;
-    return colour_at(*pigment.pattern, pigment.transform.inverse_point(point), scene);
+    return colour_at(*pigment.pattern, own_place(pigment, point, scene), scene);
 }
 
 PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
@@ -52,17 +82,23 @@ PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
         clear |= passes;
         nesting.add(inner);
     };
-    if (const auto* colours = std::get_if<ColourMap>(&map))
+    if (const auto* image = std::get_if<ImageMap>(&use.pattern)) {
+        brightest = greatest(*image);
+        clear = passes_light(*image);
+    } else if (const auto* colours = std::get_if<ColourMap>(&map))
         for (const ColourStop& stop : *colours) add(stop.colour.rgb, passes_light(stop.colour), {});
     else
         for (const PigmentStop& stop : std::get<PigmentMap>(map))
             add(::brightest(stop.pigment), transparent(stop.pigment), ::nesting(stop.pigment));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries});
+        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
 Nesting nesting(const Pigment& pigment) {
-    return pigment.pattern ? pigment.pattern->nesting : Nesting();
+    if (!pigment.pattern) return {};
+    Nesting result = pigment.pattern->nesting;
+    result.uv |= pigment.uv;
+    return result;
 }
 
 Vec3 brightest(const Pigment& pigment) {
@@ -76,8 +112,11 @@ bool transparent(const Pigment& pigment) {
 PigmentGrey grey_of(Pigment pigment) {
     const Nesting inner = nesting(pigment);
     const auto code = [](const void* data, const Vec3& point, const PatternScene& scene) {
-        return grey(evaluate(*static_cast<const Pigment*>(data), point, scene).rgb);
+        const auto& inner = *static_cast<const Pigment*>(data);
+        return misses(inner, point, scene) ? 0 : grey(evaluate(inner, point, scene).rgb);
     };
-    return {
-        {std::make_shared<const Pigment>(std::move(pigment)), code}, inner.depth, inner.entries};
+    return {{std::make_shared<const Pigment>(std::move(pigment)), code},
+            inner.depth,
+            inner.entries,
+            inner.uv};
 }

@@ -18,12 +18,16 @@ struct Pigment {
     Colour colour;                     ///< where there is no pattern
     Handle<PatternedPigment> pattern;  ///< null: one colour everywhere
     Transform transform;               ///< after all steps of the pattern: to the object's space
+    bool uv = false;                   ///< that space is u, v, 0, and does not move with the object
 };
 
 Nesting nesting(const Pigment&);
 
 /// The colour at a point in the space that the pigment's transform leads to.
 Colour evaluate(const Pigment&, const Vec3& point, const PatternScene& = {});
+
+/// The point in the space of a surface's u and v.
+inline Vec3 uv_place(const PatternScene& scene) { return {scene.uv.x, scene.uv.y, 0}; }
 
 /// No channel is greater anywhere: what a luminaire of this pigment can emit at most.
 Vec3 brightest(const Pigment&);

@@ -26,8 +26,8 @@ void for_entries(const PatternedTexture& choice, const Vec3& place, const Patter
     if (at.share != 0) use(at.share, *choice.map[at.above].texture);
 }
 
-Vec3 place_of(const PatternedTexture& choice, const Vec3& point) {
-    return choice.use.place(choice.transform.inverse_point(point));
+Vec3 place_of(const PatternedTexture& choice, const Vec3& point, const PatternScene& scene) {
+    return choice.use.place(choice.transform.inverse_point(choice.uv ? uv_place(scene) : point));
 }
 
 /// The spaces of the patterns around a texture, the innermost first.
@@ -62,7 +62,7 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
            const Around* around, const Visit& to) {
     if (texture.choice) {
         const PatternedTexture& choice = *texture.choice;
-        const Vec3 place = place_of(choice, point);
+        const Vec3 place = place_of(choice, point, to.scene);
         const Around inner{{choice.use.steps, choice.transform}, around};
         const Vec3 turned = unit(inner.space.enter(normal));
         for_entries(choice, place, to.scene, [&](double share, const Texture& entry) {
@@ -88,14 +88,16 @@ PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside,
     : use(std::move(the_use)), transform(outside), map(std::move(the_map)), nesting{1, 0} {
     for (const TextureStop& stop : map) nesting.add(::nesting(*stop.texture));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
-        nesting.add({grey->depth, grey->entries});
+        nesting.add({grey->depth, grey->entries, grey->uv});
 }
 
 Nesting nesting(const Texture& texture) {
     Nesting all = texture.choice ? texture.choice->nesting : nesting(texture.pigment);
+    all.uv |= texture.choice && texture.choice->uv;
     const auto include = [&](const Nesting& other) {
         all.depth = std::max(all.depth, other.depth);
         all.entries += other.entries;
+        all.uv |= other.uv;
     };
     include(nesting(texture.normal));
     if (texture.below) include(nesting(*texture.below));
@@ -103,13 +105,20 @@ Nesting nesting(const Texture& texture) {
 }
 
 Texture transformed(Texture texture, const Transform& transform) {
-    texture.pigment.transform = texture.pigment.transform.then(transform);
-    texture.normal.transform = texture.normal.transform.then(transform);
-    if (texture.choice) {
+    if (!texture.pigment.uv) texture.pigment.transform = texture.pigment.transform.then(transform);
+    if (!texture.normal.uv) texture.normal.transform = texture.normal.transform.then(transform);
+    if (texture.choice && !texture.choice->uv) {
         PatternedTexture& choice = texture.choice.edit();
         choice.transform = choice.transform.then(transform);
     }
     if (texture.below) texture.below = make_handle<Texture>(transformed(*texture.below, transform));
+    return texture;
+}
+
+Texture uv_mapped(Texture texture) {
+    texture.pigment.uv = texture.normal.uv = true;
+    if (texture.choice) texture.choice.edit().uv = true;
+    if (texture.below) texture.below = make_handle<Texture>(uv_mapped(*texture.below));
     return texture;
 }
 
@@ -144,7 +153,7 @@ void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
     if (texture.choice) {
         Vec3 sum(0);
-        const Vec3 place = place_of(*texture.choice, point);
+        const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
             sum += share * passing(entry, place, scene);
         });
@@ -158,7 +167,7 @@ Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& sce
               FunctionRef<double(const Colour&)> opacity) {
     if (texture.choice) {
         Vec3 sum(0);
-        const Vec3 place = place_of(*texture.choice, point);
+        const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
             sum += share * emission(entry, place, scene, opacity);
         });

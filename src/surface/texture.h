@@ -23,8 +23,11 @@ struct Texture {
     bool plain() const { return !pigment.pattern && !normal.pattern && !choice && !below; }
 };
 
-/// The texture after a transformation of the object that carries it.
+/// The texture after a transformation of the object that carries it; what is on u and v stays.
 Texture transformed(Texture, const Transform&);
+
+/// The texture with all its layers on u and v.
+Texture uv_mapped(Texture);
 
 /// Radiance that the surface emits at most; 0 when it is no luminaire.
 Vec3 greatest_emission(const Texture&);

@@ -19,6 +19,7 @@ struct PatternedTexture {
 
     PatternUse use;
     Transform transform;  ///< after all steps of the pattern: to the object's space
+    bool uv = false;      ///< as in Pigment
     TextureMap map;
     Nesting nesting;
 };

@@ -6,39 +6,11 @@
 #include "solid/assemble.h"
 #include "text/message.h"
 #include "world/dark.h"
+#include "world/materials.h"
 
-#include <map>
-#include <optional>
-#include <unordered_map>
+#include <algorithm>
 
 namespace {
-
-/// What an object has from the unions around it. Handles are referred to where they are: counting
-/// their holders for each of a million objects takes longer than all else.
-struct Inherited {
-    Handle<Transform> transform;               ///< null: none
-    const Handle<Texture>* texture = nullptr;  ///< in world space
-    const Handle<Interior>* interior = nullptr;
-    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
-         hollow = false;
-};
-
-/// What primitives of one material have in common.
-struct MaterialKey {
-    const Texture* texture;
-    const Interior* interior;
-    bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
-
-    friend bool operator==(const MaterialKey&, const MaterialKey&) = default;
-};
-struct MaterialHash {
-    std::size_t operator()(const MaterialKey& key) const {
-        const std::hash<const void*> of;
-        const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
-                             key.double_illuminate << 3 | key.hollow << 4;
-        return of(key.texture) * 31 + of(key.interior) * 16 + static_cast<std::size_t>(switches);
-    }
-};
 
 /// Whether an object is one solid that cannot be taken apart into primitives of their own.
 bool is_composite(const Object& object) {
@@ -52,7 +24,8 @@ public:
         : world_(world),
           diagnostics_(diagnostics),
           all_(what == Flatten::everything),
-          only_lights_count_(!all_ && !world.lights.empty()) {}
+          only_lights_count_(!all_ && !world.lights.empty()),
+          materials_(world) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known.
@@ -68,10 +41,10 @@ public:
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
-        const std::uint32_t material = material_index(here);
+        const std::uint32_t material = materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
         world_.objects += row ? row->spheres.size() : 1;
-        const bool placed = all_ || glows_[material];
+        const bool placed = all_ || materials_.glows(material);
         if (row) {
             for (std::size_t i = 0; placed && i < row->spheres.size(); ++i)
                 place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
@@ -80,8 +53,7 @@ public:
         const Shape& shape = std::get<Shape>(object.form);
         if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
             mesh && object.part_textures && !(*mesh)->looks.empty())
-            add_mesh(**mesh, here.transform.get(),
-                     face_materials(object, here, outer.transform, material), object.span);
+            add_textured(**mesh, object, here, outer.transform);
         else if (placed)
             place(shape, here, material, object.span);
     }
@@ -113,12 +85,14 @@ private:
         std::uint32_t index;
         Span span;
     };
-    using TextureKey = std::pair<const Texture*, const Transform*>;
-
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
         here.transform = combined(object.transform, outer.transform);
-        if (object.texture) here.texture = &world_texture(object.texture, outer.transform);
+        here.uv |= object.uv_mapping;
+        if (object.texture)
+            here.texture = &materials_.world_texture(object.texture, outer.transform, here.uv);
+        else if (here.uv && !outer.uv)
+            here.texture = &materials_.world_texture(*here.texture, {}, true);
         if (object.interior) here.interior = &object.interior;
         here.no_shadow |= object.no_shadow;
         here.no_image |= object.no_image;
@@ -135,73 +109,16 @@ private:
         if (const Union* group = std::get_if<Union>(&object.form))
             for (const ObjectHandle& child : group->children) any |= glows(*child, here);
         else
-            any = glows_[material_index(here)];
+            any = materials_.glows(materials_.index(here));
         if (object.confines)
             for (const ObjectHandle& clip : object.confines->clips) any |= glows(*clip, here);
         return any;
     }
 
-    /// A texture moves with the unions around its object. Plain colours look the same everywhere
-    /// and are not copied.
-    const Handle<Texture>& world_texture(const Handle<Texture>& texture,
-                                         const Handle<Transform>& transform) {
-        if (!transform || texture->plain()) return texture;
-        auto& known = textures_[TextureKey(texture.get(), transform.get())];
-        if (!known) {
-            known = make_handle<Texture>(transformed(*texture, *transform));
-            kept_transforms_.push_back(transform);
-        }
-        return known;
-    }
-
-    std::uint32_t material_index(const Inherited& look) {
-        const Interior* interior = look.interior ? look.interior->get() : nullptr;
-        const MaterialKey key{look.texture->get(), interior,           look.no_shadow,
-                              look.no_image,       look.no_reflection, look.double_illuminate,
-                              look.hollow};
-        if (last_key_ != key) {
-            last_key_ = key;
-            const auto next = static_cast<std::uint32_t>(world_.materials.size());
-            const auto [found, added] = material_indices_.try_emplace(key, next);
-            if (added) add_material(look);
-            last_material_ = found->second;
-        }
-        return last_material_;
-    }
-
-    void add_material(const Inherited& look) {
-        const Texture& texture = **look.texture;
-        const bool clear = transparent(texture);
-        world_.materials.push_back({*look.texture,
-                                    look.interior ? *look.interior : Handle<Interior>(), clear,
-                                    look.no_shadow, look.no_image, look.no_reflection,
-                                    look.double_illuminate, look.hollow});
-        world_.any_transparent |= clear;
-        world_.any_left_out |= look.no_image || look.no_reflection;
-        world_.materials.back().solid = static_cast<std::uint32_t>(world_.materials.size() - 1);
-        glows_.push_back(greatest_emission(texture) != Vec3(0));
-    }
-
-    /// A copy of the material that nothing else has.
-    std::uint32_t own_material(std::uint32_t material) {
-        const auto own = static_cast<std::uint32_t>(world_.materials.size());
-        world_.materials.push_back(world_.materials[material]);
-        world_.materials.back().solid = own;
-        glows_.push_back(glows_[material]);
-        return own;
-    }
-
-    /// Of a mesh whose faces have textures: its own, then those of its textures. All are one solid.
-    std::vector<std::uint32_t> face_materials(const Object& object, Inherited look,
-                                              const Handle<Transform>& outside,
-                                              std::uint32_t material) {
-        std::vector<std::uint32_t> result = {own_material(material)};
-        for (const Handle<Texture>& texture : object.part_textures->list) {
-            look.texture = &world_texture(texture, outside);
-            result.push_back(own_material(material_index(look)));
-            world_.materials[result.back()].solid = result.front();
-        }
-        return result;
+    void add_textured(const Mesh& mesh, const Object& object, const Inherited& here,
+                      const Handle<Transform>& outside) {
+        const std::vector<std::uint32_t> materials = materials_.of_faces(object, here, outside);
+        add_mesh(mesh, here.transform.get(), materials, object.span);
     }
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
@@ -217,7 +134,7 @@ private:
         } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
-            add_mesh(**mesh, here.transform.get(), {own_material(material)}, span);
+            add_mesh(**mesh, here.transform.get(), {materials_.own(material)}, span);
         } else {
             add_shape(shapes_.built(shape), here.transform, material, span);
         }
@@ -226,20 +143,26 @@ private:
     void place_sphere(const Sphere& sphere, const Handle<Transform>& transform,
                       std::uint32_t material, Span span) {
         const double scale = transform ? transform->uniform_scale() : 1;
-        if (scale == 0) return add_shape(sphere, transform, material, span);
+        // Of a sphere that has been turned, only the shape in its place knows where u is 0.
+        const bool wrapped = transform && world_.materials[material].uv;
+        if (scale == 0 || wrapped) return add_shape(sphere, transform, material, span);
         const Vec3 centre = transform ? transform->point(sphere.centre) : sphere.centre;
         add_sphere({centre, sphere.radius * scale}, material, span);
     }
 
-    /// `materials` are the mesh's own and those of its textures. A face with three textures shows
-    /// the first.
+    /// `materials` are the mesh's own and those of its textures.
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const MeshTriangle f = face(mesh, i);
-            const int look = mesh.looks.empty() ? -1 : mesh.looks[i][0];
-            const std::uint32_t material = materials[static_cast<std::size_t>(look + 1)];
+            const Face looks = mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i];
+            const std::uint32_t material = materials_.of_face(materials, looks);
             add_triangle({f.corners[0], f.corners[1], f.corners[2]}, transform, material, span);
+            if (world_.materials[material].uv) {
+                world_.uvs_of.resize(world_.triangles.size(), no_primitive);
+                world_.uvs_of.back() = static_cast<std::uint32_t>(world_.uvs.size());
+                world_.uvs.push_back(face_uvs(mesh, i));
+            }
             if (f.smooth) add_normals({f.normals[0], f.normals[1], f.normals[2]}, transform);
         }
     }
@@ -291,7 +214,18 @@ private:
         }
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {
-            const std::uint32_t material = flattener.material_index(around.back());
+            const Inherited& look = around.back();
+            const auto* shape = std::get_if<Shape>(&object.form);
+            const auto* mesh = shape ? std::get_if<Shared<Mesh>>(shape) : nullptr;
+            std::uint32_t material = 0;
+            if (mesh && object.part_textures && !(*mesh)->looks.empty()) {
+                const Handle<Transform>& outside = around[around.size() - 2].transform;
+                FaceTextures& list = flattener.world_.face_textures[static_cast<std::uint32_t>(
+                    flattener.leaf_materials_.size())];
+                material = flattener.materials_.of_leaf(object, look, outside, list);
+            } else {
+                material = flattener.materials_.index(look);
+            }
             transparent |= flattener.world_.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);
@@ -320,14 +254,15 @@ private:
     void note(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span,
               bool bounded) {
         if (bounded) return note_luminaire(kind, index, material, span);
-        if (!glows_[material]) return;
+        if (!materials_.glows(material)) return;
         diagnostics_.add(
             warning(Fault::degenerate, span, "an unbounded luminaire glows, but lights nothing")
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
     void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
-        if (glows_[material]) glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
+        if (materials_.glows(material))
+            glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
     }
 
     /// `first` is the number of the first primitive of each kind.
@@ -336,9 +271,7 @@ private:
             Luminaire luminaire;
             luminaire.emitter = emitter(glow);
             luminaire.primitive = first[glow.kind] + glow.index;
-            const Texture& texture = *world_.material(luminaire.primitive).texture;
-            luminaire.radiance = greatest_emission(texture);
-            luminaire.varying = varied(texture);
+            set_radiance(luminaire);
             if (emitting_area(luminaire.emitter) > 0)
                 world_.luminaires.push_back(std::move(luminaire));
             else
@@ -348,6 +281,20 @@ private:
                         .with_help(
                             "give it three corners that do not lie on one line, or leave it out"));
         }
+    }
+
+    void set_radiance(Luminaire& luminaire) const {
+        const Material& look = world_.material(luminaire.primitive);
+        luminaire.radiance = greatest_emission(*look.texture);
+        luminaire.varying = varied(*look.texture);
+        const auto include = [&](const Handle<Texture>& other) {
+            luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
+            luminaire.varying = true;
+        };
+        if (look.texture2) include(look.texture2), include(look.texture3);
+        if (luminaire.primitive < world_.leaves_begin()) return;
+        const auto faces = world_.face_textures.find(luminaire.primitive - world_.leaves_begin());
+        if (faces != world_.face_textures.end()) std::ranges::for_each(faces->second, include);
     }
 
     Emitter emitter(const Unplaced& glow) const {
@@ -379,14 +326,8 @@ private:
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
     bool all_;
-    bool only_lights_count_;   ///< materials of what does not glow are not asked for
-    std::vector<bool> glows_;  ///< by material
-    std::unordered_map<MaterialKey, std::uint32_t, MaterialHash> material_indices_;
-    std::optional<MaterialKey> last_key_;
-    std::uint32_t last_material_ = 0;  ///< of that key
-    std::map<TextureKey, Handle<Texture>> textures_;
-    std::vector<Handle<Transform>>
-        kept_transforms_;  ///< so that no address in textures_ is used twice
+    bool only_lights_count_;  ///< materials of what does not glow are not asked for
+    Materials materials_;
 };
 
 }  // namespace

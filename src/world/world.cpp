@@ -2,6 +2,8 @@
 // The questions that rays ask of a world.
 #include "world/world.h"
 
+#include "shape/uv.h"
+
 #include <algorithm>
 #include <array>
 
@@ -66,6 +68,7 @@ bool World::left_out(PrimitiveIndex primitive, RayKind kind) const {
 Hit World::complete(const Ray& ray, const Candidate& found) const {
     Hit hit;
     hit.primitive = found.primitive;
+    hit.part = found.part;
     hit.position = ray.at(found.t);
     hit.tolerance = tolerance_at(ray, found.t);
     if (found.primitive < spheres.size()) {
@@ -123,7 +126,8 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         };
         std::vector<Composite::Meeting> met;
         placed.composite->all(ray, range, passed, met);
-        for (const auto& each : met) found.push_back({each.t, placed.first_leaf + each.leaf});
+        for (const auto& each : met)
+            found.push_back({each.t, placed.first_leaf + each.leaf, each.part});
         return;
     }
     if (material(item).no_shadow) return;
@@ -144,7 +148,7 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         Crossings all;
         crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, all);
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (range.contains(all[i].t)) found.push_back({all[i].t, item});
+            if (range.contains(all[i].t)) found.push_back({all[i].t, item, all[i].part});
     }
 }
 
@@ -213,8 +217,16 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     for (const std::uint32_t item : clear) {
         found.clear();
         collect(item, ray, range, found);
-        for (const Passage& each : found)
-            passed *= passing(*material(each.primitive).texture, ray.at(each.t), pattern_scene());
+        for (const Passage& each : found) {
+            const Vec3 point = ray.at(each.t);
+            const PatternScene scene = pattern_scene(each.primitive, each.part, point);
+            Vec3 share(0);
+            for_textures(each.primitive, each.part, point,
+                         [&](double weight, const Texture& texture) {
+                             share += weight * passing(texture, point, scene);
+                         });
+            passed *= share;
+        }
         passed *= dimmed(found);
     }
     return passed;
@@ -244,8 +256,13 @@ std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
 }
 
 Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
-    return ::emission(*material(primitive).texture, point, pattern_scene(),
-                      [&](const Colour& colour) { return opacity(colour); });
+    const PatternScene scene = pattern_scene(primitive, any_part, point);
+    Vec3 sum(0);
+    for_textures(primitive, any_part, point, [&](double weight, const Texture& texture) {
+        sum += weight * ::emission(texture, point, scene,
+                                   [&](const Colour& colour) { return opacity(colour); });
+    });
+    return sum;
 }
 
 Vec3 World::sky_radiance(const Vec3& direction) const {

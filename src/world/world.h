@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 using PrimitiveIndex = std::uint32_t;
@@ -17,7 +18,10 @@ inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
 
 /// The look of some primitives and what they do to rays; many primitives share one.
 struct Material {
-    Handle<Texture> texture;    ///< in world space; never null
+    Handle<Texture> texture;  ///< in world space; never null
+    /// Of the other corners of a mesh's face, when they differ; null: the whole shows the one
+    /// above.
+    Handle<Texture> texture2 = {}, texture3 = {};
     Handle<Interior> interior;  ///< null: the atmosphere's
     bool transparent = false;   ///< light can pass through it
     bool no_shadow = false;
@@ -25,6 +29,7 @@ struct Material {
     bool no_reflection = false;
     bool double_illuminate = false;
     bool hollow = false;
+    bool uv = false;          ///< a texture asks for u and v
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
 };
 
@@ -42,6 +47,9 @@ struct CornerNormals {
     Vec3 normal1, normal2, normal3;
 };
 
+/// Textures of a mesh's faces, by their numbers in Mesh::looks.
+using FaceTextures = std::vector<Handle<Texture>>;
+
 /// A primitive of any other shape, under any affine map.
 struct PlacedShape {
     BuiltShape shape;
@@ -58,6 +66,7 @@ struct PlacedComposite {
 /// Where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
+    std::uint32_t part = 0;  ///< of shapes and leaves: see Crossing
     Vec3 position = Vec3(0);
     Vec3 normal = Vec3(0);         ///< unit, outward: of the surface as it is
     Vec3 smooth_normal = Vec3(0);  ///< unit, outward: of the surface as it is shaded
@@ -92,6 +101,15 @@ public:
     /// Radiance that the primitive emits at a point of its surface.
     Vec3 emission(PrimitiveIndex, const Vec3& point) const;
 
+    /// Calls use(share, texture) for each texture that shows at a point of the surface: one, or
+    /// those of the corners of a mesh's face. The shares add up to 1. `part` is the hit's, or
+    /// any_part.
+    void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point,
+                      FunctionRef<void(double, const Texture&)> use) const;
+
+    /// Where the point is on a picture that is wrapped around the surface.
+    Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;
+
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const;
 
@@ -102,6 +120,14 @@ public:
     /// What all patterns of the scene have in common, for a point that is on no surface.
     PatternScene pattern_scene() const {
         return {noise_generator(settings.noise_generator), settings.number_of_waves, nullptr};
+    }
+
+    /// The same for a point of a surface, without how it is seen.
+    PatternScene pattern_scene(PrimitiveIndex primitive, std::uint32_t part,
+                               const Vec3& point) const {
+        PatternScene scene = pattern_scene();
+        if (material(primitive).uv) scene.uv = uv(primitive, part, point);
+        return scene;
     }
 
     /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
@@ -129,6 +155,10 @@ public:
     std::vector<CornerNormals> normals;       ///< of the smooth triangles
     std::vector<std::uint32_t>
         normals_of;  ///< per triangle: index in normals, or no_primitive; empty when none is smooth
+    std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
+    std::vector<std::uint32_t> uvs_of;  ///< per triangle: index in uvs, or no_primitive; the last
+                                        ///< ones are left out when they have none
+    std::unordered_map<std::uint32_t, FaceTextures> face_textures;  ///< by leaf, counted from 0
     std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
@@ -162,7 +192,10 @@ private:
     struct Passage {
         double t;
         PrimitiveIndex primitive;
+        std::uint32_t part = 0;
     };
+    /// A leaf of a composite, by its number among all leaves.
+    const CompositeLeaf& leaf(std::uint32_t) const;
     void meet(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
     void meet_shape(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
     template <class Wanted>

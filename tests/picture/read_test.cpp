@@ -97,3 +97,28 @@ TEST_CASE("what is no picture is an error that names the file") {
         CHECK(diagnostics.all()[0].message.find(name) != std::string::npos);
     }
 }
+
+TEST_CASE("texels are coded as the scene wants them", "[picture]") {
+    const Folder folder;
+    const std::string plain = folder.file("plain.ppm");
+    std::ofstream(plain, std::ios::binary) << std::string("P6 1 1 255\n\x80\x00\xff", 14);
+    const auto red = [&](const TexelCoding& coding) {
+        Diagnostics diagnostics;
+        const auto texels = read_texels(plain, coding, diagnostics);
+        REQUIRE(texels);
+        CHECK(texels->greatest.z == 1);
+        return texels->values.at(0);
+    };
+    TexelCoding coding;
+    CHECK(red(coding) == Approx(128 / 255.0));  // PPM is as it is
+    coding.gamma = 2;
+    CHECK(red(coding) == Approx(0.25198).epsilon(1e-4));
+    coding.working_gamma = 2;
+    CHECK(red(coding) == Approx(128 / 255.0));
+    coding.gamma = -1;
+    coding.decode = TexelCoding::as_stored;
+    CHECK(red(coding) == Approx(0.21586).epsilon(1e-4));
+    Diagnostics diagnostics;
+    CHECK_FALSE(read_texels(folder.file("none.png"), {}, diagnostics));
+    CHECK(diagnostics.failed());
+}

@@ -104,7 +104,7 @@ TEST_CASE("areas are exact", "[shape]") {
         CHECK(surface_area(shape) == Approx(expected).epsilon(1e-14));
     }
     CHECK(surface_area(BuiltShape(Plane{})) == 0);
-    CHECK(surface_area(BuiltShape(Shared<Mesh>())) == 0);
+    CHECK(surface_area(BuiltShape(Shared<BuiltMesh>())) == 0);
 }
 
 TEST_CASE("sampled points are on the surface, with its normal", "[shape]") {

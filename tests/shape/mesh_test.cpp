@@ -31,14 +31,14 @@ Mesh corner_mesh() {
 }  // namespace
 
 TEST_CASE("rays cross a mesh where they should", "[shape]") {
-    CHECK(answers(corner_mesh(), {{Vec3(0.2, 0.2, -5), z}, {{5, -z, true}}}));
-    CHECK(answers(corner_mesh(), {{Vec3(-5, 0.2, 0.2), 2.0 * x}, {{2.5, -x, true}}}));
+    CHECK(answers(build(corner_mesh()), {{Vec3(0.2, 0.2, -5), z}, {{5, -z, true}}}));
+    CHECK(answers(build(corner_mesh()), {{Vec3(-5, 0.2, 0.2), 2.0 * x}, {{2.5, -x, true}}}));
     const Vec3 a(0.3, 0.2, -5);
-    CHECK(answers(cube(), {{a, z}, {{4, -z, true}, {6, z, false}}}));
-    CHECK(answers(cube(), {{Vec3(0, 0, -5), z}, {{4, -z, true}, {6, z, false}}}));
-    CHECK(answers(cube(), {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
-    CHECK(answers(cube(), {{Vec3(0, 5, 0), -y}, {{4, y, true}, {6, -y, false}}}));
-    CHECK(answers(Mesh{}, {{a, z}, {}}));
+    CHECK(answers(build(cube()), {{a, z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(build(cube()), {{Vec3(0, 0, -5), z}, {{4, -z, true}, {6, z, false}}}));
+    CHECK(answers(build(cube()), {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
+    CHECK(answers(build(cube()), {{Vec3(0, 5, 0), -y}, {{4, y, true}, {6, -y, false}}}));
+    CHECK(answers(build(Mesh{}), {{a, z}, {}}));
 }
 
 TEST_CASE("normals of a mesh come from vertices, from normal_indices, or from the face",
@@ -47,14 +47,14 @@ TEST_CASE("normals of a mesh come from vertices, from normal_indices, or from th
     mesh.vertices = {o, x, y};
     mesh.faces = {{0, 1, 2}};
     const Ray ray{Vec3(0.2, 0.3, -5), z};
-    CHECK(answers(mesh, {ray, {{5, -z, true}}}));
+    CHECK(answers(build(mesh), {ray, {{5, -z, true}}}));
     mesh.normals = {-z, Vec3(1, 0, -1), Vec3(0, 1, -1)};
     const Vec3 blended = unit(0.5 * -z + 0.2 * unit(Vec3(1, 0, -1)) + 0.3 * unit(Vec3(0, 1, -1)));
-    CHECK(answers(mesh, {ray, {{5, blended, true}}}));
+    CHECK(answers(build(mesh), {ray, {{5, blended, true}}}));
     mesh.normal_faces = {{1, 1, 1}};
-    CHECK(answers(mesh, {ray, {{5, unit(Vec3(1, 0, -1)), true}}}));
+    CHECK(answers(build(mesh), {ray, {{5, unit(Vec3(1, 0, -1)), true}}}));
     mesh.normals[1] = o;
-    CHECK(answers(mesh, {ray, {{5, -z, true}}}));
+    CHECK(answers(build(mesh), {ray, {{5, -z, true}}}));
     CHECK(face(mesh, 0).smooth);
 
     mesh.faces.push_back({0, 2, 1});
@@ -69,8 +69,8 @@ TEST_CASE("faces without area are not met", "[shape]") {
     mesh.normals = {z, z, z};
     mesh.faces = {{0, 1, 2}, {1, 1, 1}};
     CHECK(problem(mesh) == "");
-    CHECK(answers(mesh, {{Vec3(0.5, 0, -5), z}, {}}));
-    CHECK(answers(mesh, {{Vec3(1, 0, -5), z}, {}}));
+    CHECK(answers(build(mesh), {{Vec3(0.5, 0, -5), z}, {}}));
+    CHECK(answers(build(mesh), {{Vec3(1, 0, -5), z}, {}}));
 }
 
 TEST_CASE("the inside of a closed mesh is found by counting, also through edges and corners",
@@ -80,25 +80,26 @@ TEST_CASE("the inside of a closed mesh is found by counting, also through edges 
     for (const Vec3& vector :
          {y, Vec3(1, 1, 1), Vec3(1, 1, 0), Vec3(0, 0, -3), Vec3(0.3, 0.1, 0.7)}) {
         mesh.inside_vector = vector;
-        CHECK(inside(mesh, o));
-        CHECK(inside(mesh, Vec3(0.5, 0, 0.5)));
-        CHECK_FALSE(inside(mesh, -2.0 * vector));
+        const BuiltMesh built = build(mesh);
+        CHECK(inside(built, o));
+        CHECK(inside(built, Vec3(0.5, 0, 0.5)));
+        CHECK_FALSE(inside(built, -2.0 * vector));
         for (int i = 0; i < 200; ++i) {
             const Vec3 p = draw.point(2);
-            CHECK(inside(mesh, p) == (max_abs_component(p) < 1));
+            CHECK(inside(built, p) == (max_abs_component(p) < 1));
         }
     }
     mesh.inside_vector = o;
-    CHECK_FALSE(inside(mesh, o));
+    CHECK_FALSE(inside(build(mesh), o));
     mesh.inside_vector.reset();
-    CHECK_FALSE(inside(mesh, o));
+    CHECK_FALSE(inside(build(mesh), o));
 }
 
 TEST_CASE("bounds of a mesh hold its faces", "[shape]") {
     Mesh mesh = corner_mesh();
     mesh.vertices.push_back(Vec3(100));
-    CHECK(bounds(mesh).low == o);
-    CHECK(bounds(mesh).high == Vec3(1));
+    CHECK(bounds(build(mesh)).low == o);
+    CHECK(bounds(build(mesh)).high == Vec3(1));
 }
 
 TEST_CASE("what can be wrong with a mesh is said", "[shape]") {
@@ -132,4 +133,17 @@ TEST_CASE("what can be wrong with a mesh is said", "[shape]") {
     CHECK(with([](Mesh& m) {
               m.normals = {z}, m.normal_faces = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
           }) == "`normal_indices` has 3 entries, but there are only 2 faces");
+}
+
+TEST_CASE("a crossing names the face, and u and v of corners come from the lists", "[shape]") {
+    Mesh mesh = corner_mesh();
+    CHECK(hits(build(mesh), {Vec3(-5, 0.2, 0.2), x}).at(0).part == 1);
+    CHECK(face_uvs(mesh, 1)[2] == Vec2(0));
+    mesh.uvs = {Vec2(0), Vec2(1, 0), Vec2(0, 1), Vec2(1, 1)};
+    CHECK(face_uvs(mesh, 1) == std::array{Vec2(0), Vec2(0, 1), Vec2(1, 1)});
+    mesh.uv_faces = {{0, 0, 0}, {3, 2, 1}};
+    CHECK(face_uvs(mesh, 1) == std::array{Vec2(1, 1), Vec2(0, 1), Vec2(1, 0)});
+    mesh.uv_faces.clear();
+    mesh.uvs.resize(1, Vec2(0));
+    CHECK(face_uvs(mesh, 0)[1] == Vec2(0));
 }

@@ -11,7 +11,7 @@ TEST_CASE("a mesh of single triangles becomes one of lists", "[shape]") {
     mesh.triangles[0].looks = {1, 1, 1};
     mesh.smooth_triangles.resize(1);
     mesh.smooth_triangles[0].uv2 = Vec2(1, 0);
-    const Mesh built = build(mesh);
+    const Mesh built = as_mesh(mesh);
     CHECK(problem(built).empty());
     CHECK(built.faces.size() == 2);  // one has no area
     CHECK(built.normal_faces.size() == 1);
@@ -21,6 +21,6 @@ TEST_CASE("a mesh of single triangles becomes one of lists", "[shape]") {
     CHECK(built.uvs.size() == 6);
     mesh.smooth_triangles.clear();
     mesh.triangles[0].looks = {-1, -1, -1};
-    CHECK(build(mesh).looks.empty());
-    CHECK(build(mesh).uvs.empty());
+    CHECK(as_mesh(mesh).looks.empty());
+    CHECK(as_mesh(mesh).uvs.empty());
 }

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/pictures.h"
+
+#include "formula/formula.h"
+#include "text/message.h"
+#include "vocabulary/kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using Patterns = Kinds<Pattern>;
+
+/// Of the value that `gamma srgb` stands for.
+constexpr double srgb_gamma = -1;
+
+constexpr auto file_kinds =
+    std::array{"gif"_word, "tga"_word, "iff"_word,  "pot"_word,  "png"_word, "pgm"_word, "ppm"_word,
+               "bmp"_word, "sys"_word, "jpeg"_word, "tiff"_word, "exr"_word, "hdr"_word};
+
+bool takes_colours(const Pattern& pattern) { return std::holds_alternative<ImageMap>(pattern); }
+
+/// By POV-Ray 3.7's rules, which depend on the version of the language.
+TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMap& map) {
+    TexelCoding result;
+    result.gamma = map.gamma;
+    result.premultiplied = map.premultiplied;
+    result.working_gamma = binder.working_gamma.value_or(1);
+    const bool modern = binder.evaluator.version_given() && binder.evaluator.version() >= 3.7;
+    if (!takes_colours(pattern) || !(modern || binder.working_gamma))
+        result.decode = TexelCoding::as_stored;
+    else if (!modern)
+        result.decode = TexelCoding::where_said;
+    return result;
+}
+
+/// A function's values at all pixels, from 0 to 1 in 65536 steps, as POV-Ray keeps them.
+Texels sampled(const Formula& function) {
+    Texels texels;
+    texels.width = function.columns();
+    texels.height = function.rows();
+    const int results = function.results();
+    texels.channels = results < 3 ? 1 : 3;
+    const auto kept = [](double value) {
+        return static_cast<float>(std::floor(65535 * std::clamp(value, 0.0, 1.0) + 0.5) / 65535);
+    };
+    for (int y = 0; y < texels.height; ++y)
+        for (int x = 0; x < texels.width; ++x) {
+            const std::array<double, 3> at = {x / std::fmax(1, texels.width - 1),
+                                              y / std::fmax(1, texels.height - 1), 0};
+            std::array<double, Program::most_results> found{};
+            if (!function.run(at.data(), found.data())) found = {};
+            for (int i = 0; i < texels.channels; ++i)
+                texels.values.push_back(kept(found[static_cast<std::size_t>(i)]));
+            if (results == 5) texels.alpha.push_back(kept(1 - found[4]));
+        }
+    if (std::ranges::all_of(texels.alpha, [](float alpha) { return alpha == 1; }))
+        texels.alpha.clear();
+    texels.measure();
+    return texels;
+}
+
+}  // namespace
+
+PictureReader::PictureReader(OpenBlock& block, Pattern& pattern)
+    : block_(block),
+      pattern_(pattern),
+      map_(const_cast<PictureMap&>(*picture_of(pattern))),
+      fields_(block, *Patterns::infos[pattern.index()], Patterns::address(pattern)) {
+    block.item = Patterns::infos[pattern.index()];
+}
+
+void PictureReader::add_words(WordList& words) const {
+    fields_.add_words(words);
+    if (takes_colours(pattern_)) words.insert(words.end(), {"filter", "transmit"});
+}
+
+bool PictureReader::take(const Element& element) {
+    if (take_adjustment(element)) return true;
+    if (element.kind == Element::Kind::word && !fields_.waiting() &&
+        std::ranges::find(file_kinds, element.word) != file_kinds.end())
+        return true;
+    if (element.kind == Element::Kind::word && element.word == "srgb"_word &&
+        fields_.expected() == "gamma") {
+        Element value = element;
+        value.kind = Element::Kind::value;
+        value.word = no_name;
+        value.value = Numbers::scalar(srgb_gamma);
+        return fields_.take(value);
+    }
+    return fields_.take(element);
+}
+
+/// A part of `filter all 0.5` or `filter 3, 0.5`.
+bool PictureReader::take_adjustment(const Element& element) {
+    if (!takes_colours(pattern_)) return false;
+    const bool word = element.kind == Element::Kind::word;
+    const Tree* tree = element.origin.tree;
+    const auto* channel = tree && element.origin.first != no_node
+                              ? tree->get_if<node::Channel>(element.origin.first)
+                              : nullptr;
+    const NameId name = word ? element.word : channel ? channel->channel : no_name;
+    if (name == "filter"_word || name == "transmit"_word) {
+        adjustment_ = {name == "filter"_word, -1, 0};
+        stage_ = word ? Stage::which : Stage::amount;
+        const Numbers* numbers = element.value.numbers();
+        if (channel && numbers)
+            adjustment_.number = static_cast<int>(numbers->at[name == "filter"_word ? 3 : 4]);
+        return true;
+    }
+    if (stage_ == Stage::which && word && element.word == "all"_word) {
+        stage_ = Stage::amount;
+        return true;
+    }
+    if (stage_ != Stage::amount || element.kind != Element::Kind::value) return false;
+    stage_ = Stage::none;
+    const auto amount = converted(
+        block_, element, FieldType::number,
+        {[] { return std::string("the amount of `filter`"); }, [&] { return block_.help(); }});
+    if (!amount) return true;
+    adjustment_.amount = std::get<double>(*amount);
+    std::get<ImageMap>(pattern_).adjustments.push_back(adjustment_);
+    return true;
+}
+
+void PictureReader::finish() {
+    fields_.finish();
+    const bool odd_map = map_.map_type == 3 || map_.map_type == 4;
+    if (stage_ != Stage::none && !block_.broken)
+        block_.report(
+            error(Fault::missing, block_.span, "`filter` and `transmit` of a picture need a number")
+                .with_help("filter all 0.5, or filter 3, 0.5 for the colour number 3"));
+    if ((odd_map || map_.interpolate == 1) && !block_.broken)
+        block_.report(error(Fault::out_of_range, block_.span,
+                            odd_map ? message("there is no `map_type` ", map_.map_type)
+                                    : "there is no `interpolate` 1")
+                          .with_help(odd_map ? "map_type 0, 1, 2 or 5" : "interpolate 2"));
+    if (!block_.broken) load();
+}
+
+void PictureReader::load() {
+    if (map_.function) {
+        if (map_.function->columns() == 0 || map_.function->parameters() > 3) {
+            block_.report(error(Fault::wrong_type, block_.span,
+                                "the function of a picture says how many pixels it has")
+                              .with_help("function 256, 256 { ... }"));
+            return;
+        }
+        map_.texels = make_handle<Texels>(sampled(*map_.function));
+    } else if (map_.file.empty()) {
+        block_.report(
+            error(Fault::missing, block_.span, message(block_.quoted(), " needs a picture"))
+                .with_help(message(block_.name, " { \"picture.png\" }")));
+        return;
+    } else {
+        Binder& binder = block_.binder;
+        const auto path = binder.evaluator.find_data(map_.file, block_.span);
+        block_.broken |= !path;
+        if (!path) return;
+        const TexelCoding how = coding(binder, pattern_, map_);
+        Handle<Texels>& known = binder.pictures[{*path, how}];
+        if (!known) {
+            auto read = read_texels(*path, how, binder.evaluator.diagnostics(), block_.span);
+            block_.broken |= !read;
+            if (!read) return;
+            known = make_handle<Texels>(std::move(*read));
+        }
+        map_.texels = known;
+    }
+    if (auto* image = std::get_if<ImageMap>(&pattern_)) image->adjust();
+}

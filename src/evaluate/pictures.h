@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures in braces, behind image_map and its kin: which file or function, how its values are
+// meant, how it lies. Called by the readers of patterns and textures.
+#pragma once
+
+#include "evaluate/bind.h"
+#include "pattern/pattern.h"
+
+/// What stands in the braces, apart from what other readers take.
+class PictureReader {
+public:
+    /// All outlive the reader. Precondition: the pattern is made of a picture.
+    PictureReader(OpenBlock&, Pattern&);
+
+    bool waiting() const { return stage_ != Stage::none || fields_.waiting(); }
+    bool wants() const { return fields_.wants(); }
+    bool take(const Element&);
+    void finish();
+    void add_words(WordList&) const;
+
+private:
+    /// Of `filter all 0.5` or `filter 3, 0.5`: what comes next.
+    enum class Stage { none, which, amount };
+
+    bool take_adjustment(const Element&);
+    void load();
+
+    OpenBlock& block_;
+    Pattern& pattern_;
+    PictureMap& map_;
+    ItemReader fields_;
+    Stage stage_ = Stage::none;
+    ImageMap::Adjustment adjustment_;
+};
+
+/// The whole block; the pattern gets its texels. What is wrong is reported.
+template <class... Others>
+void read_picture(OpenBlock& block, Body body, Pattern& pattern, Others&... others) {
+    PictureReader reader(block, pattern);
+    block.read(body, reader, others...);
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pattern/picture_map.h"
+
+#include "base/turn.h"
+#include "vocabulary/schema.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace {
+
+/// The vocabulary of one of the four: its own fields after the common ones.
+template <class T, class... Own>
+consteval auto picture_schema(std::string_view name, std::string_view help, Own... own) {
+    using F = Field<T>;
+    return schema<T>(
+        name, help,
+        maybe(F{"function", &T::function, positional,
+                "`function width, height { ... }` of x and y from 0 to 1, instead of a file"}),
+        maybe(F{"file", &T::file, positional, "name of a picture; its kind may come before it"}),
+        F{"gamma", &T::gamma, item, "of the file's values, instead of what it says; or `srgb`"},
+        F{"premultiplied", &T::premultiplied, flag, "the file's colours are stored times alpha"},
+        F{"map_type", &T::map_type, item,
+          "0: on the plane of x and y, 1: around a sphere, 2: around a cylinder, 5: around a ring",
+          between(0, 5)},
+        F{"interpolate", &T::interpolate, item,
+          "0: pixels are squares, 2: bilinear, 3: bicubic, 4: by distance", between(0, 4)},
+        F{"once", &T::once, flag, "the picture is not repeated"},
+        F{"repeat", &T::repeat, item, "how often it is there in each square of size 1"},
+        F{"offset", &T::offset, item, "by how much it is moved, in pictures"},
+        F{"use_color", &T::use_color, flag, "accepted: colours are used anyway"},
+        F{"use_colour", &T::use_color, flag, "the same"},
+        F{"use_index", &T::use_index, flag, "heights are the numbers of the file's colours"},
+        F{"use_alpha", &T::use_alpha, flag, "values are the transparency"}, own...);
+}
+
+}  // namespace
+
+const ItemInfo ImageMap::vocabulary = described<ImageMap>([] {
+    return picture_schema<ImageMap>("image_map",
+                                    "The colours of a picture, in braces. `filter all n` and "
+                                    "`transmit all n` make it clear, `filter i, n` and "
+                                    "`transmit i, n` one colour of the file's table.");
+});
+
+const ItemInfo ImagePattern::vocabulary = described<ImagePattern>([] {
+    return picture_schema<ImagePattern>("image_pattern", "The brightness of a picture, in braces.");
+});
+
+const ItemInfo BumpMap::vocabulary = described<BumpMap>([] {
+    return picture_schema<BumpMap>(
+        "bump_map", "Bumps as high as a picture is bright, in braces; for normals only.",
+        Field<BumpMap>{"bump_size", &BumpMap::bump_size, item, "height of the bumps"});
+});
+
+const ItemInfo MaterialMap::vocabulary = described<MaterialMap>([] {
+    return picture_schema<MaterialMap>(
+        "material_map",
+        "Textures by the numbers of a picture's colours, or by their red from 0 to 255, in braces; "
+        "for textures only.");
+});
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double tiny = 1e-10;
+
+/// Values of a texel that are mixed as they are: red, green, blue, transmit, and filter.
+struct Mixture {
+    Vec4 rgbt = Vec4(0);
+    double filter = 0;
+
+    Mixture operator*(double weight) const { return {weight * rgbt, weight * filter}; }
+    Mixture& operator+=(const Mixture& other) {
+        rgbt += other.rgbt;
+        filter += other.filter;
+        return *this;
+    }
+    Colour colour() const { return {Vec3(rgbt.x, rgbt.y, rgbt.z), filter, rgbt.w}; }
+};
+
+Mixture texel(const Texels& texels, int x, int y) {
+    const std::size_t at = texels.at(x, y);
+    if (!texels.numbers.empty()) {
+        const Colour& c = texels.table[texels.numbers[at]];
+        return {Vec4(c.rgb.x, c.rgb.y, c.rgb.z, c.transmit), c.filter};
+    }
+    const double transmit = texels.alpha.empty() ? 0 : 1 - double{texels.alpha[at]};
+    if (texels.channels == 1) {
+        const double grey = texels.values[at];
+        return {Vec4(grey, grey, grey, transmit), 0};
+    }
+    const float* const v = &texels.values[3 * at];
+    return {Vec4(v[0], v[1], v[2], transmit), 0};
+}
+
+double floor_mod(double x, double m) {
+    const double rest = x - m * std::floor(x / m);
+    return rest >= m || !(rest >= 0) ? 0 : rest;
+}
+
+/// Where on the picture a point is, in pixels, before offset and repetition; y upwards.
+std::optional<Vec2> unrolled(const PictureMap& map, const Vec3& p, const Vec2& size) {
+    const bool off_plane = map.once && (p.x < 0 || p.x > 1),
+               off_height = map.once && (p.y < 0 || p.y > 1);
+    const double around = p.x == 0 && p.z == 0 ? 0 : turn(p.x, p.z);
+    const double from_axis = std::hypot(p.x, p.z), distance = length(p);
+    const Vec2 flat(std::fmod(p.x * size.x, size.x), std::fmod(p.y * size.y, size.y));
+    switch (map.map_type) {
+        case 0:
+            if (off_plane || off_height) return std::nullopt;
+            return flat;
+        case 1:
+            if (distance == 0) return std::nullopt;
+            return Vec2(size.x * around, size.y * (0.5 + std::asin(p.y / distance) / pi));
+        case 2:
+            if (off_height || from_axis == 0) return std::nullopt;
+            return Vec2(size.x * around, flat.y);
+        default:
+            if (from_axis == 0) return std::nullopt;
+            return Vec2(size.x * around, size.y * turn_of_tube(from_axis - 1, p.y));
+    }
+}
+
+/// The place on the picture, in pixels from its upper left corner; nothing where it is missed.
+std::optional<Vec2> place_on(const PictureMap& map, const Vec3& point) {
+    if (!map.texels) return std::nullopt;
+    const Vec2 size(map.texels->width, map.texels->height);
+    std::optional<Vec2> at = unrolled(map, point, map.repeat * size);
+    if (!at || !std::isfinite(at->x) || !std::isfinite(at->y)) return std::nullopt;
+    *at += Vec2(tiny) - map.offset * size;
+    if (map.once && (at->x < 0 || at->x >= size.x || at->y < 0 || at->y >= size.y))
+        return std::nullopt;
+    return Vec2(floor_mod(at->x, size.x), floor_mod(-at->y, size.y));
+}
+
+/// The number of a pixel that may lie beyond the rim.
+int within(const PictureMap& map, int i, int count) {
+    if (map.once) return std::clamp(i, 0, count - 1);
+    return i < 0 ? (i % count + count) % count : i % count;
+}
+
+std::array<double, 4> cubic_weights(double p) {
+    const double q = 1 - p;
+    return {-p * q * q / 2, q / 2 * (q * (3 * p + 1) + 1), p / 2 * (p * (3 * q + 1) + 1),
+            -q * p * p / 2};
+}
+
+std::array<double, 4> weights_of(int interpolate, double p, double q) {
+    if (interpolate != 4) return {p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};
+    const auto near = [](double x, double y) { return 1 / std::fmax(x * x + y * y, 1e-300); };
+    std::array<double, 4> result = {near(1 - p, 1 - q), near(p, 1 - q), near(1 - p, q), near(p, q)};
+    const double sum = result[0] + result[1] + result[2] + result[3];
+    for (double& weight : result) weight /= sum;
+    return result;
+}
+
+/// fetch(x, y) at a place, mixed as the map says.
+template <class Fetch>
+auto mixed_at(const PictureMap& map, const Vec2& place, Fetch fetch) {
+    const int width = map.texels->width, height = map.texels->height;
+    const auto at = [&](int x, int y) {
+        return fetch(within(map, x, width), within(map, y, height));
+    };
+    if (map.interpolate < 2) return at(static_cast<int>(place.x), static_cast<int>(place.y));
+    const double x = place.x + 0.5, y = place.y + 0.5;
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    decltype(at(0, 0)) sum{};
+    if (map.interpolate == 3) {
+        const auto across = cubic_weights(x - i), down = cubic_weights(y - j);
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t column = 0; column < 4; ++column)
+                sum += at(i - 2 + static_cast<int>(column), j - 2 + static_cast<int>(row)) *
+                       (across[column] * down[row]);
+        return sum;
+    }
+    const auto weights = weights_of(map.interpolate, x - i, y - j);
+    for (std::size_t k = 0; k < 4; ++k)
+        sum += at(i - static_cast<int>(k % 2), j - static_cast<int>(k / 2)) * weights[k];
+    return sum;
+}
+
+Colour sampled(const PictureMap& map, const Vec2& place) {
+    return mixed_at(map, place, [&](int x, int y) { return texel(*map.texels, x, y); }).colour();
+}
+
+double grey_at(const PictureMap& map, const Vec3& point) {
+    const auto place = place_on(map, point);
+    return place ? std::clamp(grey(sampled(map, *place).rgb), 0.0, 1.0) : 0;
+}
+
+double height_at(const BumpMap& map, const Vec2& place) {
+    if (!map.use_index || map.texels->numbers.empty()) return grey(sampled(map, place).rgb);
+    return mixed_at(map, place, [&](int x, int y) {
+        return static_cast<double>(map.texels->numbers[map.texels->at(x, y)]);
+    });
+}
+
+}  // namespace
+
+void ImageMap::adjust() {
+    for (const Adjustment& each : adjustments) {
+        if (each.number < 0) (each.filter ? filter : transmit) = each.amount;
+        if (texels->table.empty()) continue;
+        std::vector<Colour>& table = texels.edit().table;
+        for (std::size_t i = 0; i < table.size(); ++i)
+            if (each.number < 0 || static_cast<std::size_t>(each.number) == i)
+                (each.filter ? table[i].filter : table[i].transmit) = each.amount;
+    }
+    if (!texels->table.empty()) filter = transmit = 0;
+}
+
+std::optional<Colour> colour_at(const ImageMap& map, const Vec3& point) {
+    const auto place = place_on(map, point);
+    if (!place) return std::nullopt;
+    Colour colour = sampled(map, *place);
+    colour.filter += map.filter;
+    colour.transmit += map.transmit;
+    return colour;
+}
+
+std::optional<Vec3> bump_at(const BumpMap& map, const Vec3& point, double height) {
+    const auto place = place_on(map, point);
+    if (!place) return std::nullopt;
+    const Vec2 size(map.texels->width, map.texels->height);
+    const auto height_of = [&](double x, double y) {
+        return height *
+               height_at(map, {floor_mod(place->x + x, size.x), floor_mod(place->y + y, size.y)});
+    };
+    const Vec3 here(0, height_of(0, 0), 0), left(-1, height_of(-1, 1), 1),
+        right(1, height_of(1, 1), 1);
+    return unit(cross(right - left, here - left));
+}
+
+double evaluate(const ImageMap& map, const Vec3& point) { return grey_at(map, point); }
+
+double evaluate(const ImagePattern& map, const Vec3& point) {
+    if (!map.use_alpha) return grey_at(map, point);
+    const auto place = place_on(map, point);
+    if (!place) return 0;
+    const Colour colour = sampled(map, *place);
+    return std::clamp(map.texels->transparent() ? colour.transmit : colour.rgb.x, 0.0, 1.0);
+}
+
+double evaluate(const BumpMap& map, const Vec3& point) { return grey_at(map, point); }
+
+double evaluate(const MaterialMap& map, const Vec3& point) {
+    const auto place = place_on(map, point);
+    if (!place) return 0;
+    const int x = static_cast<int>(place->x), y = static_cast<int>(place->y);
+    const int number = !map.texels->numbers.empty()
+                           ? map.texels->numbers[map.texels->at(x, y)]
+                           : static_cast<int>(sampled(map, *place).rgb.x * 255 + 1e-4);
+    if (number == map.textures) return map.textures - 1;
+    return number > map.textures ? number % map.textures : number;
+}

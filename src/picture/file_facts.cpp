@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture/file_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace {
+
+unsigned byte_at(const std::string& bytes, std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
+}
+
+void add_colours(FileFacts& facts, const std::string& bytes, std::size_t first, std::size_t count) {
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(byte_at(bytes, i)); };
+    for (std::size_t i = first; i < first + 3 * count && i + 2 < bytes.size(); i += 3)
+        facts.table.push_back({byte(i), byte(i + 1), byte(i + 2), 255});
+}
+
+/// The chunks of a PNG file up to its pixels.
+void read_png(const std::string& bytes, FileFacts& facts) {
+    constexpr std::size_t colour_type = 25, first_chunk = 8, most = 1 << 16;
+    constexpr unsigned numbered = 3;
+    facts.says_coding = false;
+    for (std::size_t at = first_chunk; at + 8 < bytes.size() && facts.table.size() < most;) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) length = length << 8 | byte_at(bytes, at + i);
+        const std::string name = bytes.substr(at + 4, 4);
+        if (name == "IDAT") return;
+        if (name == "gAMA" || name == "sRGB") facts.says_coding = true;
+        if (byte_at(bytes, colour_type) == numbered && name == "PLTE")
+            add_colours(facts, bytes, at + 8, length / 3);
+        if (name == "tRNS" && !facts.table.empty()) {
+            facts.table_has_alpha = true;
+            for (std::size_t i = 0; i < std::min(length, facts.table.size()); ++i)
+                facts.table[i][3] = static_cast<std::uint8_t>(byte_at(bytes, at + 8 + i));
+        }
+        at += length + 12;
+    }
+}
+
+}  // namespace
+
+FileFacts file_facts(const std::string& path) {
+    FileFacts facts;
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(8, ' ');
+    file.read(bytes.data(), 8);
+    const bool gif = bytes.starts_with("GIF8"), png = bytes.starts_with("\x89PNG");
+    if (!gif && !png) return facts;
+    bytes.append(std::istreambuf_iterator<char>(file), {});
+    if (png)
+        read_png(bytes, facts);
+    else if ((byte_at(bytes, 10) & 0x80) != 0)
+        add_colours(facts, bytes, 13, std::size_t{2} << (byte_at(bytes, 10) & 7));
+    return facts;
+}
+
+std::size_t number_in(const FileFacts& facts, std::span<const float> pixel, float alpha) {
+    const auto byte = [](float value) {
+        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+    };
+    const std::array<std::uint8_t, 4> colour = {byte(pixel[0]), byte(pixel[pixel.size() / 2]),
+                                                byte(pixel.back()), byte(alpha)};
+    return static_cast<std::size_t>(std::ranges::find(facts.table, colour) - facts.table.begin());
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/materials.h"
+
+std::size_t Materials::Hash::operator()(const Key& key) const {
+    const std::hash<const void*> of;
+    const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
+                         key.double_illuminate << 3 | key.hollow << 4;
+    return of(key.texture) * 31 + of(key.interior) * 16 + static_cast<std::size_t>(switches);
+}
+
+const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
+                                                const Handle<Transform>& transform, bool uv) {
+    if (!(transform || uv) || texture->plain()) return texture;
+    auto& known = textures_[TextureKey(texture.get(), transform.get(), uv)];
+    if (!known) {
+        Texture made = uv ? uv_mapped(*texture) : *texture;
+        if (transform) made = transformed(std::move(made), *transform);
+        known = make_handle<Texture>(std::move(made));
+        kept_textures_.push_back(texture);
+        if (transform) kept_transforms_.push_back(transform);
+    }
+    return known;
+}
+
+std::uint32_t Materials::index(const Inherited& look) {
+    const Interior* interior = look.interior ? look.interior->get() : nullptr;
+    const Key key{look.texture->get(), interior,           look.no_shadow,
+                  look.no_image,       look.no_reflection, look.double_illuminate,
+                  look.hollow};
+    if (last_key_ != key) {
+        last_key_ = key;
+        const auto next = static_cast<std::uint32_t>(world_.materials.size());
+        const auto [found, added] = indices_.try_emplace(key, next);
+        if (added) add(look);
+        last_ = found->second;
+    }
+    return last_;
+}
+
+void Materials::add(const Inherited& look) {
+    const Texture& texture = **look.texture;
+    Material material;
+    material.texture = *look.texture;
+    if (look.interior) material.interior = *look.interior;
+    material.transparent = transparent(texture);
+    material.no_shadow = look.no_shadow;
+    material.no_image = look.no_image;
+    material.no_reflection = look.no_reflection;
+    material.double_illuminate = look.double_illuminate;
+    material.hollow = look.hollow;
+    material.uv = nesting(texture).uv;
+    material.solid = static_cast<std::uint32_t>(world_.materials.size());
+    world_.any_transparent |= material.transparent;
+    world_.any_left_out |= look.no_image || look.no_reflection;
+    world_.materials.push_back(std::move(material));
+    glows_.push_back(greatest_emission(texture) != Vec3(0));
+}
+
+std::uint32_t Materials::own(std::uint32_t material) {
+    const auto number = static_cast<std::uint32_t>(world_.materials.size());
+    world_.materials.push_back(Material(world_.materials[material]));
+    world_.materials.back().solid = number;
+    glows_.push_back(glows_[material]);
+    return number;
+}
+
+std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherited& look,
+                                               const Handle<Transform>& outside) {
+    std::vector<std::uint32_t> result = {own(index(look))};
+    Inherited part = look;
+    for (const Handle<Texture>& texture : mesh.part_textures->list) {
+        part.texture = &world_texture(texture, outside, look.uv);
+        result.push_back(own(index(part)));
+        world_.materials[result.back()].solid = result.front();
+    }
+    return result;
+}
+
+/// A material of which a part has another look.
+void Materials::include(std::uint32_t material, std::uint32_t part) {
+    world_.materials[material].transparent |= world_.materials[part].transparent;
+    world_.materials[material].uv |= world_.materials[part].uv;
+    glows_[material] = glows_[material] || glows_[part];
+}
+
+std::uint32_t Materials::of_face(const std::vector<std::uint32_t>& materials, const Face& looks) {
+    const auto part = [&](std::size_t i) {
+        return materials[static_cast<std::size_t>(looks[i] + 1)];
+    };
+    if (looks[0] == looks[1] && looks[1] == looks[2]) return part(0);
+    const auto [found, added] = blended_.try_emplace({materials.front(), looks}, 0);
+    if (!added) return found->second;
+    const std::uint32_t mixed = found->second = own(part(0));
+    world_.materials[mixed].solid = materials.front();
+    world_.materials[mixed].texture2 = world_.materials[part(1)].texture;
+    world_.materials[mixed].texture3 = world_.materials[part(2)].texture;
+    include(mixed, part(1));
+    include(mixed, part(2));
+    return mixed;
+}
+
+std::uint32_t Materials::of_leaf(const Object& mesh, const Inherited& look,
+                                 const Handle<Transform>& outside, FaceTextures& list) {
+    const std::uint32_t result = own(index(look));
+    Inherited part = look;
+    for (const Handle<Texture>& texture : mesh.part_textures->list) {
+        list.push_back(world_texture(texture, outside, look.uv));
+        part.texture = &list.back();
+        include(result, index(part));
+    }
+    return result;
+}

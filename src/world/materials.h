@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The materials of a world while it is compiled: one for all primitives that look the same, and
+// those of mesh faces. Used by flatten().
+#pragma once
+
+#include "world/world.h"
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+
+/// What an object has from the unions around it. Handles are referred to where they are: counting
+/// their holders for each of a million objects takes longer than all else.
+struct Inherited {
+    Handle<Transform> transform;               ///< null: none
+    const Handle<Texture>* texture = nullptr;  ///< in world space
+    const Handle<Interior>* interior = nullptr;
+    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
+         hollow = false, uv = false;
+};
+
+class Materials {
+public:
+    /// The world outlives this.
+    explicit Materials(World& world) : world_(world) {}
+
+    /// A texture moves with the unions around its object; on u and v it does not. Plain colours
+    /// look the same everywhere and are not copied.
+    const Handle<Texture>& world_texture(const Handle<Texture>& texture,
+                                         const Handle<Transform>& transform, bool uv);
+
+    /// The material of primitives that look so.
+    std::uint32_t index(const Inherited& look);
+    /// A copy of a material that nothing else has: it tells a mesh from other solids.
+    std::uint32_t own(std::uint32_t material);
+    /// Of a mesh whose faces have textures: its own, then those of its textures. All are one solid.
+    std::vector<std::uint32_t> of_faces(const Object& mesh, const Inherited& look,
+                                        const Handle<Transform>& outside);
+    /// The material of a mesh's face, by the numbers of its corners' textures; `materials` are the
+    /// mesh's.
+    std::uint32_t of_face(const std::vector<std::uint32_t>& materials, const Face& looks);
+    /// The material of a mesh as a leaf, whose faces' textures are in the list.
+    std::uint32_t of_leaf(const Object& mesh, const Inherited& look,
+                          const Handle<Transform>& outside, FaceTextures& list);
+
+    /// Whether primitives of the material light others.
+    bool glows(std::uint32_t material) const { return glows_[material]; }
+
+private:
+    /// What primitives of one material have in common.
+    struct Key {
+        const Texture* texture;
+        const Interior* interior;
+        bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
+
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Key&) const;
+    };
+    using TextureKey = std::tuple<const Texture*, const Transform*, bool>;
+
+    void add(const Inherited& look);
+    void include(std::uint32_t material, std::uint32_t part);
+
+    World& world_;
+    std::vector<bool> glows_;
+    std::unordered_map<Key, std::uint32_t, Hash> indices_;
+    std::optional<Key> last_key_;
+    std::uint32_t last_ = 0;  ///< of that key
+    std::map<TextureKey, Handle<Texture>> textures_;
+    // Kept so that no address in textures_ is used twice.
+    std::vector<Handle<Transform>> kept_transforms_;
+    std::vector<Handle<Texture>> kept_textures_;
+    std::map<std::pair<std::uint32_t, Face>, std::uint32_t> blended_;  ///< by mesh
+};

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/pictures.h"
+
+#include "evaluate/script.h"
+#include "surface/pigment_map.h"
+#include "surface/texture_map.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+Script with(const std::string& pigment) {
+    return run("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }");
+}
+
+std::string wrong(const std::string& braces) {
+    return complaint("sphere { 0, 1 pigment { image_map { " + braces + " } } }");
+}
+
+}  // namespace
+
+TEST_CASE("a picture may be a function of x and y, down from the top", "[evaluate]") {
+    const Script done = with("image_map { function 3, 2 { x/2 + y/4 } map_type 1 once }");
+    REQUIRE(done.text.empty());
+    const auto& image = std::get<ImageMap>(done.texture().pigment.pattern->use.pattern);
+    REQUIRE(image.texels);
+    CHECK(image.map_type == 1);
+    CHECK(image.once);
+    CHECK(image.texels->width == 3);
+    CHECK(image.texels->channels == 1);
+    CHECK(image.texels->values[1] == Approx(0.25).margin(1e-5));
+    CHECK(image.texels->values[3] == Approx(0.25).margin(1e-5));
+    const Script colours = with("image_map { function 2, 2 { pigment { rgbt <x, 1, 0, 0.5> } } }");
+    REQUIRE(colours.text.empty());
+    const Texels& texels =
+        *std::get<ImageMap>(colours.texture().pigment.pattern->use.pattern).texels;
+    CHECK(texels.channels == 3);
+    CHECK(texels.transparent());
+}
+
+TEST_CASE("filter and transmit name all colours or one", "[evaluate]") {
+    const Script done = with(
+        "image_map { function 2, 2 { x } filter all 0.5 transmit 3, 0.25 filter 0, .1 "
+        "interpolate 2 }");
+    REQUIRE(done.text.empty());
+    const auto& image = std::get<ImageMap>(done.texture().pigment.pattern->use.pattern);
+    REQUIRE(image.adjustments.size() == 3);
+    CHECK(image.adjustments[0].number == -1);
+    CHECK_FALSE(image.adjustments[1].filter);
+    CHECK(image.adjustments[1].number == 3);
+    CHECK(image.adjustments[1].amount == 0.25);
+    CHECK(image.adjustments[2].filter);
+    CHECK(image.adjustments[2].number == 0);
+    CHECK(image.interpolate == 2);
+}
+
+TEST_CASE("what is wrong with a picture is told of", "[evaluate]") {
+    CHECK(wrong("png \"x.png\"") == "error not-found: there is no file `x.png`");
+    CHECK(wrong("gamma srgb") == "error missing: `image_map` needs a picture");
+    CHECK(wrong("function { x }") ==
+          "error wrong-type: the function of a picture says how many pixels it has");
+    CHECK(wrong("function 2, 2 { x } map_type 3") ==
+          "error out-of-range: there is no `map_type` 3");
+    CHECK(wrong("function 2, 2 { x } interpolate 1") ==
+          "error out-of-range: there is no `interpolate` 1");
+    CHECK(wrong("function 2, 2 { x } filter all") ==
+          "error missing: `filter` and `transmit` of a picture need a number");
+    CHECK(complaint("sphere { 0, 1 texture { material_map { function 2, 2 { x } } } }") ==
+          "error missing: `material_map` needs textures");
+    CHECK(complaint("sphere { 0, 1 pigment { rgb 1 } normal { image_map { function 2, 2 { x } } } "
+                    "}") == "error misplaced: `image_map` is for pigments only");
+}
+
+TEST_CASE("a bump_map has its height in the braces or behind them", "[evaluate]") {
+    const auto size = [](const std::string& normal) {
+        const Script done =
+            run("#version 3.7; sphere { 0, 1 pigment { rgb 1 } normal { " + normal + " } }");
+        REQUIRE(done.text.empty());
+        return done.texture().normal.pattern->settings.bump_size;
+    };
+    CHECK(size("bump_map { function 2, 2 { x } bump_size 3 }") == 3);
+    CHECK(size("bump_map { function 2, 2 { x } } bump_size 4") == 4);
+    CHECK(size("bump_map { function 2, 2 { x } bump_size 3 } bump_size 4") == 4);
+}
+
+TEST_CASE("a material_map has textures by number", "[evaluate]") {
+    const Script done = run(R"(#version 3.7; sphere { 0, 1 texture { material_map {
+        function 2, 2 { x } texture { pigment { rgb 1 } } texture { pigment { rgb x } } } } })");
+    REQUIRE(done.text.empty());
+    REQUIRE(done.texture().choice);
+    CHECK(done.texture().choice->map.size() == 2);
+    CHECK(std::get<MaterialMap>(done.texture().choice->use.pattern).textures == 2);
+}
+
+TEST_CASE("uv_mapping may stand in textures and in what they consist of", "[evaluate]") {
+    const Script done = run(R"(#version 3.7;
+        sphere { 0, 1 pigment { uv_mapping checker scale 0.1 } scale 2 }
+        sphere { 0, 1 texture { uv_mapping pigment { checker } normal { bumps } } }
+        box { 0, 1 uv_mapping pigment { checker } rotate 45*y })");
+    REQUIRE(done.text.empty());
+    const Pigment& own = done.texture().pigment;
+    CHECK(own.uv);
+    CHECK(own.transform.point(Vec3(1, 0, 0)).x == Approx(0.1));
+    CHECK(done.texture(1).pigment.uv);
+    CHECK(done.texture(1).normal.uv);
+    CHECK(done.object(2).uv_mapping);
+    CHECK(done.texture(2).pigment.transform == Transform());
+}

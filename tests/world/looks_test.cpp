@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Looks that depend on the place on a surface.
+#include "shape/uv.h"
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// The colour without light that a ray along z sees at x, y.
+Vec3 seen(const World& world, double x, double y) {
+    Hit hit;
+    if (!world.first_hit({Vec3(x, y, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit)) return Vec3(-1);
+    const PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
+    Vec3 sum(0);
+    world.for_textures(hit.primitive, hit.part, hit.position,
+                       [&](double share, const Texture& texture) {
+                           sum += share * evaluate(texture.pigment, hit.position, scene).rgb;
+                       });
+    return sum;
+}
+
+constexpr auto mesh = R"(#version 3.7;
+    #declare T = array[3] { texture { pigment { rgb x } } texture { pigment { rgb y } }
+                            texture { pigment { rgb z } } }
+    #declare M = mesh {
+        triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> texture_list { T[0], T[1], T[2] } }
+        triangle { <1, 1, 0>, <1, 0, 0>, <0, 1, 0> texture { T[1] } }
+        inside_vector x
+    }
+)";
+
+bool close(const Vec3& a, const Vec3& b) { return max_abs_component(a - b) < 1e-9; }
+
+}  // namespace
+
+TEST_CASE("the textures of a face's corners are mixed", "[world]") {
+    const World world = world_of(std::string(mesh) + "object { M }");
+    CHECK(close(seen(world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
+    CHECK(close(seen(world, 0.7, 0.6), Vec3(0, 1, 0)));
+}
+
+TEST_CASE("faces of a mesh in an intersection keep their textures", "[world]") {
+    const World world =
+        world_of(std::string(mesh) + "object { M clipped_by { box { <0, 0, -1>, <0.8, 2, 1> } } }");
+    CHECK(close(seen(world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
+    CHECK(close(seen(world, 0.7, 0.6), Vec3(0, 1, 0)));
+    CHECK(seen(world, 0.9, 0.6) == Vec3(-1));
+}
+
+TEST_CASE("what is on u and v is turned with its object", "[world]") {
+    const std::string sphere = "#version 3.7; sphere { 0, 1 uv_mapping pigment { gradient x } ";
+    // Seen along z: u is 0.75 at -z.
+    CHECK(seen(world_of(sphere + "}"), 0, 0).x == Approx(0.75));
+    CHECK(seen(world_of(sphere + "rotate -90*y scale 2 }"), 0, 0).x == Approx(0.5));
+    CHECK(seen(world_of("#version 3.7; union { sphere { 0, 1 } rotate -90*y "
+                        "pigment { uv_mapping gradient x } }"),
+               0, 0)
+              .x == Approx(0.5));
+}
+
+TEST_CASE("u and v of meshes and of leaves", "[world]") {
+    const std::string triangle =
+        "#version 3.7; mesh { triangle { 0, x, y uv_vectors <0, 0>, <0.5, 0>, <0, 1> } "
+        "inside_vector z uv_mapping pigment { gradient x } ";
+    for (const auto* end : {"}", "clipped_by { box { -1, 2 } } }"})
+        CHECK(seen(world_of(triangle + end), 0.4, 0.1).x == Approx(0.2));
+    const std::string plane =
+        "#version 3.7; plane { z, 0 pigment { uv_mapping gradient y } translate y }";
+    CHECK(seen(world_of(plane), 0.4, 0.1).x == Approx(0.1));
+}
