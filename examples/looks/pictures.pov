@@ -4,21 +4,21 @@
 #version 3.7;
 global_settings { assumed_gamma 1 }
 
-camera { location <0, 3.4, -11> look_at <0, 1.5, 0> angle 40 }
+camera { location <0, 3.4, -11> look_at <0, 1.5, 0> angle 48 }
 light_source { <-6, 10, -10> rgb 1 }
 background { rgb <0.8, 0.85, 0.9> }
 plane { y, 0 pigment { rgb 0.9 } }
 
 // Red grows with u, green with v; a dark net has eight meshes each way.
 #declare Net = function { select(min(mod(8*x, 1), mod(8*y, 1)) - 0.12, 0.25, 1) }
-#declare Board = function {
-    pigment { average pigment_map {
-        [1 function { Net(x, y, 0) } color_map { [0 rgb 0] [1 rgb <0, 0, 1>] }]
+#declare Board = pigment {
+    average pigment_map {
+        [1 function { Net(x, y, 0) } color_map { [0 rgb 0] [1 rgb <0, 0, 2>] }]
         [1 gradient x color_map { [0 rgb 0] [1 rgb <3, 0, 0>] }]
         [1 gradient y color_map { [0 rgb <0, 3, 0>] [1 rgb 0] }]
-    } }
+    }
 }
-#macro Picture(Type) image_map { function 256, 256 { Board(x, y, z) } map_type Type interpolate 2 } #end
+#macro Picture(Type) image_map { function 256, 256 { pigment { Board } } map_type Type interpolate 2 } #end
 
 box { 0, 1 pigment { Picture(0) } translate <-4.2, 2.6, 0> }
 sphere { 0, 0.7 pigment { Picture(1) } translate <-1.5, 3.1, 0> }
