@@ -5,7 +5,7 @@
 global_settings { assumed_gamma 1 }
 
 camera { location <0, 3.4, -11> look_at <0, 1.5, 0> angle 48 }
-light_source { <-6, 10, -10> rgb 1 }
+sphere { <-6, 10, -10>, 2 pigment { rgb 1 } finish { emission 50 diffuse 0 } }
 background { rgb <0.8, 0.85, 0.9> }
 plane { y, 0 pigment { rgb 0.9 } }
 

@@ -210,6 +210,12 @@ std::string_view OpenBlock::in_other_case(std::string_view word) const {
 }
 
 void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
+    if (binder.evaluator.names().word_class(element.word) == WordClass::colour_prefix) {
+        report(error(Fault::missing, element.word_span,
+                     message('`', word, "` needs a vector or a number behind it")));
+        broken = true;
+        return;
+    }
     if (contains(effectless, word)) {
         if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
             report(warning(Fault::no_effect, element.word_span,

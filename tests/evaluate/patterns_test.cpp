@@ -112,9 +112,9 @@ TEST_CASE("wrong patterns are told of once", "[evaluate]") {
          "error out-of-range: `radius` of `warp` must be above 0, but it is -1"},
         {"bozo warp { displace 3 }", "error unknown-name: nothing is declared as `displace`"},
         {"wod", "error unknown-word: `pigment` has no word `wod`"},
-        {"image_pattern { png \"x.png\" }", "error not-found: there is no file `x.png`"},
+        {"image_pattern { png \"x.png\" }", "error include-not-found: there is no file `x.png`"},
         {"image_pattern", "error missing: `image_pattern` needs a picture in braces"},
-        {"bump_map { png \"x.png\" }", "error not-found: there is no file `x.png`"},
+        {"bump_map { png \"x.png\" }", "error include-not-found: there is no file `x.png`"},
         {"bump_map { function 2, 2 { x } }", "error misplaced: `bump_map` is for normals only"},
     }));
     INFO(text);

@@ -2,6 +2,7 @@
 #include "evaluate/pictures.h"
 
 #include "evaluate/script.h"
+#include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "surface/texture_map.h"
 
@@ -30,7 +31,8 @@ TEST_CASE("a picture may be a function of x and y, down from the top", "[evaluat
     CHECK(image.texels->channels == 1);
     CHECK(image.texels->values[1] == Approx(0.25).margin(1e-5));
     CHECK(image.texels->values[3] == Approx(0.25).margin(1e-5));
-    const Script colours = with("image_map { function 2, 2 { pigment { rgbt <x, 1, 0, 0.5> } } }");
+    const Script colours =
+        with("image_map { function 2, 2 { pigment { rgbt <0.3, 1, 0, 0.5> } } }");
     REQUIRE(colours.text.empty());
     const Texels& texels =
         *std::get<ImageMap>(colours.texture().pigment.pattern->use.pattern).texels;
@@ -55,7 +57,7 @@ TEST_CASE("filter and transmit name all colours or one", "[evaluate]") {
 }
 
 TEST_CASE("what is wrong with a picture is told of", "[evaluate]") {
-    CHECK(wrong("png \"x.png\"") == "error not-found: there is no file `x.png`");
+    CHECK(wrong("png \"x.png\"") == "error include-not-found: there is no file `x.png`");
     CHECK(wrong("gamma srgb") == "error missing: `image_map` needs a picture");
     CHECK(wrong("function { x }") ==
           "error wrong-type: the function of a picture says how many pixels it has");

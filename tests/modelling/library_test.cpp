@@ -18,7 +18,7 @@ TEST_CASE("corners at one place become one point of a polyhedron", "[modelling]"
     CHECK(made.points.size() == 8);
     CHECK(made.faces.size() == 12);
     CHECK(volume(made) == Approx(1));
-    CHECK(bounds(mesh(made)).low == Vec3(1, 2, 3));
+    CHECK(bounds(build(mesh(made))).low == Vec3(1, 2, 3));
 }
 
 TEST_CASE("the normals of a smooth cube point away from its centre", "[modelling]") {

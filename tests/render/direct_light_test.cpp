@@ -20,7 +20,7 @@ double mean_light(const World& world, int shadow_rays, int count) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
         const Shading s = shading_at(world, ray, hit);
-        const SurfacePlace place(world, s);
+        const SurfacePlace place(world, hit, s);
         for_layers(*world.material(hit.primitive).texture, s.position, s.normal, place.scene,
                    [&](double, std::span<const Layer> layers) {
                        sum += light(with_layer(world, s, layers.front()), key, rays).x;
