@@ -87,7 +87,7 @@ bool RenderJob::fits(const Checkpoint& old) {
     if (!(old.state.share == checkpoint_.state.share) ||
         old.state.film.width() != settings_.width || old.state.film.height() != settings_.height)
         return refuse("it is of another part of the picture");
-    if (is_even(settings_) && most_samples(old.state) > checkpoint_.samples)
+    if (is_even(world_, settings_) && most_samples(old.state) > checkpoint_.samples)
         return refuse(message("it has up to ", most_samples(old.state),
                               " samples in a pixel already, and ", checkpoint_.samples,
                               " are asked for"));
@@ -95,6 +95,14 @@ bool RenderJob::fits(const Checkpoint& old) {
 }
 
 bool RenderJob::prepare() {
+    const bool of_samples = plan_.shard && plan_.options.shard_by != ShardBy::tiles;
+    if (of_samples && !is_even(world_, settings_)) {
+        diagnostics_.add(error(Fault::option, {},
+                               "shards of samples must know how many samples there will be, which "
+                               "the camera's blur_samples leave open")
+                             .with_help("--samples N, or --shard-by tiles"));
+        return false;
+    }
     begin();
     if (checkpoint_.samples == 0)
         diagnostics_.add(error(Fault::option, {},

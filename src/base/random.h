@@ -17,7 +17,10 @@ enum class Purpose : std::uint32_t {
     light_v,
     grain,
     jitter_u,
-    jitter_v
+    jitter_v,
+    rainbow,
+    lens_u,
+    lens_v
 };
 
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces

@@ -4,6 +4,7 @@
 #include "vocabulary/schema.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -14,7 +15,7 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
                              const std::array<Field<T>, N>& before = {},
                              const std::array<Field<T>, M>& behind = {}) {
     using F = Field<T>;
-    const std::array<F, 7> common = {
+    const std::array<F, 13> common = {
         F{"location", &T::location, item, "where it stands"},
         F{"direction", &T::direction, item,
           "towards the middle of the picture; its length is the distance of the "
@@ -24,6 +25,18 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         F{"up", &T::up, item, "from the bottom of the picture to the top (default y)"},
         F{"sky", &T::sky, item, "what look_at keeps upright"},
         F{"look_at", &T::look_at, item, "the point in the middle of the picture"},
+        F{"aperture", &T::aperture, item,
+          "four times the radius of the lens: what is not at the focal point is blurred",
+          at_least(0)},
+        F{"blur_samples", &T::blur_samples, item,
+          "rays for each pixel of a blurred picture: at most, or at least", between(0, 1000000)},
+        maybe(F{"most_blur_samples", &T::most_blur_samples, following,
+                "rays at most, after a comma", between(0, 1000000)}),
+        F{"focal_point", &T::focal_point, item,
+          "a point at the distance that is sharp (default: as far as direction is long)"},
+        F{"variance", &T::variance, item, "greatest variance of a blurred pixel's mean",
+          at_least(0)},
+        F{"confidence", &T::confidence, item, "in this variance", Range{0, 1, true}},
         F{"angle", &T::angle, item, "degrees from the left edge to the right",
           Range{0, 360, true}}};
     Schema<T, N + common.size() + M> result{name, help, {}};
@@ -75,6 +88,9 @@ const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
 });
 
 namespace {
+
+/// How many rays a blurred pixel gets at least when the scene does not say.
+constexpr int usual_blur_samples = 16;
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
@@ -154,6 +170,16 @@ Projection projection(const Camera& camera) {
     if (const auto* around = std::get_if<SphericalCamera>(&camera);
         around && around->vertical_angle)
         f.vertical_angle = *around->vertical_angle * radians_per_degree;
+    if (view.aperture > 0 && view.blur_samples > 0) {
+        const bool both = view.most_blur_samples > 0;
+        const int most = both ? view.most_blur_samples : view.blur_samples;
+        f.blur = {std::min(most, both ? view.blur_samples : usual_blur_samples), most,
+                  view.variance, view.confidence};
+        const double scale = view.transform.uniform_scale();
+        f.lens_radius = 0.25 * view.aperture * (scale > 0 ? scale : 1);
+        const Vec3 ahead = view.focal_point ? *view.focal_point - f.location : f.direction;
+        f.focal_distance = length(view.transform.direction(ahead));
+    }
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);
     f.right = view.transform.direction(f.right);
@@ -162,6 +188,18 @@ Projection projection(const Camera& camera) {
 }
 
 namespace {
+
+/// What a sum of so many squares of normal deviates is below with a probability, by the cube root
+/// rule of Wilson and Hilferty (1931); the normal quantile is Abramowitz and Stegun's 26.2.23.
+double chi_squared(int count, double probability) {
+    const double tail = std::clamp(std::min(probability, 1 - probability), 1e-12, 0.5);
+    const double t = std::sqrt(-2 * std::log(tail));
+    const double z = t - (2.515517 + t * (0.802853 + t * 0.010328)) /
+                             (1 + t * (1.432788 + t * (0.189269 + t * 0.001308)));
+    const double spread = 2.0 / (9 * std::max(count, 1));
+    const double root = 1 - spread + (probability < 0.5 ? -z : z) * std::sqrt(spread);
+    return std::max(count, 1) * root * root * root;
+}
 
 /// A direction by its angle from the middle of a round picture, towards (p, q).
 Vec3 around_middle(const Projection& f, double angle, double p, double q) {
@@ -206,6 +244,23 @@ Vec3 spherical(const Projection& f, double u, double v) {
 }
 
 }  // namespace
+
+double BlurRule::allowed(int rays) const {
+    if (rays < least) return -1;
+    if (rays >= most) return std::numeric_limits<double>::infinity();
+    return variance * chi_squared(rays, confidence) / chi_squared(most - 1, confidence);
+}
+
+Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
+    const Vec3 ahead = unit(direction);
+    const double cosine = dot(ray.direction, ahead);
+    if (cosine <= 0) return ray;
+    const Vec3 sharp = ray.at(focal_distance / cosine);
+    const auto [x, y] = perpendiculars(ahead);
+    const double radius = lens_radius * std::sqrt(place.x), angle = 2 * std::numbers::pi * place.y;
+    const Vec3 start = ray.origin + radius * (std::cos(angle) * x + std::sin(angle) * y);
+    return {start, unit(sharp - start)};
+}
 
 Ray Projection::ray(double u, double v) const {
     const double a = u * angle, b = v * angle * length(up) / length(right);

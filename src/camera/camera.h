@@ -19,6 +19,12 @@ struct View {
     Vec3 sky = Vec3(0, 1, 0);
     std::optional<Vec3> look_at;
     std::optional<double> angle;
+    double aperture = 0;  ///< what is not at the focal point is blurred; 0: all is sharp
+    int blur_samples = 0;
+    int most_blur_samples = 0;  ///< 0: blur_samples is the greatest number
+    std::optional<Vec3> focal_point;
+    double variance = 1e-4;
+    double confidence = 0.9;
     Transform transform;  ///< applied after everything else
 };
 
@@ -78,6 +84,16 @@ enum class Lens : std::uint8_t {
     spherical
 };
 
+/// How many rays a pixel of a blurred picture gets: until its mean is known as well as is asked.
+struct BlurRule {
+    int least = 1, most = 1;
+    double variance = 0;    ///< of the mean, in each of red, green and blue
+    double confidence = 0;  ///< in the variance
+
+    /// The variance of the mean with which so many rays are enough.
+    double allowed(int rays) const;
+};
+
 /// A camera ready to send rays.
 struct Projection {
     Vec3 location, direction, right, up;
@@ -85,6 +101,15 @@ struct Projection {
     Lens lens = Lens::flat;
     double angle = 0;  ///< of the field, in radians, where the lens has one
     double vertical_angle = 0;
+    double lens_radius = 0;  ///< 0: a pinhole
+    double focal_distance = 0;
+    BlurRule blur = {};
+
+    bool blurs() const { return lens_radius > 0 && blur.most > 1; }
+
+    /// A ray that starts at another point of the lens and meets the first one in the plane that is
+    /// sharp; the point is uniform where `place` is uniform in [0, 1)^2.
+    Ray through_lens(const Ray&, Vec2 place) const;
 
     /// Ray through (u, v): (-1/2, -1/2) is the bottom left corner, (1/2, 1/2) the top right.
     /// Direction of unit length; zero where the picture has no ray.

@@ -20,6 +20,7 @@
 /// A camera as a value of the language.
 struct DeclaredCamera {
     Camera camera;
+    Bump normal;  ///< disturbs the directions of its rays
 };
 
 /// A material as a value of the language.
@@ -31,7 +32,7 @@ struct DeclaredMaterial {
 struct Binder {
     Evaluator& evaluator;
     Handle<Texture> default_texture = make_handle<Texture>();
-    Camera default_camera = {};
+    DeclaredCamera default_camera = {};
     TextureStore textures = {};
     // Where what scenes hold most of is made.
     Pool<Object> pool = {};

@@ -27,6 +27,7 @@ constexpr auto structure = std::array{
     Structure{"camera", ""},
     Structure{"background", ""},
     Structure{"texture", "object"},
+    Structure{"interior_texture", "object"},
     Structure{"material", "object"},
     Structure{"texture_map", "texture"},
     Structure{"tiles", "texture"},
@@ -36,6 +37,9 @@ constexpr auto structure = std::array{
     Structure{"looks_like", "light_source"},
     Structure{"sky_sphere", ""},
     Structure{"fog", ""},
+    Structure{"rainbow", ""},
+    Structure{"light_group", ""},
+    Structure{"projected_through", "light_source"},
     Structure{"pigment", "texture"},
     Structure{"normal", "texture"},
     Structure{"finish", "texture"},
@@ -59,15 +63,6 @@ constexpr auto structure = std::array{
     Structure{"hollow", "object"},
     Structure{"double_illuminate", "object"},
     Structure{"uv_mapping", "object"},
-};
-
-/// Words that mean something in POV-Ray in a block where they mean nothing here, though they do in
-/// another block.
-struct Elsewhere {
-    std::string_view block, word;
-};
-constexpr auto unavailable_here = std::array{
-    Elsewhere{"finish", "ior"},
 };
 
 /// Words that follow a word without effect, and need not be spoken of.
@@ -229,9 +224,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         broken = true;
         return;
     }
-    const bool elsewhere = std::ranges::none_of(
-        unavailable_here, [&](const Elsewhere& e) { return e.block == name && e.word == word; });
-    if (elsewhere && available(word)) {
+    if (available(word)) {
         if (told_unavailable_) return;  // it may belong to what is not available
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", quoted()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/cameras.h"
 
+#include "evaluate/normals.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
@@ -62,14 +63,32 @@ private:
     ItemReader fields_;
 };
 
+/// normal { ... }
+class CameraNormal : public SimpleReader {
+public:
+    CameraNormal(OpenBlock& block, Bump& normal) : block_(block), normal_(normal) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "normal"_word) return false;
+        block_.broken |= !read_normal(block_.binder, element, normal_);
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("normal"); }
+
+private:
+    OpenBlock& block_;
+    Bump& normal_;
+};
+
 }  // namespace
 
-bool read_camera(Binder& binder, const Element& element, Camera& camera) {
+bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
+    Camera& camera = made.camera;
     OpenBlock block(binder, "camera", element.word_span);
     block.item = &Perspective::vocabulary;
     CameraReader fields(block, camera);
     auto declared = named<DeclaredCamera>(block, [&](const Handle<DeclaredCamera>& other) {
-        camera = other->camera;
+        made = *other;
         fields.follow();
     });
     const auto apply = [&](const Transform& transform) {
@@ -77,7 +96,8 @@ bool read_camera(Binder& binder, const Element& element, Camera& camera) {
         view.transform = view.transform.then(transform);
     };
     TransformReader moves(block, apply);
-    block.read(element.body, declared, fields, moves);
+    CameraNormal normal(block, made.normal);
+    block.read(element.body, declared, fields, normal, moves);
     if (block.broken) return false;
     const std::string wrong = problem(camera);
     if (!wrong.empty())

@@ -6,4 +6,4 @@
 
 /// Changes the camera to what the block makes of it. False: the block was wrong, and has been
 /// reported.
-bool read_camera(Binder&, const Element& block, Camera&);
+bool read_camera(Binder&, const Element& block, DeclaredCamera&);

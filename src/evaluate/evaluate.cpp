@@ -80,7 +80,7 @@ public:
         if (!given_.noise_generator && scene_.language_version < 3.5)
             scene_.settings.noise_generator = 1;
         scene_.gamma_handling = given_.gamma || scene_.language_version >= 3.7;
-        if (!scene_.camera_given) scene_.camera = binder_.default_camera;
+        if (!scene_.camera_given) show(binder_.default_camera);
     }
 
 private:
@@ -148,15 +148,22 @@ private:
         } else if (element.word == "fog"_word) {
             Fog fog;
             if (read_fog(binder_, element, fog)) scene_.fogs.push_back(fog);
+        } else if (element.word == "rainbow"_word) {
+            Rainbow rainbow;
+            if (read_rainbow(binder_, element, rainbow))
+                scene_.rainbows.push_back(std::move(rainbow));
         } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, given_);
+        } else if (element.word == "default"_word) {
+            // Old scenes leave the # out.
+            binder_.evaluator.walk(element.body, [&](const Element& e) { set_default(e); });
         } else {
             stray(element);
         }
     }
 
     void add_light(const PlacedLight& light) {
-        scene_.lights.push_back({light.light, light.span});
+        scene_.lights.push_back({light.light, light.span, nullptr, light.projected_through});
         if (light.looks_like) add(light.looks_like);
     }
 
@@ -170,14 +177,19 @@ private:
     }
 
     void take_camera(const Element& element) {
-        Camera camera = binder_.default_camera;
+        DeclaredCamera camera = binder_.default_camera;
         if (!read_camera(binder_, element, camera)) return;
         if (scene_.camera_given)
             binder_.evaluator.report(
                 warning(Fault::duplicate, element.word_span,
                         "there is a camera before this one; the last one counts"));
-        scene_.camera = camera;
+        show(camera);
         scene_.camera_given = true;
+    }
+
+    void show(const DeclaredCamera& camera) {
+        scene_.camera = camera.camera;
+        scene_.camera_normal = camera.normal;
     }
 
     Value textures(std::span<const Element> elements) {
@@ -214,6 +226,7 @@ private:
         if (word == "texture_map"_word) return read_part(element, TextureMap{}, read_texture_map);
         if (word == "sky_sphere"_word) return read_part(element, SkySphere{}, read_sky_sphere);
         if (word == "fog"_word) return read_part(element, Fog{}, read_fog);
+        if (word == "rainbow"_word) return read_part(element, Rainbow{}, read_rainbow);
         if (word == "interior"_word) return read_part(element, Interior{}, read_interior);
         if (word == "color_map"_word || word == "colour_map"_word)
             return read_part(element, ColourMap{}, read_colour_map);
@@ -221,9 +234,9 @@ private:
         if (word == "normal_map"_word) return read_part(element, NormalMap{}, read_normal_map);
         if (word == "slope_map"_word) return read_part(element, SlopeMap{}, read_slope_map);
         if (word == "camera"_word) {
-            DeclaredCamera declared{binder_.default_camera};
-            return read_camera(binder_, element, declared.camera) ? handle(std::optional(declared))
-                                                                  : Value(Absence::broken);
+            DeclaredCamera declared = binder_.default_camera;
+            return read_camera(binder_, element, declared) ? handle(std::optional(declared))
+                                                           : Value(Absence::broken);
         }
         OpenBlock block(binder_, {}, element.word_span);
         block.refuse(element,

@@ -146,7 +146,7 @@ private:
 bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     OpenBlock block(binder, "finish", element.word_span);
     block.item = &Finish::vocabulary;
-    block.effectless = "caustics refraction use_alpha";
+    block.effectless = "use_alpha";
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
     FinishFields fields(block, finish);
     ReflectionReader reflection(block, finish.reflection);
@@ -158,7 +158,7 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
 bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     OpenBlock block(binder, "interior", element.word_span);
     block.item = &Interior::vocabulary;
-    block.effectless = "caustics dispersion dispersion_samples photons";
+    block.effectless = "photons";
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
     ItemReader fields(block, *block.item, &interior);

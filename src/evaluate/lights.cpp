@@ -4,31 +4,26 @@
 #include "evaluate/objects.h"
 #include "evaluate/transforms.h"
 
-PlacedLight moved(PlacedLight placed, const Transform& transform) {
-    std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);
-    if (placed.looks_like) {
-        ObjectHandle& object = placed.looks_like;
-        const Handle<Transform>& before = object->transform;
-        object.edit().transform =
-            make_handle<Transform>(before ? before->then(transform) : transform);
-    }
-    return placed;
-}
-
 namespace {
 
-/// looks_like { ... }
+/// looks_like { ... }, projected_through { ... }
 class LookReader : public SimpleReader {
 public:
     LookReader(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
 
     bool take(const Element& element) {
-        if (element.kind != Element::Kind::block || element.word != "looks_like"_word) return false;
+        if (element.kind != Element::Kind::block) return false;
+        const bool window = element.word == "projected_through"_word;
+        if (!window && element.word != "looks_like"_word) return false;
         Element inner = element;
         inner.word = "object"_word;
         ObjectHandle object = read_object(block_.binder, inner);
         block_.broken |= !object;
         if (!object) return true;
+        if (window) {
+            placed_.projected_through = std::move(object);
+            return true;
+        }
         ObjectHandle whole = make_handle<Object>();
         whole.edit().form.emplace<Union>().children.push_back(std::move(object));
         whole.edit().no_shadow = true;
@@ -38,7 +33,9 @@ public:
         return true;
     }
 
-    void add_words(WordList& words) const { words.push_back("looks_like"); }
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"looks_like", "projected_through"});
+    }
 
 private:
     Vec3 location() const {

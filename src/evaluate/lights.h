@@ -8,6 +8,3 @@
 
 /// Nothing after a report.
 std::optional<PlacedLight> read_light(Binder&, const Element& block);
-
-/// The light after a movement of what it belongs to.
-PlacedLight moved(PlacedLight, const Transform&);

@@ -30,6 +30,8 @@ public:
             });
         else if (element.word == "texture"_word)
             good = take_texture(element);
+        else if (element.word == "interior_texture"_word)
+            good = take_interior_texture(element);
         else if (element.word == "interior"_word)
             good = take_interior(element);
         else if (element.word == "material"_word)
@@ -44,8 +46,8 @@ public:
     }
 
     void add_words(WordList& words) const {
-        words.insert(words.end(),
-                     {"texture", "pigment", "normal", "finish", "interior", "material"});
+        words.insert(words.end(), {"texture", "interior_texture", "pigment", "normal", "finish",
+                                   "interior", "material"});
     }
 
 private:
@@ -78,6 +80,14 @@ private:
                     [&](TextureDraft& made) { return read_texture(block_.binder, element, made); });
         if (!texture) return false;
         put_on(texture, element.word_span);
+        return true;
+    }
+
+    bool take_interior_texture(const Element& element) {
+        TextureDraft made(block_.binder.default_texture);
+        if (!read_texture(block_.binder, element, made)) return false;
+        draft_.interior_texture = made.shared(block_.binder.textures);
+        draft_.retextured = true;
         return true;
     }
 

@@ -35,7 +35,8 @@ public:
     BumpReader(OpenBlock& block, BumpDraft& draft)
         : block_(block),
           draft_(draft),
-          pattern_(block, draft.pattern, "normal"),
+          pattern_(block, draft.pattern, "normal",
+                   [this](const Element& entry) { return take(entry); }),
           settings_(block, BumpSettings::vocabulary, &draft.settings) {}
 
     bool waiting() const { return pattern_.waiting() || settings_.waiting(); }

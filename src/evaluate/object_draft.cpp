@@ -19,6 +19,13 @@ const ItemInfo Switches::vocabulary = described<Switches>([] {
           "textures are wrapped around the shape and do not move with it"});
 });
 
+const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
+    return schema<GroupSettings>(
+        "light_group", "Lights and objects: the lights light these objects only.",
+        Field<GroupSettings>{"global_lights", &GroupSettings::global_lights, flag,
+                             "lights outside of the group light its objects as well"});
+});
+
 namespace {
 
 /// The object under one more map.
@@ -46,6 +53,7 @@ void ObjectDraft::take(const Object& from) {
     made.edit().interior = from.interior;
     if (from.confines) confines = *from.confines;
     if (from.part_textures) part_textures = from.part_textures->list;
+    interior_texture = from.part_textures ? from.part_textures->interior : nullptr;
     has_form = true;
 }
 
@@ -67,6 +75,8 @@ void ObjectDraft::move(const Movement& next) {
     for (Handle<Texture>& each : part_textures)
         if (TextureDraft(each).movable())
             each = make_handle<Texture>(transformed(*each, next.transform));
+    if (interior_texture && TextureDraft(interior_texture).movable())
+        interior_texture = make_handle<Texture>(transformed(*interior_texture, next.transform));
     if (!textured || !texture.movable()) return;
     texture.replace(binder.moved_looks.made(next.constant, texture.handle(), [&] {
         return make_handle<Texture>(transformed(texture.now(), next.transform));
@@ -75,7 +85,7 @@ void ObjectDraft::move(const Movement& next) {
 
 void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
     const auto* together = std::get_if<Union>(&object.form);
-    if (!together) return;
+    if (!together || together->light_group) return;
     for (const PlacedLight& light : together->lights)
         lights.push_back(object.transform ? ::moved(light, *object.transform) : light);
 }
@@ -99,8 +109,9 @@ ObjectHandle ObjectDraft::finished(Span span) {
                                : std::move(movement);
     if (!confines.clips.empty() || !confines.bounds.empty())
         object.confines = make_handle<Confines>(std::move(confines));
-    if (!part_textures.empty())
-        object.part_textures = make_handle<PartTextures>(std::move(part_textures));
+    if (!part_textures.empty() || interior_texture)
+        object.part_textures = make_handle<PartTextures>(
+            PartTextures{std::move(part_textures), std::move(interior_texture)});
     if (textured) object.texture = texture.shared(binder.textures);
     object.no_shadow = switches.no_shadow;
     object.no_image = switches.no_image;

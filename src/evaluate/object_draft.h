@@ -21,6 +21,13 @@ struct Switches {
     friend bool operator==(const Switches&, const Switches&) = default;
 };
 
+/// What light_group { } says beside its lights and objects.
+struct GroupSettings {
+    bool global_lights = false;
+
+    static const ItemInfo vocabulary;
+};
+
 /// What an object is made of and how it looks, while its block is read.
 struct ObjectDraft {
     explicit ObjectDraft(Binder& binder) : binder(binder), texture(binder.default_texture) {}
@@ -38,8 +45,9 @@ struct ObjectDraft {
     Confines confines;        ///< where they are now
     bool confined = false;    ///< this block has given some
     std::vector<Handle<Texture>> part_textures;
-    Handle<Transform> movement;     ///< since the form came; null: none
-    bool constant_movement = true;  ///< the text says the same each time
+    Handle<Texture> interior_texture;  ///< null: as outside
+    Handle<Transform> movement;        ///< since the form came; null: none
+    bool constant_movement = true;     ///< the text says the same each time
     bool has_form = false;
     bool modified = false;
 

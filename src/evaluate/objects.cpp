@@ -56,8 +56,8 @@ public:
     void add_words(WordList& words) const {
         if (kind_ == Kind::shape) return;
         for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
-        words.insert(words.end(),
-                     {"union", "intersection", "difference", "merge", "object", "light_source"});
+        words.insert(words.end(), {"union", "intersection", "difference", "merge", "object",
+                                   "light_group", "light_source"});
     }
 
 private:
@@ -83,7 +83,9 @@ private:
         if (!object && !(light && kind_ != Kind::shape)) return false;
         if (!welcome(element.span)) return true;
         if (!object) {
-            add(as_object({light->light, element.span, light->looks_like}));
+            PlacedLight placed = *light;
+            placed.span = element.span;
+            add(as_object(std::move(placed)));
         } else if (kind_ == Kind::together) {
             add(object);
         } else {
@@ -195,11 +197,21 @@ private:
         block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
         if (together) draft_.made.edit().form = Union{{}, {}, csg()};
         ContentReader content(block_, draft_, kind);
+        if (element_.word == "light_group"_word) return read_light_group(content);
         read_with(element_.body, content);
         const auto* whole = std::get_if<Union>(&draft_.made->form);
         if (together && !block_.broken && whole->children.empty() && whole->lights.empty())
             block_.report(warning(Fault::no_effect, element_.word_span,
                                   message("there is no object in this ", block_.quoted())));
+    }
+
+    void read_light_group(ContentReader& content) {
+        GroupSettings settings;
+        ItemReader fields(block_, GroupSettings::vocabulary, &settings);
+        read_with(element_.body, content, fields);
+        Union& group = std::get<Union>(draft_.made.edit().form);
+        group.light_group = true;
+        group.global_lights = settings.global_lights;
     }
 
     Csg csg() const {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/patterns.h"
 
+#include "evaluate/objects.h"
 #include "evaluate/pictures.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
+#include "solid/assemble.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
@@ -90,6 +92,55 @@ std::string_view pattern_name(const Pattern& pattern) {
     return Patterns::infos[pattern.index()]->name;
 }
 
+ObjectPattern pattern_of(const Object& object) {
+    CompositeBuilder builder;
+    ShapeStore shapes;
+    NoVisitor nobody;
+    const PartRef root = Assembler<NoVisitor>(builder, shapes, nobody).add(object, nullptr);
+    auto solid = std::make_shared<Composite>(builder.finish(root));
+    const auto inside = [](const void* data, const Vec3& point, const PatternScene&) {
+        return static_cast<const Composite*>(data)->inside(point) ? 1.0 : 0.0;
+    };
+    return {{std::move(solid), inside}};
+}
+
+/// An object, then what others make of the rest.
+class InsideReader : public SimpleReader {
+public:
+    InsideReader(OpenBlock& block, FunctionRef<void(const Object&)> found,
+                 FunctionRef<bool(const Element&)> rest)
+        : block_(block), found_(found), rest_(rest) {}
+
+    bool wants() const { return !done_; }
+    bool take(const Element& element) {
+        if (done_) return rest_(element);
+        ObjectHandle object;
+        if (element.kind == Element::Kind::value)
+            object = element.value.handle<Object>();
+        else if (element.kind == Element::Kind::block && makes_object(element.word))
+            object = read_object(block_.binder, element);
+        else
+            return false;
+        block_.broken |= !object;
+        if (object) found_(*object);
+        return done_ = true;
+    }
+    void finish() {
+        if (!done_ && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`object` needs an object")
+                              .with_help("pigment { object { Thing rgb 1, rgb <1, 0, 0> } }"));
+    }
+    void add_words(WordList& words) const {
+        for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
+    }
+
+private:
+    OpenBlock& block_;
+    FunctionRef<void(const Object&)> found_;
+    FunctionRef<bool(const Element&)> rest_;
+    bool done_ = false;
+};
+
 }  // namespace
 
 PatternDraft::PatternDraft(const PatternUse& use, const Transform& outside)
@@ -105,13 +156,15 @@ void PatternDraft::add(Warp warp) {
     steps.emplace_back(std::move(warp));
 }
 
-PatternReader::PatternReader(OpenBlock& block, PatternDraft& draft, std::string_view home)
+PatternReader::PatternReader(OpenBlock& block, PatternDraft& draft, std::string_view home,
+                             std::function<bool(const Element&)> list_entry)
     : block_(block),
       draft_(draft),
       home_(home),
       fields_(block, Bozo::vocabulary, nullptr),
       modifiers_(block, PatternModifiers::vocabulary, &draft.modifiers),
-      wave_(block, RampWave::vocabulary, nullptr) {}
+      wave_(block, RampWave::vocabulary, nullptr),
+      list_entry_(std::move(list_entry)) {}
 
 bool PatternReader::waiting() const {
     return fields_.waiting() || modifiers_.waiting() || wave_.waiting();
@@ -214,6 +267,7 @@ bool PatternReader::take_block(const Element& element) {
 bool PatternReader::read_in_braces(const Element& element) {
     const std::size_t kind = Patterns::find(element.word);
     if (kind == Patterns::count) return false;
+    if (element.word == "object"_word) return read_object_pattern(element);
     Pattern made = Patterns::make(kind);
     OpenBlock inner(block_.binder, Patterns::infos[kind]->name, element.word_span);
     if (auto* slope = std::get_if<Slope>(&made)) {
@@ -230,11 +284,29 @@ bool PatternReader::read_in_braces(const Element& element) {
         return false;
     }
     block_.broken |= inner.broken;
+    take_made(std::move(made), element.word_span);
+    return true;
+}
+
+void PatternReader::take_made(Pattern made, Span span) {
+    const std::size_t kind = made.index();
     name(kind);
     draft_.pattern = std::move(made);
     fields_.rebind(*Patterns::infos[kind], Patterns::address(*draft_.pattern));
     fields_.complete();
-    name_span_ = element.word_span;
+    name_span_ = span;
+}
+
+/// object { Thing, list }
+bool PatternReader::read_object_pattern(const Element& element) {
+    OpenBlock inner(block_.binder, "object", element.word_span);
+    const auto found = [&](const Object& object) {
+        take_made(pattern_of(object), element.word_span);
+    };
+    const auto rest = [&](const Element& entry) { return list_entry_ && list_entry_(entry); };
+    InsideReader reader(inner, found, rest);
+    inner.read(element.body, reader);
+    block_.broken |= inner.broken;
     return true;
 }
 
@@ -258,6 +330,10 @@ void PatternReader::finish() {
     const auto* slope = std::get_if<Slope>(&*draft_.pattern);
     const bool empty_slope = slope && !slope->direction && !slope->point_at;
     const auto* grey = std::get_if<PigmentGrey>(&*draft_.pattern);
+    const auto* object = std::get_if<ObjectPattern>(&*draft_.pattern);
+    if (object && !object->inside.code)
+        block_.report(error(Fault::missing, name_span_, "`object` needs an object in braces")
+                          .with_help("pigment { object { Thing rgb 1, rgb <1, 0, 0> } }"));
     if (empty_slope || (grey && !grey->grey.code))
         block_.report(error(Fault::missing, name_span_,
                             empty_slope ? "`slope` needs a direction, or `point_at`"

@@ -8,6 +8,8 @@
 #include "pattern/use.h"
 #include "text/message.h"
 
+#include <functional>
+
 /// A pattern while it is read; PatternUse when it is done.
 struct PatternDraft {
     std::optional<Pattern> pattern;
@@ -27,8 +29,10 @@ struct PatternDraft {
 class PatternReader {
 public:
     /// All outlive the reader. `home` says what the pattern is for: "pigment", "normal" or
-    /// "texture"; empty: nothing of these.
-    PatternReader(OpenBlock&, PatternDraft&, std::string_view home);
+    /// "texture"; empty: nothing of these. `list_entry` takes what stands behind the object in
+    /// object { }: true when it did.
+    PatternReader(OpenBlock&, PatternDraft&, std::string_view home,
+                  std::function<bool(const Element&)> list_entry = {});
 
     bool waiting() const;
     bool wants() const { return fields_.wants() || modifiers_.wants() || wave_.wants(); }
@@ -48,6 +52,8 @@ private:
     bool take_block(const Element&);
     bool read_in_braces(const Element&);
     bool belongs_here(Span);
+    bool read_object_pattern(const Element&);
+    void take_made(Pattern, Span);
     void name(std::size_t kind);
     void read_warp(const Element&);
 
@@ -58,6 +64,7 @@ private:
     ItemReader modifiers_;
     ItemReader wave_;             ///< of no use before a wave is named
     ItemReader* last_ = nullptr;  ///< took the last word: values are for it
+    std::function<bool(const Element&)> list_entry_;
     Span name_span_;
     bool named_ = false;
 };

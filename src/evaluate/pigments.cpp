@@ -39,7 +39,10 @@ struct PigmentDraft {
 class ColouringReader {
 public:
     ColouringReader(OpenBlock& block, PigmentDraft& draft)
-        : block_(block), draft_(draft), pattern_(block, draft.pattern, "pigment") {}
+        : block_(block),
+          draft_(draft),
+          pattern_(block, draft.pattern, "pigment",
+                   [this](const Element& entry) { return take(entry); }) {}
 
     bool waiting() const { return pattern_.waiting(); }
     bool wants() const { return block_.taken == 0 || pattern_.wants(); }

@@ -105,6 +105,37 @@ private:
     LightSampler& sampler_;
 };
 
+/// luminaires ambient
+class LuminairesReader : public SimpleReader {
+public:
+    LuminairesReader(OpenBlock& block, bool& ambient) : block_(block), ambient_(ambient) {}
+
+    bool waiting() const { return waiting_; }
+    bool wants() const { return waiting_; }
+    bool take(const Element& element) {
+        const bool word = element.kind == Element::Kind::word;
+        if (!waiting_) return waiting_ = word && block_.spelling(element.word) == "luminaires";
+        if (!word || (element.word != "ambient"_word && element.word != "emission"_word))
+            return false;
+        ambient_ = element.word == "ambient"_word;
+        waiting_ = false;
+        return true;
+    }
+    void finish() {
+        if (waiting_ && !block_.broken)
+            block_.report(error(Fault::missing, block_.span,
+                                "`luminaires` needs to know what makes one: `ambient` as well, or "
+                                "`emission` only")
+                              .with_help("global_settings { luminaires ambient }"));
+    }
+    void add_words(WordList& words) const { words.push_back("luminaires"); }
+
+private:
+    OpenBlock& block_;
+    bool& ambient_;
+    bool waiting_ = false;
+};
+
 }  // namespace
 
 void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
@@ -118,7 +149,8 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     const double gamma = settings.assumed_gamma;
     ItemReader fields(block, *block.item, &settings);
     SamplerBlock sampler(block, settings.light_sampler);
-    block.read(element.body, fields, sampler);
+    LuminairesReader luminaires(block, settings.ambient_luminaires);
+    block.read(element.body, luminaires, fields, sampler);
     before.noise_generator |= fields.given("noise_generator");
     if (!fields.given("assumed_gamma")) return;
     if (before.gamma) {

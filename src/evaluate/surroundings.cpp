@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/surroundings.h"
 
+#include "evaluate/colour_maps.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
 
@@ -37,6 +38,32 @@ private:
     SkySphere& sky_;
 };
 
+/// The colours of a rainbow, from its inner edge to the outer.
+class RainbowColours : public SimpleReader {
+public:
+    RainbowColours(OpenBlock& block, ColourMap& map) : block_(block), map_(map) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block ||
+            (element.word != "color_map"_word && element.word != "colour_map"_word))
+            return false;
+        ColourMap map;
+        block_.broken |= !read_colour_map(block_.binder, element, map);
+        map_ = std::move(map);
+        return true;
+    }
+    void finish() {
+        if (!block_.broken && map_.empty())
+            block_.report(error(Fault::missing, block_.span, "`rainbow` needs a `color_map`")
+                              .with_help(block_.help()));
+    }
+    void add_words(WordList& words) const { words.push_back("color_map"); }
+
+private:
+    OpenBlock& block_;
+    ColourMap& map_;
+};
+
 }  // namespace
 
 bool read_sky_sphere(Binder& binder, const Element& element, SkySphere& sky) {
@@ -63,6 +90,24 @@ bool read_fog(Binder& binder, const Element& element, Fog& fog) {
     TransformReader moves(block, apply);
     block.read(element.body, declared, fields, moves);
     const std::string wrong = problem(fog);
+    if (!block.broken && !wrong.empty())
+        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    return !block.broken;
+}
+
+bool read_rainbow(Binder& binder, const Element& element, Rainbow& rainbow) {
+    OpenBlock block(binder, "rainbow", element.word_span);
+    block.item = &Rainbow::vocabulary;
+    auto declared = named<Rainbow>(block, [&](const Handle<Rainbow>& other) { rainbow = *other; });
+    ItemReader fields(block, *block.item, &rainbow);
+    RainbowColours colours(block, rainbow.map);
+    const auto apply = [&](const Transform& transform) {
+        rainbow.direction = transform.direction(rainbow.direction);
+        rainbow.up = transform.direction(rainbow.up);
+    };
+    TransformReader moves(block, apply);
+    block.read(element.body, declared, colours, fields, moves);
+    const std::string wrong = problem(rainbow);
     if (!block.broken && !wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
     return !block.broken;

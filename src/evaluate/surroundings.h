@@ -8,3 +8,4 @@
 /// been reported.
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
 bool read_fog(Binder&, const Element& block, Fog&);
+bool read_rainbow(Binder&, const Element& block, Rainbow&);

@@ -115,7 +115,10 @@ private:
 /// A pattern with the textures that it chooses from.
 class ChoiceReader {
 public:
-    explicit ChoiceReader(OpenBlock& block) : block_(block), pattern_(block, draft_, "texture") {}
+    explicit ChoiceReader(OpenBlock& block)
+        : block_(block),
+          pattern_(block, draft_, "texture", [this](const Element& entry) { return take(entry); }) {
+    }
 
     bool waiting() const { return pattern_.named() && pattern_.waiting(); }
     bool wants() const { return pattern_.named() && pattern_.wants(); }

@@ -26,6 +26,7 @@ struct DeclaredCamera;
 struct DeclaredMaterial;
 struct Finish;
 struct Fog;
+struct Rainbow;
 struct Interior;
 struct MacroData;
 struct NormalStop;
@@ -84,7 +85,7 @@ using ValueKinds =
     SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
                 Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile,
                 std::vector<PigmentStop>, Bump, std::vector<NormalStop>, std::vector<SlopeStop>,
-                Spline, std::vector<TextureStop>, DeclaredMaterial, SkySphere, Fog>;
+                Spline, std::vector<TextureStop>, DeclaredMaterial, SkySphere, Fog, Rainbow>;
 
 /// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {

@@ -3,6 +3,11 @@
 
 #include "vocabulary/schema.h"
 
+const ItemInfo ObjectPattern::vocabulary = described<ObjectPattern>([] {
+    return schema<ObjectPattern>(
+        "object", "Inside of an object or outside of it; the object in braces, the list as well.");
+});
+
 const ItemInfo PigmentGrey::vocabulary = described<PigmentGrey>([] {
     return schema<PigmentGrey>("pigment_pattern", "The brightness of a pigment, in braces.");
 });

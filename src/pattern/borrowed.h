@@ -30,6 +30,18 @@ inline double evaluate(const PigmentGrey& kind, const PatternPoint& at) {
     return kind.grey(at.position, at.scene);
 }
 
+/// 1 inside of an object, 0 outside.
+struct ObjectPattern {
+    static constexpr int choices = 2;
+    PointFunction inside;
+
+    static const ItemInfo vocabulary;
+};
+
+inline double evaluate(const ObjectPattern& kind, const PatternPoint& at) {
+    return kind.inside(at.position, at.scene);
+}
+
 /// Has no value: the entries of its map are all mixed by their weights.
 struct Average {
     static const ItemInfo vocabulary;

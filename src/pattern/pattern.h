@@ -24,9 +24,9 @@ using Pattern =
     std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, BumpMap, Bumps, Cells, Checker, Crackle,
                  CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, FunctionPattern,
                  Gradient, Granite, Hexagon, ImageMap, ImagePattern, JuliaPattern, Leopard, Magnet,
-                 Mandel, Marble, MaterialMap, Onion, PigmentGrey, PlanarPattern, Quilted, Radial,
-                 Ripples, Slope, SphericalPattern, Spiral1, Spiral2, Spotted, Square, Tiling,
-                 Triangular, Waves, Wood, Wrinkles>;
+                 Mandel, Marble, MaterialMap, ObjectPattern, Onion, PigmentGrey, PlanarPattern,
+                 Quilted, Radial, Ripples, Slope, SphericalPattern, Spiral1, Spiral2, Spotted,
+                 Square, Tiling, Triangular, Waves, Wood, Wrinkles>;
 
 /// The value before any wave.
 double evaluate(const Pattern&, const PatternPoint&);

@@ -12,16 +12,17 @@ using std::numbers::pi;
 /// Light of one source at a point, with what it needs.
 class SourceLight {
 public:
-    SourceLight(const World& world, const PointLight& light, const Shading& s, const Key& key,
-                RayCounts& rays)
-        : world_(world), light_(light), s_(s), key_(key), rays_(rays) {}
+    SourceLight(const World& world, const PointLight& light, const Composite* window,
+                const Shading& s, const Key& key, RayCounts& rays)
+        : world_(world), light_(light), window_(window), s_(s), key_(key), rays_(rays) {}
 
     Vec3 seen() {
         const Incidence central = incidence(light_, light_.location, s_.position);
         direction_ = central.direction;
         const Vec3 answer =
             light_.is_area() && light_.area_illumination ? grid_answer() : answer_to(central);
-        if (answer == Vec3(0) || light_.shadowless) return answer;
+        if (answer == Vec3(0)) return answer;
+        if (light_.shadowless) return window_ && !seen_through(central) ? Vec3(0) : answer;
         return answer * (light_.is_area() ? grid_shadow() : passed(central));
     }
 
@@ -44,8 +45,18 @@ private:
 
     Vec3 passed(const Incidence& light) {
         if (light.distance <= 0) return Vec3(1);
+        const auto until = window_ ? seen_through(light) : std::optional(light.distance);
+        if (!until) return Vec3(0);
         ++rays_.shadow;
-        return world_.transmittance({s_.position, light.direction}, s_.tolerance, light.distance);
+        return world_.transmittance({s_.position, light.direction}, s_.tolerance, *until);
+    }
+
+    /// The way to the window, which may not be there in this direction.
+    std::optional<double> seen_through(const Incidence& light) const {
+        const auto any = [](std::uint32_t) { return true; };
+        const auto met =
+            window_->first({s_.position, light.direction}, {s_.tolerance, light.distance}, any);
+        return met ? std::optional(met->t) : std::nullopt;
     }
 
     /// The share of light that arrives from the whole grid.
@@ -101,6 +112,7 @@ private:
 
     const World& world_;
     const PointLight& light_;
+    const Composite* window_;  ///< null: none
     const Shading& s_;
     const Key key_;
     RayCounts& rays_;
@@ -144,11 +156,14 @@ double scattered_density(const Shading& s, const Vec3& direction) {
 
 Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) const {
     Vec3 sum(0);
-    std::uint32_t number = 0;
-    for (const Light& light : world_.lights) {
-        const Key own = Key{key.pixel, key.sample, key.path * 31u + 7u * ++number, 0};
+    for (std::size_t i = 0; i < world_.lights.size(); ++i) {
+        if (!world_.reaches(i, *s.material)) continue;
+        const auto number = static_cast<std::uint32_t>(i) + 1;
+        const Key own = Key{key.pixel, key.sample, key.path * 31u + 7u * number, 0};
+        const Composite* window = world_.light_reach[i].window.get();
         sum += std::visit(
-            [&](const auto& l) { return SourceLight(world_, l, s, own, rays).seen(); }, light);
+            [&](const auto& l) { return SourceLight(world_, l, window, s, own, rays).seen(); },
+            world_.lights[i]);
     }
     return sum;
 }

@@ -31,16 +31,23 @@ Vec3 PixelSum::mean() const {
            static_cast<double>(samples);
 }
 
-double PixelSum::deviation() const {
+double PixelSum::variance(std::size_t channel) const {
+    using Wide = ExactSum::Wide;
+    const Wide sum = static_cast<Wide>(display[channel]);
+    const Wide spread =
+        static_cast<Wide>(samples) * static_cast<Wide>(display_squared[channel]) - sum * sum;
     const double n = samples;
+    return static_cast<double>(spread) / (n * (n - 1)) * 0x1p-40;
+}
+
+double PixelSum::deviation() const {
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        using Wide = ExactSum::Wide;
-        const Wide spread = static_cast<Wide>(samples) * static_cast<Wide>(display_squared[i]) -
-                            static_cast<Wide>(display[i]) * static_cast<Wide>(display[i]);
-        sum += std::sqrt(static_cast<double>(spread) / (n * (n - 1)));
-    }
-    return sum * 0x1p-20;
+    for (std::size_t i = 0; i < 3; ++i) sum += std::sqrt(variance(i));
+    return sum;
+}
+
+double PixelSum::variance_of_mean() const {
+    return std::max({variance(0), variance(1), variance(2)}) / samples;
 }
 
 Film::Film(int width, int height)

@@ -25,8 +25,14 @@ struct PixelSum {
     /// Standard deviation of one sample in display values, summed over the channels. Needs two
     /// samples.
     double deviation() const;
+    /// Greatest variance of a channel's mean, in display values. Needs two samples.
+    double variance_of_mean() const;
 
     friend bool operator==(const PixelSum&, const PixelSum&) = default;
+
+private:
+    /// Of one sample's display value.
+    double variance(std::size_t channel) const;
 };
 
 class Film {

@@ -20,11 +20,21 @@ std::vector<Region> tiles_of(int width, int height) {
     return tiles;
 }
 
+/// The camera's rule for samples, when it is in force.
+std::optional<BlurRule> blur_rule(const World& world, const RenderSettings& settings) {
+    if (!world.camera.blurs() || settings.samples > 0 || settings.noise > 0) return std::nullopt;
+    return world.camera.blur;
+}
+
 class Renderer {
 public:
     Renderer(const World& world, const RenderSettings& settings, RenderState& state,
              const RenderHooks& hooks)
-        : world_(world), settings_(settings), state_(state), hooks_(hooks) {}
+        : world_(world),
+          settings_(settings),
+          state_(state),
+          hooks_(hooks),
+          blur_(blur_rule(world, settings)) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -32,7 +42,7 @@ public:
         do {
             run_round();
             if (stopped_) return false;
-        } while (plan_round(state_, settings_, samples));
+        } while (plan_round(state_, settings_, samples, blur_));
         return true;
     }
 
@@ -74,11 +84,11 @@ private:
     }
 
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
-    /// the noise takes is not known: each brings half of the rest.
+    /// the noise or a lens takes is not known: each brings half of the rest.
     double overall(double share_of_round) const {
-        if (is_even(settings_)) return share_of_round;
+        if (is_even(world_, settings_)) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
-        return settings_.noise > 0 ? 1 - std::exp2(-rounds) : rounds / 2;
+        return settings_.noise > 0 || blur_ ? 1 - std::exp2(-rounds) : rounds / 2;
     }
 
     bool wants(const Region& tile, std::uint32_t level) const {
@@ -105,13 +115,26 @@ private:
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
         while (pixel.samples < wanted && !stop()) {
             key.sample = state_.share.first_sample + pixel.samples;
-            const double dx = settings_.antialias ? uniform(key, Purpose::pixel_x) : 0.5;
-            const double dy = settings_.antialias ? uniform(key, Purpose::pixel_y) : 0.5;
-            pixel.add(tracer.radiance(world_.camera.ray((x + dx) / state_.film.width() - 0.5,
-                                                        0.5 - (y + dy) / state_.film.height()),
-                                      key));
+            // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
+            const bool spread = settings_.antialias || world_.camera.lens_radius > 0;
+            const double dx = spread ? uniform(key, Purpose::pixel_x) : 0.5;
+            const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
+            const double u = (x + dx) / state_.film.width() - 0.5;
+            const double v = 0.5 - (y + dy) / state_.film.height();
+            pixel.add(tracer.radiance(camera_ray(u, v, key), key));
         }
         return pixel.samples - before;
+    }
+
+    Ray camera_ray(double u, double v, const Key& key) const {
+        Ray ray = world_.camera.ray(u, v);
+        if (ray.direction == Vec3(0)) return ray;
+        if (world_.camera_normal.pattern)
+            ray.direction =
+                bumped(world_.camera_normal, ray.direction, Vec3(u, v, 0), world_.pattern_scene());
+        if (world_.camera.lens_radius == 0) return ray;
+        return world_.camera.through_lens(
+            ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
     }
 
     bool stop() {
@@ -123,6 +146,7 @@ private:
     const RenderSettings& settings_;
     RenderState& state_;
     const RenderHooks& hooks_;
+    std::optional<BlurRule> blur_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
@@ -138,8 +162,13 @@ int samples_per_pixel(const World& world, const RenderSettings& settings) {
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
+    if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
     if (!settings.antialias) return world.luminaires.empty() ? 1 : 16;
     return std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+}
+
+bool is_even(const World& world, const RenderSettings& settings) {
+    return is_even(settings) && !blur_rule(world, settings);
 }
 
 bool advance(const World& world, const RenderSettings& settings, RenderState& state,

@@ -32,3 +32,6 @@ bool advance(const World&, const RenderSettings&, RenderState&, RayCounts&, cons
 /// Camera rays a pixel that settings ask for, with the automatic choice made: one where nothing is
 /// left to chance.
 int samples_per_pixel(const World&, const RenderSettings&);
+
+/// Whether all pixels get the same number of samples. Neither an adaptive scheme nor a lens is so.
+bool is_even(const World&, const RenderSettings&);

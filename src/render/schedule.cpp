@@ -46,6 +46,16 @@ void refine(RenderState& state, const RenderSettings& settings) {
         state.film.pixels()[i].target = state.film.pixels()[i].samples + more[i];
 }
 
+/// Each pixel by its own samples, as POV-Ray does, though not after each of them.
+void refine(RenderState& state, const BlurRule& rule) {
+    const auto most = static_cast<std::uint32_t>(rule.most);
+    for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
+        const std::uint32_t n = pixel.samples;
+        if (state.share.owns(x, y) && pixel.variance_of_mean() > rule.allowed(static_cast<int>(n)))
+            pixel.target = std::min(most, n + n / 4 + 1);
+    });
+}
+
 }  // namespace
 
 RenderState begin_picture(const RenderSettings& settings) {
@@ -57,13 +67,16 @@ bool is_even(const RenderSettings& settings) {
     return settings.noise == 0 && (settings.samples > 0 || !settings.antialias);
 }
 
-bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples) {
-    const bool even = is_even(settings);
+bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,
+                const std::optional<BlurRule>& blur) {
+    const bool even = is_even(settings) && !blur;
     if (even || state.rounds == 0)
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-            const bool wanted = even ? state.share.owns(x, y) : borders(state.share, x, y);
+            const bool wanted = even || blur ? state.share.owns(x, y) : borders(state.share, x, y);
             pixel.target = wanted ? samples : 0;
         });
+    else if (blur)
+        refine(state, *blur);
     else if (settings.noise > 0 || state.rounds == 1)
         refine(state, settings);
     if (missing_samples(state.film) == 0) return false;

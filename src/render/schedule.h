@@ -4,9 +4,12 @@
 // without a trace.
 #pragma once
 
+#include "camera/camera.h"
 #include "render/film.h"
 #include "render/share.h"
 #include "scene/settings.h"
+
+#include <optional>
 
 /// A picture on its way.
 struct RenderState {
@@ -20,12 +23,14 @@ struct RenderState {
 /// Before the first sample.
 RenderState begin_picture(const RenderSettings&);
 
-/// Whether all pixels get the same number of samples.
+/// Whether the settings give all pixels the same number of samples.
 bool is_even(const RenderSettings&);
 
 /// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
-/// round, or altogether when that number is even. False when no pixel needs more.
-bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples);
+/// round, or altogether when that number is even. A blurred picture has a rule of its own. False
+/// when no pixel needs more.
+bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples,
+                const std::optional<BlurRule>& blur = {});
 
 /// Samples that are wanted up to now but not there yet.
 std::uint64_t missing_samples(const Film&);

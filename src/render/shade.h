@@ -13,6 +13,7 @@ struct Shading {
     Vec3 true_normal;  ///< unit, of the surface as it is, on the side that is seen
     double tolerance = 0;
     const Finish* finish = nullptr;
+    const Material* material = nullptr;
     Colour colour;
     double opacity = 1;
     bool both_sides = false;

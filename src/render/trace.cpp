@@ -33,10 +33,11 @@ Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
     return follow(path);
 }
 
-double Tracer::ior(const Solids& solids) const {
-    if (solids.empty()) return 1;
-    const auto& interior = world_.material(solids.back()).interior;
-    return interior ? interior->ior : 1;
+const Interior& Tracer::interior(const Solids& solids) const {
+    static const Interior atmosphere;
+    if (solids.empty()) return atmosphere;
+    const auto& inside = world_.material(solids.back()).interior;
+    return inside ? *inside : atmosphere;
 }
 
 Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitive) const {
@@ -51,7 +52,14 @@ Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitiv
         behind.erase(inside);
         if (!innermost) return result;  // leaving one of two that overlap bends nothing
     }
-    result.ratio = ior(path.solids) / ior(behind);
+    const Interior &here = interior(path.solids), &there = interior(behind);
+    result.ratio = here.ior / there.ior;
+    result.dispersion = here.dispersion / there.dispersion;
+    if (result.dispersion == 1) return result;
+    if (path.band)
+        result.ratio *= std::pow(result.dispersion, path.band->power());
+    else
+        result.bands = (here.dispersion != 1 ? here : there).dispersion_samples;
     return result;
 }
 
@@ -66,9 +74,12 @@ Vec3 Tracer::follow(const Path& path) {
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     Vec3 seen = met ? surface(path, hit) : world_.sky_radiance(path.ray.direction);
-    if (world_.fogs.empty() || !in_the_open(path)) return seen;
+    if ((world_.fogs.empty() && world_.rainbows.empty()) || !in_the_open(path)) return seen;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double distance = met ? length(hit.position - path.ray.origin) : infinity;
+    if (!world_.rainbows.empty())
+        seen =
+            arched(world_.rainbows, path.ray, distance, seen, uniform(path.key, Purpose::rainbow));
     return fogged(world_.fogs, path.ray, distance, seen, world_.pattern_scene().noise_generator);
 }
 
@@ -77,14 +88,17 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const Shading s = shading_at(world_, path.ray, hit);
     const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
-    world_.for_textures(
-        hit.primitive, hit.part, s.position, [&](double share, const Texture& texture) {
-            for_layers(texture, s.position, s.normal, place.scene,
-                       [&](double weight, std::span<const Layer> layers) {
-                           if (share * weight >= world_.settings.adc_bailout)
-                               sum += share * weight * layered(path, hit, s, layers);
-                       });
-        });
+    const auto show = [&](double share, const Texture& texture) {
+        for_layers(texture, s.position, s.normal, place.scene,
+                   [&](double weight, std::span<const Layer> layers) {
+                       if (share * weight >= world_.settings.adc_bailout)
+                           sum += share * weight * layered(path, hit, s, layers);
+                   });
+    };
+    if (s.material->inner && dot(hit.normal, path.ray.direction) > 0)
+        show(1, *s.material->inner);
+    else
+        world_.for_textures(hit.primitive, hit.part, s.position, show);
     return sum;
 }
 
@@ -122,7 +136,10 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     }
     // Total reflection: nothing is lost.
     if (total) return result + faded(path, hit) * reflected(path, top, Vec3(1), 1);
-    if (clear) result += faded(path, hit) * transmitted(path, top, surface, behind);
+    behind *= top.finish->refraction;
+    if (clear)
+        result += faded(path, hit) * (surface.bands > 0 ? split(path, top, surface, behind)
+                                                        : transmitted(path, top, surface, behind));
     return result;
 }
 
@@ -155,6 +172,23 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
         return channel > 0 ? std::pow(channel, 1 / exponent) : 0.0;
     };
     return tinted * Vec3(dimmed(seen.x), dimmed(seen.y), dimmed(seen.z));
+}
+
+/// White light, each of its bands on a way of its own.
+Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
+                   const Vec3& share) {
+    Vec3 sum(0);
+    const double cosine = -dot(s.view, s.normal);
+    for (int i = 0; i < surface.bands; ++i) {
+        Path coloured = path;
+        coloured.band = SpectralBand{i, surface.bands};
+        Interface own = surface;
+        own.ratio *= std::pow(surface.dispersion, coloured.band->power());
+        const bool total = own.ratio * own.ratio * (1 - cosine * cosine) > 1;
+        sum += hue(*coloured.band) *
+               (total ? reflected(coloured, s, Vec3(1), 1) : transmitted(coloured, s, own, share));
+    }
+    return sum / static_cast<double>(surface.bands);
 }
 
 Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& surface,

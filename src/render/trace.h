@@ -5,6 +5,9 @@
 
 #include "render/direct_light.h"
 
+#include "surface/dispersion.h"
+
+#include <optional>
 #include <vector>
 
 /// One for each job: it keeps scratch memory and counts rays.
@@ -32,10 +35,13 @@ private:
         RayKind kind = RayKind::camera;
         Key key;
         Solids solids;
+        std::optional<SpectralBand> band;  ///< when it is one colour of split white light
     };
     struct Interface {
         double ratio;  ///< index of refraction in front of the surface over the one behind it
         Solids behind;
+        double dispersion = 1;  ///< the same ratio of dispersions
+        int bands = 0;          ///< into which white light is split; 0: it is not
     };
 
     Vec3 follow(const Path&);
@@ -45,8 +51,9 @@ private:
     Vec3 faded(const Path&, const Hit&) const;
     Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share);
     Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);
+    Vec3 split(const Path&, const Shading&, const Interface&, const Vec3& share);
     Interface interface_at(const Path&, PrimitiveIndex) const;
-    double ior(const Solids&) const;
+    const Interior& interior(const Solids&) const;
 
     const World& world_;
     DirectLight direct_light_;

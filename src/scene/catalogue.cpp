@@ -12,7 +12,8 @@ namespace {
 constexpr auto surface =
     std::array{&BumpSettings::vocabulary, &Finish::vocabulary, &Reflection::vocabulary,
                &Irid::vocabulary, &Interior::vocabulary};
-constexpr auto surroundings = std::array{&SkySphere::vocabulary, &Fog::vocabulary};
+constexpr auto surroundings =
+    std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary};
 

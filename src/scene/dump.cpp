@@ -42,6 +42,7 @@ std::string settings_text(const Scene& scene) {
     // Before version 3.7 it makes a difference that the default was given.
     if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");
+    if (settings.ambient_luminaires) text += message(text.empty() ? "" : " ", "luminaires ambient");
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
         text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");
@@ -80,6 +81,8 @@ std::vector<std::string> modifiers(const Object& object) {
         result.push_back(confines_text("bounded_by", object.confines->bounds));
     for (const ObjectFlag& flag : object_flags)
         if (object.*flag.member) result.emplace_back(flag.name);
+    if (object.part_textures && object.part_textures->interior)
+        result.push_back("interior_" + dump(*object.part_textures->interior));
     if (object.interior) result.push_back(block_text(*object.interior));
     if (object.texture) result.push_back(dump(*object.texture));
     return result;
@@ -93,11 +96,16 @@ std::span<const ObjectHandle> children(const Object& object) {
 
 bool is_row(const Object& object) { return std::holds_alternative<SphereRow>(object.form); }
 
+bool is_group(const Object& object) {
+    const auto* together = std::get_if<Union>(&object.form);
+    return together && together->light_group;
+}
+
 /// A union of one object that adds nothing is written as that object: a copy of a declared union is
 /// read as such a union.
 const Object& essence(const Object& object) {
     const Object* result = &object;
-    while (children(*result).size() == 1 && modifiers(*result).empty() &&
+    while (children(*result).size() == 1 && modifiers(*result).empty() && !is_group(*result) &&
            !is_row(*children(*result).front()))
         result = children(*result).front().get();
     return *result;
@@ -160,6 +168,7 @@ public:
             out_ += message("background { ", colour_text(scene.background.colour), " }\n");
         if (scene.sky) out_ += dump(*scene.sky);
         for (const Fog& fog : scene.fogs) out_ += block_text(fog) + "\n";
+        for (const Rainbow& rainbow : scene.rainbows) out_ += dump(rainbow);
         out_ += camera_text(scene.camera);
         for (const PlacedLight& light : scene.lights) out_ += light_text(light.light);
         declare_shared(scene.objects);
@@ -203,11 +212,19 @@ private:
             return;
         }
         out_.append(4 * depth, ' ');
-        out_ += message(keyword(std::get<Union>(object.form).csg), " {\n");
+        const Union& group = std::get<Union>(object.form);
+        out_ += message(group.light_group ? "light_group" : keyword(group.csg), " {\n");
+        if (group.light_group) write_lights(group, depth + 1);
         for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
         for (const std::string& each : modifiers(object))
             out_ += std::string(4 * depth + 4, ' ') + each + "\n";
         out_ += std::string(4 * depth, ' ') + "}\n";
+    }
+
+    void write_lights(const Union& group, std::size_t depth) {
+        for (const PlacedLight& light : group.lights)
+            out_ += std::string(4 * depth, ' ') + light_text(light.light);
+        if (group.global_lights) out_ += std::string(4 * depth, ' ') + "global_lights\n";
     }
 
     void write(Shape shape, const Object& object, std::size_t depth) {

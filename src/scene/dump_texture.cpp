@@ -35,6 +35,7 @@ std::string pattern_text(const Pattern& pattern) {
     if (std::holds_alternative<Slope>(pattern))
         return message("slope {", text.substr(std::string_view("slope").size()), " }");
     if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
+    if (std::holds_alternative<ObjectPattern>(pattern)) return "object { /* an object */ }";
     if (const auto* grey = std::get_if<PigmentGrey>(&pattern)) {
         // The only thing that a pigment_pattern borrows from is a pigment.
         std::string inner = dump(*static_cast<const Pigment*>(grey->grey.data.get()));
@@ -71,6 +72,13 @@ std::string use_text(const PatternUse& use) {
     return text + steps_text(use);
 }
 
+std::string colours_text(const ColourMap& map) {
+    std::string text;
+    for (const ColourStop& stop : map)
+        text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
+    return message(" color_map { ", text, "}");
+}
+
 std::string map_text(const PatternUse& use, const ColourMap& map) {
     std::string text;
     if (std::holds_alternative<ImageMap>(use.pattern)) return text;
@@ -79,9 +87,7 @@ std::string map_text(const PatternUse& use, const ColourMap& map) {
             text += message(text.empty() ? " " : ", ", colour_text(stop.colour));
         return text;
     }
-    for (const ColourStop& stop : map)
-        text += message("[", stop.value, " ", colour_text(stop.colour), "] ");
-    return message(" color_map { ", text, "}");
+    return colours_text(map);
 }
 
 std::string map_text(const PatternUse&, const PigmentMap& map) {
@@ -201,4 +207,9 @@ std::string dump(const SkySphere& sky) {
     std::string text = "sky_sphere { ";
     for (const Pigment& pigment : sky.pigments) text += dump(pigment) + " ";
     return message(text, written_fields(SkySphere::vocabulary, &sky), " }\n");
+}
+
+std::string dump(const Rainbow& rainbow) {
+    return message("rainbow { ", written_fields(Rainbow::vocabulary, &rainbow),
+                   colours_text(rainbow.map), " }\n");
 }

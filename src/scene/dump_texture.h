@@ -2,6 +2,7 @@
 // Pigments, normals and their patterns as text that reads back as the same, for dump(Scene).
 #pragma once
 
+#include "backdrop/rainbow.h"
 #include "backdrop/sky_sphere.h"
 #include "surface/texture.h"
 #include "text/message.h"
@@ -21,6 +22,7 @@ std::string dump(const Texture&);
 
 /// A line of its own.
 std::string dump(const SkySphere&);
+std::string dump(const Rainbow&);
 
 /// The item in an alternative of a variant as "name fields".
 template <class Variant>

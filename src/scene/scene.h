@@ -5,6 +5,7 @@
 
 #include "backdrop/background.h"
 #include "backdrop/fog.h"
+#include "backdrop/rainbow.h"
 #include "backdrop/sky_sphere.h"
 #include "base/handle.h"
 #include "base/transform.h"
@@ -31,6 +32,8 @@ struct PlacedLight {
     Light light;
     Span span;
     ObjectHandle looks_like = {};  ///< stands at the light, casts no shadow; null: none
+    ObjectHandle projected_through =
+        {};  ///< it lights what is seen through this, which is not there otherwise; null: all
 };
 
 /// How several objects make one.
@@ -47,6 +50,8 @@ struct Union {
     std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own
                                       ///< space; Scene::lights has them too
     Csg csg = Csg::together;
+    bool light_group = false;    ///< its lights light nothing else, and Scene::lights lacks them
+    bool global_lights = false;  ///< of a light group: other lights light it as well
 };
 
 /// Spheres that are alike in all but place and size, as one object of a scene or a union: loops
@@ -63,9 +68,10 @@ struct Confines {
     std::vector<ObjectHandle> bounds;
 };
 
-/// Textures of parts of a shape, which know them by their place in the list.
+/// Textures of parts of a shape, which know them by their place in the list, and of its inner side.
 struct PartTextures {
     std::vector<Handle<Texture>> list;
+    Handle<Texture> interior;  ///< of the side that is seen from inside; null: as outside
 };
 
 /// One object: a shape, a union or a row, where it stands and how it looks.
@@ -87,14 +93,19 @@ struct Object {
     Span span;
 };
 
+/// A light source after one more transformation, with all that belongs to it.
+PlacedLight moved(PlacedLight, const Transform&);
+
 struct Scene {
     std::vector<ObjectHandle> objects;
     std::vector<PlacedLight> lights;
     Camera camera;
+    Bump camera_normal;         ///< disturbs the directions of its rays
     bool camera_given = false;  ///< otherwise it is the default
     Background background;
     std::optional<SkySphere> sky;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none
     bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7,

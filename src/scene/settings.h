@@ -17,6 +17,7 @@ struct GlobalSettings {
     int number_of_waves = 10;
     Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
+    bool ambient_luminaires = false;  ///< objects with ambient of 1 or more are luminaires
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads
 

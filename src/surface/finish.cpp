@@ -51,5 +51,10 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
           "tints highlights with the pigment; 1 when no number follows"},
         F{"crand", &Finish::crand, item, "graininess: diffuse light varies by this much"},
         F{"conserve_energy", &Finish::conserve_energy, flag,
-          "what is reflected does not also pass through"});
+          "what is reflected does not also pass through"},
+        F{"ior", &Finish::ior, item, "index of refraction, as scenes before version 3.1 have it",
+          at_least(0)},
+        F{"caustics", &Finish::caustics, item, "exponent of bright spots in shadows, as old"},
+        F{"refraction", &Finish::refraction, item, "share of what is seen through it, as old",
+          at_least(0)});
 });

@@ -13,7 +13,13 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
         F{"fade_power", &Interior::fade_power, item,
           "how fast it is dimmed; from 1000 on exponentially, as nature does", at_least(0)},
         as_colour(
-            F{"fade_color", &Interior::fade_color, item, "colour of light that has gone far"}));
+            F{"fade_color", &Interior::fade_color, item, "colour of light that has gone far"}),
+        F{"caustics", &Interior::caustics, item,
+          "brightens shadows where light passes the surface straight on; 0: not"},
+        F{"dispersion", &Interior::dispersion, item,
+          "index of refraction at violet over that at red", above(0)},
+        F{"dispersion_samples", &Interior::dispersion_samples, item,
+          "rays that white light is split into", between(2, 100)});
 });
 
 Vec3 attenuation(const Interior& interior, double distance) {

@@ -9,6 +9,9 @@ struct Interior {
     double fade_distance = 0;  ///< 0: light is not dimmed
     double fade_power = 0;
     Vec3 fade_color = Vec3(0);
+    double caustics = 0;    ///< strength of bright spots in shadows; 0: none
+    double dispersion = 1;  ///< index of refraction at violet over that at red
+    int dispersion_samples = 7;
 
     static const ItemInfo vocabulary;
 };

@@ -133,6 +133,28 @@ Vec3 greatest_emission(const Texture& texture) {
     return texture.below ? own + greatest_emission(*texture.below) : own;
 }
 
+Handle<Texture> kindled(const Handle<Texture>& texture, const Vec3& ambient_light) {
+    Handle<Texture> result = texture;
+    if (texture->choice) {
+        TextureMap map = texture->choice->map;
+        bool any = false;
+        for (TextureStop& stop : map) {
+            Handle<Texture> entry = kindled(stop.texture, ambient_light);
+            any |= entry.get() != stop.texture.get();
+            stop.texture = std::move(entry);
+        }
+        if (any) result.edit().choice.edit().map = std::move(map);
+    } else if (max_component(texture->finish.ambient) >= 1) {
+        Finish& finish = result.edit().finish;
+        finish.emission += finish.ambient * ambient_light;
+        finish.ambient = Vec3(0);
+    }
+    if (!texture->below) return result;
+    Handle<Texture> below = kindled(texture->below, ambient_light);
+    if (below.get() != texture->below.get()) result.edit().below = std::move(below);
+    return result;
+}
+
 bool varied(const Texture& texture) {
     return texture.choice || texture.below || texture.pigment.pattern;
 }
@@ -150,17 +172,27 @@ void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
     visit(texture, point, normal, 1, nullptr, {scene, use});
 }
 
-Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
+bool focuses(const Texture& texture) {
+    if (texture.choice)
+        return std::ranges::any_of(texture.choice->map,
+                                   [](const TextureStop& stop) { return focuses(*stop.texture); });
+    return texture.finish.caustics != 0 || (texture.below && focuses(*texture.below));
+}
+
+Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
+             const Passing& light) {
     if (texture.choice) {
         Vec3 sum(0);
         const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
-            sum += share * passing(entry, place, scene);
+            sum += share * passing(entry, place, scene, light);
         });
         return sum;
     }
-    const Vec3 own = evaluate(texture.pigment, point, scene).passing();
-    return texture.below ? own * passing(*texture.below, point, scene) : own;
+    const double power = light.power != 0 ? light.power : texture.finish.caustics;
+    const double focused = power == 0 ? 1 : 1 + std::pow(light.cosine, power);
+    const Vec3 own = focused * evaluate(texture.pigment, point, scene).passing();
+    return texture.below ? own * passing(*texture.below, point, scene, light) : own;
 }
 
 Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& scene,

@@ -32,6 +32,9 @@ Texture uv_mapped(Texture);
 /// Radiance that the surface emits at most; 0 when it is no luminaire.
 Vec3 greatest_emission(const Texture&);
 
+/// The texture with all ambient light of 1 or more as emission; the same one when it has none.
+Handle<Texture> kindled(const Handle<Texture>&, const Vec3& ambient_light);
+
 /// Whether its emission differs from place to place.
 bool varied(const Texture&);
 
@@ -55,8 +58,17 @@ using UseLayers = FunctionRef<void(double weight, std::span<const Layer>)>;
 void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const PatternScene&,
                 UseLayers use);
 
+/// Light on its way through a surface: where it is focused, by the angle that it comes from.
+struct Passing {
+    double cosine = 0;  ///< of the angle between the surface's normal and the light, 0 to 1
+    double power = 0;   ///< of the interior's caustics; 0: the finishes' own
+};
+
 /// The share of light that passes through all layers at a point, per channel.
-Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
+Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const Passing& = {});
+
+/// Whether one of its finishes has caustics.
+bool focuses(const Texture&);
 
 /// The radiance that all layers emit at a point. `opacity` is the share of a layer's colour that is
 /// its own, which depends on the version of the language.

@@ -62,10 +62,11 @@ World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     world.settings = scene.settings;
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
+    world.camera_normal = scene.camera_normal;
     world.background = scene.background;
     world.sky = scene.sky;
     world.fogs = scene.fogs;
-    for (const PlacedLight& placed : scene.lights) world.lights.push_back(placed.light);
+    world.rainbows = scene.rainbows;
     flatten(scene, world, diagnostics, what);
     return world;
 }

@@ -20,11 +20,11 @@ bool is_composite(const Object& object) {
 
 class Flattener {
 public:
-    Flattener(World& world, Diagnostics& diagnostics, Flatten what)
+    Flattener(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what)
         : world_(world),
           diagnostics_(diagnostics),
           all_(what == Flatten::everything),
-          only_lights_count_(!all_ && !world.lights.empty()),
+          only_lights_count_(!all_ && !scene.lights.empty() && !world.settings.ambient_luminaires),
           materials_(world) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
@@ -36,8 +36,9 @@ public:
             if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
         }
-        const Inherited here = inherit(object, outer);
+        Inherited here = inherit(object, outer);
         if (const Union* group = std::get_if<Union>(&object.form)) {
+            enter_group(*group, here);
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
@@ -56,6 +57,20 @@ public:
             add_textured(**mesh, object, here, outer.transform);
         else if (placed)
             place(shape, here, material, object.span);
+    }
+
+    /// A light source of the scene, or of a group in its place.
+    void add_light(PlacedLight placed, std::uint32_t group = 0) {
+        LightReach reach{group};
+        if (placed.projected_through) {
+            CompositeBuilder builder;
+            NoVisitor nobody;
+            const PartRef root = Assembler<NoVisitor>(builder, shapes_, nobody)
+                                     .add(*placed.projected_through, nullptr);
+            reach.window = make_handle<Composite>(builder.finish(root));
+        }
+        world_.lights.push_back(std::move(placed.light));
+        world_.light_reach.push_back(std::move(reach));
     }
 
     void finish() {
@@ -93,6 +108,11 @@ private:
             here.texture = &materials_.world_texture(object.texture, outer.transform, here.uv);
         else if (here.uv && !outer.uv)
             here.texture = &materials_.world_texture(*here.texture, {}, true);
+        if (object.part_textures && object.part_textures->interior)
+            here.inner =
+                &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
+        else if (object.texture)
+            here.inner = nullptr;
         if (object.interior) here.interior = &object.interior;
         here.no_shadow |= object.no_shadow;
         here.no_image |= object.no_image;
@@ -100,6 +120,16 @@ private:
         here.double_illuminate |= object.double_illuminate;
         here.hollow |= object.hollow;
         return here;
+    }
+
+    /// The lights of a light group come into the world where the group stands.
+    void enter_group(const Union& group, Inherited& here) {
+        if (!group.light_group) return;
+        const auto number = static_cast<std::uint32_t>(world_.light_groups.size());
+        world_.light_groups.push_back({here.light_group, group.global_lights});
+        here.light_group = number;
+        for (const PlacedLight& light : group.lights)
+            add_light(here.transform ? moved(light, *here.transform) : light, number);
     }
 
     /// Whether any part does.
@@ -211,6 +241,8 @@ private:
 
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
+            if (const Union* group = std::get_if<Union>(&object.form))
+                flattener.enter_group(*group, around.back());
         }
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {
@@ -333,7 +365,8 @@ private:
 }  // namespace
 
 void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what) {
-    Flattener flattener(world, diagnostics, what);
+    Flattener flattener(scene, world, diagnostics, what);
+    for (const PlacedLight& light : scene.lights) flattener.add_light(light);
     for (const ObjectHandle& object : scene.objects) flattener.add(*object, {});
     flattener.finish();
 }

@@ -5,7 +5,8 @@ std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
                          key.double_illuminate << 3 | key.hollow << 4;
-    return of(key.texture) * 31 + of(key.interior) * 16 + static_cast<std::size_t>(switches);
+    return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
+           static_cast<std::size_t>(switches);
 }
 
 const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
@@ -23,9 +24,14 @@ const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
 }
 
 std::uint32_t Materials::index(const Inherited& look) {
-    const Interior* interior = look.interior ? look.interior->get() : nullptr;
-    const Key key{look.texture->get(), interior,           look.no_shadow,
-                  look.no_image,       look.no_reflection, look.double_illuminate,
+    const Key key{look.texture->get(),
+                  look.inner ? look.inner->get() : nullptr,
+                  look.interior ? look.interior->get() : nullptr,
+                  look.light_group,
+                  look.no_shadow,
+                  look.no_image,
+                  look.no_reflection,
+                  look.double_illuminate,
                   look.hollow};
     if (last_key_ != key) {
         last_key_ = key;
@@ -37,23 +43,37 @@ std::uint32_t Materials::index(const Inherited& look) {
     return last_;
 }
 
+/// What is to glow by its ambient does.
+Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
+    const GlobalSettings& settings = world_.settings;
+    return settings.ambient_luminaires ? kindled(texture, settings.ambient_light) : texture;
+}
+
 void Materials::add(const Inherited& look) {
-    const Texture& texture = **look.texture;
     Material material;
-    material.texture = *look.texture;
+    material.texture = lit(*look.texture);
+    const Texture& texture = *material.texture;
+    if (look.inner) material.inner = *look.inner;
     if (look.interior) material.interior = *look.interior;
-    material.transparent = transparent(texture);
+    if (!texture.choice && texture.finish.ior != 0) {
+        material.interior =
+            make_handle<Interior>(material.interior ? *material.interior : Interior());
+        material.interior.edit().ior = texture.finish.ior;
+    }
+    material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
+    material.focuses = focuses(texture);
+    material.light_group = look.light_group;
     material.no_shadow = look.no_shadow;
     material.no_image = look.no_image;
     material.no_reflection = look.no_reflection;
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
-    material.uv = nesting(texture).uv;
+    material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
     material.solid = static_cast<std::uint32_t>(world_.materials.size());
     world_.any_transparent |= material.transparent;
     world_.any_left_out |= look.no_image || look.no_reflection;
-    world_.materials.push_back(std::move(material));
     glows_.push_back(greatest_emission(texture) != Vec3(0));
+    world_.materials.push_back(std::move(material));
 }
 
 std::uint32_t Materials::own(std::uint32_t material) {
@@ -104,7 +124,7 @@ std::uint32_t Materials::of_leaf(const Object& mesh, const Inherited& look,
     const std::uint32_t result = own(index(look));
     Inherited part = look;
     for (const Handle<Texture>& texture : mesh.part_textures->list) {
-        list.push_back(world_texture(texture, outside, look.uv));
+        list.push_back(lit(world_texture(texture, outside, look.uv)));
         part.texture = &list.back();
         include(result, index(part));
     }

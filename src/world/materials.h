@@ -15,7 +15,9 @@
 struct Inherited {
     Handle<Transform> transform;               ///< null: none
     const Handle<Texture>* texture = nullptr;  ///< in world space
+    const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
     const Handle<Interior>* interior = nullptr;
+    std::uint32_t light_group = 0;
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
          hollow = false, uv = false;
 };
@@ -51,7 +53,9 @@ private:
     /// What primitives of one material have in common.
     struct Key {
         const Texture* texture;
+        const Texture* inner;
         const Interior* interior;
+        std::uint32_t light_group;
         bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
 
         friend bool operator==(const Key&, const Key&) = default;
@@ -62,6 +66,7 @@ private:
     using TextureKey = std::tuple<const Texture*, const Transform*, bool>;
 
     void add(const Inherited& look);
+    Handle<Texture> lit(const Handle<Texture>&) const;
     void include(std::uint32_t material, std::uint32_t part);
 
     World& world_;

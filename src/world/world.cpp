@@ -127,7 +127,7 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         std::vector<Composite::Meeting> met;
         placed.composite->all(ray, range, passed, met);
         for (const auto& each : met)
-            found.push_back({each.t, placed.first_leaf + each.leaf, each.part});
+            found.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
         return;
     }
     if (material(item).no_shadow) return;
@@ -135,20 +135,27 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         const SpherePrimitive& s = spheres[item];
         const double near = first_crossing(s.centre, s.radius, ray, range);
         if (near >= range.max) return;
-        found.push_back({near, item});
+        found.push_back({near, item, ray.at(near) - s.centre});
         const double far =
             first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
-        if (far < range.max) found.push_back({far, item});
+        if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
     } else if (item < spheres.size() + triangles.size()) {
         Candidate best{range.max};
         meet(item, ray, range, best);
-        if (best.primitive != no_primitive) found.push_back({best.t, item});
+        const TrianglePrimitive& face = triangles[item - spheres.size()];
+        if (best.primitive != no_primitive)
+            found.push_back(
+                {best.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
     } else {
         const PlacedShape& placed = shapes[item - spheres.size() - triangles.size()];
         Crossings all;
         crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, all);
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (range.contains(all[i].t)) found.push_back({all[i].t, item, all[i].part});
+            if (range.contains(all[i].t))
+                found.push_back(
+                    {all[i].t, item,
+                     placed.transform ? placed.transform->normal(all[i].normal) : all[i].normal,
+                     all[i].part});
     }
 }
 
@@ -168,6 +175,23 @@ bool World::opaque_between(std::uint32_t item, const Ray& ray, const Interval& r
 bool World::may_pass(std::uint32_t item) const {
     return item < leaves_begin() ? material(item).transparent
                                  : composites[item - leaves_begin()].transparent;
+}
+
+/// What one surface leaves of light that passes through it.
+Vec3 World::passed(const Passage& passage, const Ray& ray) const {
+    const Material& m = material(passage.primitive);
+    Passing light;
+    // As in POV-Ray, where one of its tables counts so.
+    if (m.interior) light.power = 45 * m.interior->caustics;
+    if (light.power != 0 || m.focuses)
+        light.cosine = std::abs(dot(unit(passage.normal), ray.direction));
+    const Vec3 point = ray.at(passage.t);
+    const PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
+    Vec3 sum(0);
+    for_textures(passage.primitive, passage.part, point, [&](double share, const Texture& texture) {
+        sum += share * passing(texture, point, scene, light);
+    });
+    return sum;
 }
 
 /// What the insides of one item leave of light that passes through its surfaces.
@@ -212,24 +236,15 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     std::ranges::sort(clear);
     const auto repeated = std::ranges::unique(clear);
     clear.erase(repeated.begin(), repeated.end());
-    Vec3 passed(1);
+    Vec3 left(1);
     std::vector<Passage> found;
     for (const std::uint32_t item : clear) {
         found.clear();
         collect(item, ray, range, found);
-        for (const Passage& each : found) {
-            const Vec3 point = ray.at(each.t);
-            const PatternScene scene = pattern_scene(each.primitive, each.part, point);
-            Vec3 share(0);
-            for_textures(each.primitive, each.part, point,
-                         [&](double weight, const Texture& texture) {
-                             share += weight * passing(texture, point, scene);
-                         });
-            passed *= share;
-        }
-        passed *= dimmed(found);
+        for (const Passage& each : found) left *= passed(each, ray);
+        left *= dimmed(found);
     }
-    return passed;
+    return left;
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
@@ -263,6 +278,14 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
                                    [&](const Colour& colour) { return opacity(colour); });
     });
     return sum;
+}
+
+bool World::reaches(std::size_t light, const Material& lit) const {
+    const std::uint32_t own = light_reach[light].group;
+    if (own == 0) return light_groups[lit.light_group].global_lights;
+    std::uint32_t group = lit.light_group;
+    while (group != 0 && group != own) group = light_groups[group].outer;
+    return group == own;
 }
 
 Vec3 World::sky_radiance(const Vec3& direction) const {

@@ -29,7 +29,10 @@ struct Material {
     bool no_reflection = false;
     bool double_illuminate = false;
     bool hollow = false;
-    bool uv = false;          ///< a texture asks for u and v
+    bool uv = false;                  ///< a texture asks for u and v
+    bool focuses = false;             ///< a finish of its texture has caustics
+    Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
+    std::uint32_t light_group = 0;    ///< in World::light_groups; 0: none
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
 };
 
@@ -61,6 +64,18 @@ struct PlacedComposite {
     Handle<Composite> composite;
     PrimitiveIndex first_leaf = 0;
     bool transparent = false;  ///< a leaf is
+};
+
+/// A group of lights and objects in another one.
+struct LightGroup {
+    std::uint32_t outer = 0;    ///< the group around it; 0: none
+    bool global_lights = true;  ///< lights of no group light its objects
+};
+
+/// What restricts a light.
+struct LightReach {
+    std::uint32_t group = 0;             ///< it lights the objects of this group only; 0: all
+    Handle<Composite> window = nullptr;  ///< it lights what is seen through this; null: all
 };
 
 /// Where a ray met a surface.
@@ -112,6 +127,9 @@ public:
 
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const;
+
+    /// Whether a light may light an object of the material.
+    bool reaches(std::size_t light, const Material&) const;
 
     /// The share of a surface of this colour that is not transparent, by the scene's language
     /// version.
@@ -169,11 +187,15 @@ public:
         luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
     BuiltLightSampler sampler;
     std::vector<Light> lights;
+    std::vector<LightReach> light_reach;      ///< of each light
+    std::vector<LightGroup> light_groups{1};  ///< the first stands for what is in none
 
     Projection camera;
+    Bump camera_normal;
     Background background;
     std::optional<SkySphere> sky;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     GlobalSettings settings;
     double language_version = 3.7;
     std::size_t objects = 0;       ///< as the scene counts them
@@ -192,6 +214,7 @@ private:
     struct Passage {
         double t;
         PrimitiveIndex primitive;
+        Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
     /// A leaf of a composite, by its number among all leaves.
@@ -204,6 +227,7 @@ private:
     bool left_out(PrimitiveIndex, RayKind) const;
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
+    Vec3 passed(const Passage&, const Ray&) const;
     Vec3 dimmed(std::vector<Passage>&) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;

@@ -101,3 +101,40 @@ TEST_CASE("wide lenses send rays as POV-Ray 3.7's", "[camera]") {
     CHECK(near(projection(cylinder).ray(0.5, 0.5).direction, unit(Vec3(1, 0, 1))));
     CHECK(near(projection(Panoramic()).ray(0, 0).direction, Vec3(0, 0, 1)));
 }
+
+TEST_CASE("rays through a lens meet where it is sharp", "[camera]") {
+    Perspective camera;
+    camera.aperture = 1;
+    camera.blur_samples = 40;
+    camera.focal_point = Vec3(0, 3, 4);
+    const Projection view = projection(camera);
+    const Ray middle = view.ray(0.3, -0.2);
+    const Vec3 sharp = middle.at(5 / middle.direction.z);
+    Vec3 squares(0);
+    constexpr int steps = 50;
+    for (int i = 0; i < steps * steps; ++i) {
+        const Ray ray = view.through_lens(
+            middle, {(i % steps + 0.5) / steps, (static_cast<double>(i / steps) + 0.5) / steps});
+        CHECK(length(ray.origin) <= 0.25);
+        CHECK(near(ray.at(length(sharp - ray.origin)), sharp));
+        squares += ray.origin * ray.origin;
+    }
+    // A disc of radius r has a standard deviation of r / 2 along each axis.
+    CHECK(squares.x / (steps * steps) == Approx(0.125 * 0.125).epsilon(1e-3));
+    CHECK(squares.y / (steps * steps) == Approx(0.125 * 0.125).epsilon(1e-3));
+    CHECK(squares.z == Approx(0).margin(1e-20));
+}
+
+TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
+    Perspective camera;
+    camera.aperture = 1;
+    camera.blur_samples = 10;
+    camera.most_blur_samples = 50;
+    camera.variance = 0.01;
+    const BlurRule rule = projection(camera).blur;
+    CHECK(rule.allowed(9) < 0);
+    CHECK(rule.allowed(50) > 1e300);
+    CHECK(rule.allowed(49) == Approx(0.01));
+    // 0.9 quantiles of the chi-squared distribution with 10 and 49 degrees of freedom.
+    CHECK(rule.allowed(10) == Approx(0.01 * 15.987 / 62.038).epsilon(0.01));
+}

@@ -15,7 +15,7 @@
 TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
     std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/conformance/povray.json");
     const nlohmann::json cases = nlohmann::json::parse(file);
-    REQUIRE(cases.size() > 170);
+    REQUIRE(cases.size() > 210);
     for (const auto& c : cases) {
         const std::string name = c["name"];
         INFO(name);

@@ -2,6 +2,7 @@
 #include "evaluate/patterns.h"
 
 #include "pattern/values.h"
+#include "support/scripts.h"
 #include "surface/pigment_map.h"
 
 namespace {
@@ -119,4 +120,18 @@ TEST_CASE("wrong patterns are told of once", "[evaluate]") {
     }));
     INFO(text);
     CHECK(wrong(text) == expected);
+}
+
+TEST_CASE("an object is a pattern, and the list stands in its braces", "[evaluate]") {
+    const World world = world_of(
+        "#declare Thing = union { sphere { 0, 1 } sphere { 3*x, 1 } }"
+        "plane { y, 0 pigment { object { Thing rgb <1, 0, 0>, rgb <0, 1, 0> } } }"
+        "plane { y, 0 pigment { object { sphere { 0, 1 } } scale 2 } }"
+        "plane { y, 0 texture { object { Thing texture { pigment { rgb 0 } },"
+        "  texture { pigment { rgb 1 } } } } }");
+    const Texture& plain = *world.materials[0].texture;
+    CHECK(evaluate(plain.pigment, Vec3(3.5, 0, 0)).rgb == Vec3(0, 1, 0));
+    CHECK(evaluate(plain.pigment, Vec3(1.5, 0, 0)).rgb == Vec3(1, 0, 0));
+    CHECK(evaluate(world.materials[1].texture->pigment, Vec3(1.5, 0, 0)).rgb == Vec3(0, 1, 0));
+    CHECK(world.materials[2].texture->choice);
 }

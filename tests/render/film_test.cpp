@@ -44,3 +44,10 @@ TEST_CASE("exact sums do not depend on the order of what is added", "[render]") 
     strange.add(-HUGE_VAL);
     CHECK(strange.value() == -ExactSum::greatest);
 }
+
+TEST_CASE("the variance of the mean is that of the worst channel", "[render]") {
+    PixelSum pixel;
+    pixel.add(Vec3(0, 0, 1));
+    pixel.add(Vec3(1, 0, 0.25));
+    CHECK(pixel.variance_of_mean() == Approx(0.25));
+}

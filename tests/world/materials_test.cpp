@@ -41,3 +41,50 @@ TEST_CASE("faces whose corners differ have a material for all that look so", "[w
     CHECK(materials.glows(mixed));
     CHECK_FALSE(materials.glows(of_mesh[0]));
 }
+
+TEST_CASE("what differs in its lights or inside is another material", "[world]") {
+    const auto materials = [](const std::string& looks) {
+        return world_of("#version 3.7; " + looks).materials.size();
+    };
+    CHECK(materials("sphere { 0, 1 } sphere { 3*x, 1 }") == 1);
+    CHECK(materials("sphere { 0, 1 } light_group { sphere { 3*x, 1 } }") == 2);
+    CHECK(materials("sphere { 0, 1 } sphere { 3*x, 1 interior_texture { pigment { rgb 1 } } }") ==
+          2);
+}
+
+TEST_CASE("the index of refraction of a finish replaces that of the interior", "[world]") {
+    const World world = world_of(
+        "sphere { 0, 1 finish { ior 1.3 } interior { ior 1.5 fade_distance 2 fade_power 1 } }");
+    CHECK(world.materials.front().interior->ior == 1.3);
+    CHECK(world.materials.front().interior->fade_distance == 2);
+}
+
+TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world]") {
+    const std::string spheres =
+        "sphere { 0, 1 pigment { rgb <1, 0.5, 0> } finish { ambient 2 } }"
+        "sphere { 3*x, 1 finish { ambient 0.9 } }";
+    CHECK(world_of(spheres).luminaires.empty());
+    const World world =
+        world_of("global_settings { luminaires ambient ambient_light 3 } " + spheres);
+    REQUIRE(world.luminaires.size() == 1);
+    CHECK(world.luminaires.front().radiance == Vec3(6, 3, 0));
+    const World map = world_of(
+        "#version 3.7; global_settings { luminaires ambient } sphere { 0, 1 texture { gradient y "
+        "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");
+    CHECK(map.luminaires.size() == 1);
+}
+
+TEST_CASE("lights of a group light the objects of the group", "[world]") {
+    const World world = world_of(
+        "light_source { y, 1 } sphere { 0, 1 }"
+        "light_group { light_source { x, 1 } sphere { 3*x, 1 }"
+        "  light_group { light_source { z, 1 } sphere { 6*x, 1 } global_lights } }");
+    REQUIRE(world.lights.size() == 3);
+    REQUIRE(world.materials.size() == 3);
+    const bool expected[3][3] = {{true, false, false}, {false, true, false}, {true, true, true}};
+    for (std::size_t object = 0; object < 3; ++object)
+        for (std::size_t light = 0; light < 3; ++light) {
+            INFO(object << ' ' << light);
+            CHECK(world.reaches(light, world.materials[object]) == expected[object][light]);
+        }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/dispersion.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+/// Mean colours of POV-Ray's spectrum, in steps of 5 nm from 380 nm on, as measured.
+constexpr auto spectrum =
+    std::array{Vec3(0.13942, 0, 0.52507), Vec3(0.20351, 0, 0.76343), Vec3(0.25185, 0, 0.98718),
+               Vec3(0.28671, 0, 1.19631), Vec3(0.30133, 0, 1.40094), Vec3(0.31482, 0, 1.58196),
+               Vec3(0.30807, 0, 1.74949), Vec3(0.28671, 0, 1.90352), Vec3(0.25185, 0, 2.05194),
+               Vec3(0.21025, 0, 2.16999), Vec3(0.14054, 0, 2.28805), Vec3(0.06971, 0, 2.38699),
+               Vec3(0, 0, 2.47132),       Vec3(0, 0, 2.54777),       Vec3(0, 0, 2.59725),
+               Vec3(0, 0, 2.64672),       Vec3(0, 0, 2.66696),       Vec3(0, 0, 2.68719),
+               Vec3(0, 0, 2.68832),       Vec3(0, 0, 2.6737),        Vec3(0, 0, 2.64672),
+               Vec3(0, 0, 2.60399),       Vec3(0, 0, 2.54777),       Vec3(0, 0.31482, 2.47807),
+               Vec3(0, 0.60153, 2.39374), Vec3(0, 0.87587, 2.29592), Vec3(0, 1.1266, 2.18461),
+               Vec3(0, 1.36496, 2.05756), Vec3(0, 1.58871, 1.91814), Vec3(0, 1.79221, 1.7641),
+               Vec3(0, 1.9811, 1.59545),  Vec3(0, 2.14188, 1.40768), Vec3(0, 2.30267, 1.21767),
+               Vec3(0, 2.42972, 1.00742), Vec3(0, 2.54777, 0.77693), Vec3(0, 2.64559, 0.54643),
+               Vec3(0, 2.72992, 0.28671), Vec3(0, 2.79288, 0.02136), Vec3(0.1754, 2.84235, 0),
+               Vec3(0.51045, 2.87046, 0), Vec3(0.8264, 2.88396, 0),  Vec3(1.11985, 2.87721, 0),
+               Vec3(1.39307, 2.84798, 0), Vec3(1.65167, 2.82099, 0), Vec3(1.87654, 2.75128, 0),
+               Vec3(2.08567, 2.68832, 0), Vec3(2.26781, 2.5905, 0),  Vec3(2.44321, 2.47694, 0),
+               Vec3(2.58263, 2.36001, 0), Vec3(2.70968, 2.21159, 0), Vec3(2.80638, 2.04407, 0),
+               Vec3(2.8907, 1.87541, 0),  Vec3(2.95479, 1.67303, 0), Vec3(2.98852, 1.45603, 0),
+               Vec3(3.00314, 1.23229, 0), Vec3(3.00314, 0.98043, 0), Vec3(2.96828, 0.71396, 0),
+               Vec3(2.92556, 0.434, 0),   Vec3(2.86259, 0.13267, 0), Vec3(2.7659, 0, 0),
+               Vec3(2.65234, 0, 0),       Vec3(2.52079, 0, 0),       Vec3(2.36563, 0, 0),
+               Vec3(2.19136, 0, 0),       Vec3(1.9946, 0, 0),        Vec3(1.7776, 0, 0),
+               Vec3(1.53361, 0, 0),       Vec3(1.27389, 0, 0),       Vec3(0.99392, 0, 0),
+               Vec3(0.68585, 0, 0)};
+
+}  // namespace
+
+Vec3 hue(const SpectralBand& band) {
+    const double size = static_cast<double>(spectrum.size()) / band.count;
+    const double begin = band.number * size, end = begin + size;
+    Vec3 sum(0);
+    for (std::size_t i = 0; i < spectrum.size(); ++i) {
+        const double from = static_cast<double>(i);
+        const double share = std::min(end, from + 1) - std::max(begin, from);
+        if (share > 0) sum += share * spectrum[i];
+    }
+    return sum / size;
+}

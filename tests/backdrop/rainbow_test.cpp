@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "backdrop/rainbow.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+#include <numbers>
+
+namespace {
+
+/// A band of one colour from 39 to 45 degrees around z.
+Rainbow band() {
+    Rainbow bow;
+    bow.direction = Vec3(0, 0, 2);
+    bow.angle = 42;
+    bow.width = 6;
+    bow.map = {{0, {Vec3(1, 0, 0)}}, {1, {Vec3(0, 0, 1)}}};
+    return bow;
+}
+
+/// What is seen of black at an angle from z, so far turned away from y.
+Vec3 seen(const Rainbow& bow, double degrees, double turned = 0, double chance = 0.5) {
+    const double angle = degrees * std::numbers::pi / 180, turn = turned * std::numbers::pi / 180;
+    const Ray ray{Vec3(0), Vec3(std::sin(angle) * std::sin(turn), std::sin(angle) * std::cos(turn),
+                                std::cos(angle))};
+    return arched(std::span(&bow, 1), ray, std::numeric_limits<double>::infinity(), Vec3(0),
+                  chance);
+}
+
+bool near(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-6; }
+
+}  // namespace
+
+TEST_CASE("a rainbow is a band around its direction", "[backdrop]") {
+    const Rainbow bow = band();
+    CHECK(near(seen(bow, 38.9), Vec3(0)));
+    CHECK(near(seen(bow, 39.6), Vec3(0.9, 0, 0.1)));
+    CHECK(near(seen(bow, 42), Vec3(0.5, 0, 0.5)));
+    CHECK(near(seen(bow, 45.1), Vec3(0)));
+    CHECK(near(seen(bow, 138), Vec3(0)));
+}
+
+TEST_CASE("an arc fades towards its ends", "[backdrop]") {
+    Rainbow bow = band();
+    bow.arc_angle = 120;
+    bow.falloff_angle = 60;
+    CHECK(seen(bow, 42, 29).x == Approx(0.5));
+    CHECK(seen(bow, 42, 45).x == Approx(0.25));
+    CHECK(seen(bow, 42, -45).x == Approx(0.25));
+    CHECK(seen(bow, 42, 61).x == 0);
+}
+
+TEST_CASE("jitter mixes colours, distance and transmit thin the band", "[backdrop]") {
+    Rainbow bow = band();
+    bow.jitter = 0.1;
+    CHECK(near(seen(bow, 42, 0, 0), Vec3(0.6, 0, 0.4)));
+    CHECK(near(seen(bow, 42, 0, 1), Vec3(0.4, 0, 0.6)));
+    bow.jitter = 0;
+    bow.distance = 10;
+    const Ray ray{Vec3(0), Vec3(0, std::sin(42 * std::numbers::pi / 180),
+                                std::cos(42 * std::numbers::pi / 180))};
+    CHECK(arched(std::span(&bow, 1), ray, 10, Vec3(1, 1, 1), 0.5).y == Approx(std::exp(-1)));
+    CHECK(arched(std::span(&bow, 1), ray, 0, Vec3(1, 1, 1), 0.5).y == 1);
+}
