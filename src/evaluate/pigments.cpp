@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -77,8 +78,9 @@ private:
     void take_pattern(const Element& element) {
         const std::optional<Pattern>& now = draft_.pattern.pattern;
         const std::size_t before = now ? now->index() : std::variant_npos;
+        auto kept = std::exchange(draft_.map, {});  // the pattern may bring a list of its own
         pattern_.take(element);
-        if (!now || now->index() != before) draft_.map.reset();
+        if (!draft_.map && now && now->index() == before) draft_.map = std::move(kept);
     }
 
     bool take_colour(const Element& element) {
