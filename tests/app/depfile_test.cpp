@@ -10,7 +10,7 @@ TEST_CASE("a rule names all files once, as make reads them") {
           "a\\ b.png: \\\n  s.pov \\\n  x/$$y\\#.inc\n");
 }
 
-TEST_CASE("--depfile is written beside the picture") {
+TEST_CASE("the rule of --depfile is written beside the picture") {
     Shell shell;
     shell.write("part.inc", "#declare Size = 2;");
     shell.write("s.pov", "#include \"part.inc\"\n" + std::string(lit_scene));
