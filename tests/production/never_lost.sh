@@ -46,8 +46,12 @@ if [ "$(id -u)" -eq 0 ]; then  # who may do everything
     chmod 755 .
     as_other=(setpriv --reuid=65534 --clear-groups)
 fi
-expect "a folder without permission" 3 "Permission denied" \
-       "${as_other[@]}" "$program" scene.pov -V +W64 +H48 +Oclosed/a.png
+if "${as_other[@]}" test -x "$program"; then
+    expect "a folder without permission" 3 "Permission denied" \
+           "${as_other[@]}" "$program" scene.pov -V +W64 +H48 +Oclosed/a.png
+else
+    echo "left out: a folder without permission (others cannot run $program)"
+fi
 
 # A file that changes while the picture is made does not matter to it, but a state remembers.
 render -V +Oundisturbed.png --samples 300
@@ -58,8 +62,11 @@ echo '// another scene' >> part.inc
 wait $child
 check "a scene that changes meanwhile" cmp -s undisturbed.png a.png
 cp part.old part.inc
-begin +Ob.png --samples 30000
-sleep 0.3
+begin +Ob.png --samples 30000 --checkpoint 0.1s
+for _ in $(seq 600); do  # its state says that it listens to signals
+    [ ! -e b.png.state.exr ] || break
+    sleep 0.1
+done
 kill -TERM $child
 wait $child
 status=$?
