@@ -2,6 +2,7 @@
 #include "evaluate/deep_stack.h"
 
 #include <pthread.h>
+#include <sys/mman.h>
 
 namespace {
 
@@ -10,19 +11,36 @@ struct Job {
     std::size_t bytes;
 };
 
-bool run(Job& job) {
-    pthread_attr_t attributes;
-    pthread_t thread;
-    if (pthread_attr_init(&attributes) != 0) return false;
+/// The first part of a stack, which all scenes need.
+constexpr std::size_t usual = std::size_t{1} << 20;
+constexpr std::size_t guard = std::size_t{1} << 16;
+
+bool start(Job& job, char* lowest, pthread_t& thread) {
     const auto entry = [](void* argument) -> void* {
         Job& job = *static_cast<Job*>(argument);
         job.function(job.bytes);
         return nullptr;
     };
-    const bool started = pthread_attr_setstacksize(&attributes, job.bytes) == 0 &&
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) return false;
+    const bool started = pthread_attr_setstack(&attributes, lowest, job.bytes) == 0 &&
                          pthread_create(&thread, &attributes, entry, &job) == 0;
     pthread_attr_destroy(&attributes);
+    return started;
+}
+
+bool run(Job& job) {
+    void* const stack = mmap(nullptr, job.bytes + guard, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK | MAP_NORESERVE, -1, 0);
+    if (stack == MAP_FAILED) return false;
+    mprotect(stack, guard, PROT_NONE);
+    char* const lowest = static_cast<char*>(stack) + guard;
+    // A deep recursion would else wait for each small page.
+    madvise(lowest, job.bytes - usual, MADV_HUGEPAGE);
+    pthread_t thread;
+    const bool started = start(job, lowest, thread);
     if (started) pthread_join(thread, nullptr);
+    munmap(stack, job.bytes + guard);
     return started;
 }
 
