@@ -129,7 +129,6 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
 }
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
-const LightOctree& BuiltCutOctree::settings() const { return state_->settings; }
 
 std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const Cell* parent,
                                                            const LightProbe* probe) const {
@@ -207,10 +206,6 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Rece
         squares += given * given;
     }
     return sum > 0 ? trials * squares / (sum * sum) - 1 : INFINITY;
-}
-
-std::size_t BuiltCutOctree::entries_at(const Vec3& point) const {
-    return cell_at(point, nullptr).cut->entries();
 }
 
 /// The cell at a place of the tree, which is made when there is none.

@@ -40,10 +40,7 @@ public:
     /// With the cells that there are so far.
     std::size_t memory_bytes() const;
     std::size_t cells() const;
-    /// Makes the cell of this point, if there is none yet.
-    std::size_t entries_at(const Vec3& point) const;
     const LightTree& tree() const;
-    const LightOctree& settings() const;
 
 private:
     struct Survey;

@@ -62,8 +62,6 @@ public:
         double density;  ///< per steradian
     };
 
-    /// Nothing is known: no direction can be drawn.
-    Outlook() = default;
     Outlook(const Box& cell, const LightBall&, std::span<const Receiver>, const LightProbe&);
 
     /// Expected variance over squared mean of a ray that is drawn from it, as far as the rays that
