@@ -193,15 +193,11 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Rece
         picks.clear();
         choose(from.point, weights, Key{3, i, 0, 0}, number(3), picks);
         if (picks.empty()) continue;
-        const Luminaire& luminaire = state_->luminaires[picks.front().light];
-        const auto drawn = sample(luminaire, from.point, {number(4), number(5)});
-        if (!drawn) continue;
-        const double cosine = dot(drawn->direction, from.point.normal);
-        const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
-        if (!sight || sight->light != picks.front().light) continue;
-        const double given = sight->luminance *
-                             (from.point.both_sides ? std::abs(cosine) : std::fmax(cosine, 0)) /
-                             (drawn->density * picks.front().expected * weights.total);
+        const LightPick& pick = picks.front();
+        const double light =
+            arriving(state_->luminaires, pick.light, from, {number(4), number(5)}, probe);
+        if (!(light > 0)) continue;
+        const double given = light / (pick.expected * weights.total);
         sum += given;
         squares += given * given;
     }

@@ -20,6 +20,18 @@ double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 }  // namespace
 
+double arriving(std::span<const Luminaire> luminaires, LightIndex light, const Receiver& from,
+                const Vec2& u, const LightProbe& probe) {
+    const auto drawn = sample(luminaires[light], from.point, u);
+    if (!drawn) return 0;
+    const double height = dot(drawn->direction, from.point.normal),
+                 cosine = from.point.both_sides ? std::abs(height) : height;
+    if (!(cosine > 0)) return 0;
+    const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
+    if (!sight || sight->light != light) return 0;
+    return sight->luminance * cosine / drawn->density;
+}
+
 float cautious_share(float share, const Box& cell, const Glow& g) {
     const double reach = 0.5 * length(cell.size()) + g.radius;
     const Vec3 offset = g.centre - cell.centre();
@@ -48,17 +60,9 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
             ++tried;
             weight_sum += weight;
             const std::uint32_t member = tree.draw(cluster, number(n, i, 0));
-            const LightIndex light = tree.light(member);
-            const auto drawn =
-                sample(luminaires[light], from.point, {number(n, i, 1), number(n, i, 2)});
-            if (!drawn) continue;
-            const double height = dot(drawn->direction, from.point.normal),
-                         cosine = from.point.both_sides ? std::abs(height) : height;
-            if (!(cosine > 0)) continue;
-            const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
-            if (!sight || sight->light != light) continue;
-            const double given =
-                sight->luminance * cosine / (drawn->density * tree.share(cluster, member) * weight);
+            const double given = arriving(luminaires, tree.light(member), from,
+                                          {number(n, i, 1), number(n, i, 2)}, probe) /
+                                 (tree.share(cluster, member) * weight);
             squares += given * given;
         }
         if (tried == 0) continue;

@@ -6,6 +6,11 @@
 #include "lighting/light_cut.h"
 #include "lighting/outlook.h"
 
+/// What one shadow ray brings to a place: the light of the luminaire's point for u in [0, 1)^2,
+/// over the density of that point per steradian. 0 where none arrives.
+double arriving(std::span<const Luminaire>, LightIndex, const Receiver&, const Vec2& u,
+                const LightProbe&);
+
 /// For each entry of the cut the root of the mean square of what arrives over what the entry's
 /// formula says, by a few luminaires of it at a few places; never below a small share of what the
 /// entries have on the whole, so that no luminaire loses its chance. All the same where nothing
