@@ -162,7 +162,6 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
-    state_->bytes += result->memory_bytes();
     return result;
 }
 
@@ -214,6 +213,8 @@ BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const B
     cell = made.release();
     state_->cells += 1;
     state_->bytes += sizeof(Cell) + (cell->cut ? cell->cut->memory_bytes() : 0);
+    const bool surveyed = cell->survey && !(parent && parent->survey);
+    if (surveyed) state_->bytes += cell->survey->memory_bytes();
     return cell;
 }
 

@@ -99,7 +99,8 @@ double BuiltLightBvh::expected(const ShadingPoint& point, const Key&, LightIndex
 }
 
 std::size_t BuiltLightBvh::memory_bytes() const {
-    return nodes_.capacity() * sizeof(LightNode) + leaf_of_.capacity() * sizeof(std::uint32_t);
+    return nodes_.capacity() * sizeof(LightNode) + leaf_of_.capacity() * sizeof(std::uint32_t) +
+           tree_.memory_bytes();
 }
 
 BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {

@@ -98,6 +98,27 @@ TEST_CASE("cells are made where they are asked for, whoever comes first", "[ligh
     CHECK(one.memory_bytes() == many.memory_bytes());
 }
 
+TEST_CASE("a cell that several threads survey at a time counts once", "[lighting]") {
+    const Street street(200);
+    const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
+    const auto bytes = [&](int threads) {
+        const BuiltCutOctree built(LightOctree{}, street.scene());
+        const auto ask_everywhere = [&] {
+            Draw draw(5);
+            for (int i = 0; i < 100; ++i) {
+                BuiltCutOctree::Weights weights;
+                built.weigh(street.point(draw), dark, weights);
+            }
+        };
+        std::vector<std::thread> asking;
+        for (int t = 0; t < threads; ++t) asking.emplace_back(ask_everywhere);
+        for (std::thread& thread : asking) thread.join();
+        return built.memory_bytes();
+    };
+    const std::size_t alone = bytes(1);
+    for (int trial = 0; trial < 5; ++trial) CHECK(bytes(4) == alone);
+}
+
 TEST_CASE("points far outside of the cells are answered as well", "[lighting]") {
     const Street street(100);
     const BuiltCutOctree built(LightOctree{}, street.scene());

@@ -64,3 +64,10 @@ TEST_CASE("of equal lamps, the nearer one is picked more often", "[lighting]") {
     const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
     CHECK(built.expected({Vec3(0), Vec3(0, 1, 0)}, {}, 1) == Approx(25.0 / 26).epsilon(0.01));
 }
+
+TEST_CASE("the tree that finds what paired rays meet counts as memory", "[lighting]") {
+    const std::vector<Luminaire> luminaires(100, glowing(SphereEmitter{Vec3(0, 2, 0), 0.1}));
+    const BuiltLightBvh alone(luminaires), paired(luminaires, true);
+    CHECK(paired.paired());
+    CHECK(paired.memory_bytes() == alone.memory_bytes() + paired.tree().memory_bytes());
+}
