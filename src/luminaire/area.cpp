@@ -143,10 +143,7 @@ double unoccluded(const AreaEmitter& e, double luminance, const ShadingPoint& po
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec2& u) {
     if (const auto faces = seen_faces(e, from)) {
         const auto drawn = faces->draw(u);
-        if (!drawn) return {};
-        const Vec3 offset = drawn->position - from;
-        const double distance = length(offset);
-        return LightPoint{drawn->position, offset / distance, distance, drawn->density};
+        return drawn ? std::optional(drawn->point) : std::nullopt;
     }
     const SurfacePoint drawn = sample_area(e.shape, u);
     const double per_area = 1 / surface_area(e.shape);

@@ -55,8 +55,8 @@ double SeenFaces::density(int axis, const Vec3& direction, double distance) cons
 }
 
 std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
-    int axis = 0, last = 0;
-    for (axis = 0; axis < 3; ++axis) {
+    int last = 0;
+    for (int axis = 0; axis < 3; ++axis) {
         if (!(share_[axis] > 0)) continue;
         last = axis;
         if (u.x < share_[axis]) break;
@@ -68,6 +68,8 @@ std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
     const Vec3 offset = position - from_;
     const double distance = length(offset);
     if (!(distance > 0)) return {};
-    const double found = density(last, offset / distance, distance);
-    return found > 0 ? std::optional(Drawn{last, position, found}) : std::nullopt;
+    const Vec3 direction = offset / distance;
+    const double found = density(last, direction, distance);
+    if (!(found > 0)) return {};
+    return Drawn{last, {position, direction, distance, found}};
 }

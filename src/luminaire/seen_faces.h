@@ -15,9 +15,8 @@ public:
     bool any() const { return share_[0] + share_[1] + share_[2] > 0; }
 
     struct Drawn {
-        int axis;        ///< of the face
-        Vec3 position;   ///< in the world
-        double density;  ///< per steradian
+        int axis;  ///< of the face
+        LightPoint point;
     };
     /// Nothing where rounding puts the point in the plane of the face.
     std::optional<Drawn> draw(Vec2 u) const;

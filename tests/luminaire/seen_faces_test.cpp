@@ -37,10 +37,12 @@ TEST_CASE("drawn points have the density that is stated for them", "[luminaire]"
                 for (int b = 0; b < steps; ++b) {
                     const auto drawn = faces.draw({(a + 0.5) / steps, (b + 0.5) / steps});
                     REQUIRE(drawn);
-                    const Vec3 offset = drawn->position - from;
+                    const LightPoint& point = drawn->point;
+                    const Vec3 offset = point.position - from;
+                    CHECK(length(point.direction - unit(offset)) < 1e-12);
                     CHECK(faces.density(drawn->axis, unit(offset), length(offset)) ==
-                          Approx(drawn->density).epsilon(1e-6));
-                    solid_angle += 1 / drawn->density / (steps * steps);
+                          Approx(point.density).epsilon(1e-6));
+                    solid_angle += 1 / point.density / (steps * steps);
                 }
             double seen = 0;
             constexpr int views = 60000;
