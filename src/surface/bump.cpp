@@ -4,6 +4,7 @@
 #include "surface/map_place.h"
 #include "surface/normal_map.h"
 #include "surface/normal_space.h"
+#include "surface/pigment.h"
 #include "vocabulary/schema.h"
 
 #include <numbers>
@@ -158,10 +159,10 @@ Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const Patt
     const bool keep = keep_length || pattern.settings.no_bump_scale;
     const NormalSpace space(pattern.use.steps, bump.transform);
     const auto made_unit = [&](const Vec3& n) { return keep ? n : unit(n); };
-    const BumpPoint at{pattern, made_unit(space.enter(made_unit(normal))),
-                       pattern.use.place(bump.transform.inverse_point(
-                           bump.uv ? Vec3(scene.uv.x, scene.uv.y, 0) : point)),
-                       scene, keep};
+    const BumpPoint at{
+        pattern, made_unit(space.enter(made_unit(normal))),
+        pattern.use.place(bump.transform.inverse_point(bump.uv ? uv_place(scene) : point)), scene,
+        keep};
     return made_unit(space.leave(made_unit(tilted(at))));
 }
 
