@@ -94,7 +94,7 @@ TEST_CASE("cones of all forms are met on their surface", "[shape]") {
                             std::fmin(std::abs(h), std::abs(dot(ray.at(c.t) - cap, up)));
                         const bool at_end = std::abs(dot(c.normal, up)) > 1 - 1e-12;
                         const double far = length(origin - base) + size;
-                        CHECK((at_end ? from_end : from_side) <= 2e-13 * far);
+                        CHECK((at_end ? from_end : from_side) <= 1e-13 * far);
                     }
                 }
             }

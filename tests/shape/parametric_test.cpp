@@ -25,6 +25,10 @@ TEST_CASE("rays meet a parametric surface itself, not its facets", "[shape]") {
     const auto found = hits(built, {Vec3(0.123, 5, 0.321), Vec3(0, -1, 0)});
     REQUIRE(found.size() == 1);
     CHECK(found[0].t == Approx(5 - 0.123 * 0.123 - 0.321 * 0.321).epsilon(1e-12));
+    // Its u and v are found again, with the mesh of the net or without.
+    const Vec3 met(0.123, 0.123 * 0.123 + 0.321 * 0.321, 0.321);
+    CHECK(length(parameters_at(built, met, found[0].part) - Vec2(0.123, 0.321)) < 1e-9);
+    CHECK(length(parameters_at(built, met, std::nullopt) - Vec2(0.123, 0.321)) < 1e-9);
     // Cut off by the container, which goes from -1 to 1.
     CHECK(hits(built, {Vec3(0.9, 5, 0.9), Vec3(0, -1, 0)}).empty());
 }

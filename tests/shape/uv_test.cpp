@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/uv.h"
 
-#include "formula/builder.h"
-
 #include <catch2/catch.hpp>
 
 namespace {
