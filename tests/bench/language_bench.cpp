@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What it costs to read scenes, beside POV-Ray where it is installed. Run by hand:
-//     language_bench FOLDER    each script in it: CPU seconds of candelabra --check and of
-//     POV-Ray's
-//                              parsing, their ratio, and the geometric mean of the ratios
-// and then, on scenes that it writes itself: a mesh2 of a million triangles, and a million spheres
-// from a loop, with the peaks of memory of reading them and of rendering them very small.
+//     language_bench FOLDER
+// For each script of the folder: CPU seconds of candelabra --check and of POV-Ray's parsing, their
+// ratio, and the geometric mean of the ratios; then, on scenes that it writes itself: a mesh2 of a
+// million triangles, and a million spheres from a loop, with the peaks of memory of reading them
+// and of rendering them very small.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
