@@ -8,7 +8,11 @@ box { <-10, -10, -11>, <20, 10, -10.9> pigment { rgb 1 } finish { emission 1 dif
 
 #declare Tile = box { -0.46, 0.46 }
 #macro Show(Column, Row, Look)
-    object { Tile texture { pigment { Look } finish { ambient 0.3 diffuse 0.7 } } translate <Column, -Row, 0> }
+    object {
+        Tile
+        texture { pigment { Look } finish { ambient 0.3 diffuse 0.7 } }
+        translate <Column, -Row, 0>
+    }
 #end
 
 Show(0, 0, pigment { agate scale 0.3 })
@@ -50,12 +54,20 @@ Show(3, 4, pigment { wood turbulence 0.04 scale 0.1 })
 Show(4, 4, pigment { wrinkles scale 0.2 })
 Show(5, 4, pigment { gradient x triangle_wave turbulence 0.4 scale 0.3 })
 Show(6, 4, pigment { gradient x sine_wave frequency 3 scale 0.9 })
-Show(7, 4, pigment { average pigment_map { [1 marble scale 0.2] [1 marble rotate 90*z scale 0.2] } })
-Show(0, 5, pigment { gradient y pigment_map { [0.2 granite scale 0.2] [0.8 checker scale 0.1] } translate 0.5*y })
+Show(7, 4, pigment {
+    average pigment_map { [1 marble scale 0.2] [1 marble rotate 90*z scale 0.2] } })
+Show(0, 5, pigment {
+    gradient y pigment_map { [0.2 granite scale 0.2] [0.8 checker scale 0.1] } translate 0.5*y })
 Show(1, 5, pigment { checker warp { turbulence 0.3 } scale 0.2 })
 Show(2, 5, pigment { checker warp { black_hole 0, 2 strength 1.2 falloff 2 } scale 0.2 })
-Show(3, 5, pigment { gradient x color_map { [0 rgb x] [1 rgb z] } warp { repeat x flip x } scale 0.25 })
+Show(3, 5, pigment {
+    gradient x color_map { [0 rgb x] [1 rgb z] } warp { repeat x flip x } scale 0.25 })
 Show(4, 5, pigment { brick scale 0.04 warp { spherical } scale 0.6 })
-Show(5, 5, pigment { wood color_map { [0 rgb <1, 0.8, 0.4>] [1 rgb <0.5, 0.2, 0.1>] } scale 0.15 rotate 80*y })
-Show(6, 5, pigment { pigment_pattern { crackle scale 0.2 } color_map { [0 rgb 0] [0.3 rgb <1, 0.4, 0>] [1 rgb 1] } })
-Show(7, 5, pigment { granite turbulence 0.5 color_map { [0 rgb <0.1, 0.2, 0.1>] [1 rgb <0.8, 0.9, 0.7>] } scale 0.4 })
+Show(5, 5, pigment {
+    wood color_map { [0 rgb <1, 0.8, 0.4>] [1 rgb <0.5, 0.2, 0.1>] } scale 0.15 rotate 80*y })
+Show(6, 5, pigment {
+    pigment_pattern { crackle scale 0.2 }
+    color_map { [0 rgb 0] [0.3 rgb <1, 0.4, 0>] [1 rgb 1] } })
+Show(7, 5, pigment {
+    granite turbulence 0.5
+    color_map { [0 rgb <0.1, 0.2, 0.1>] [1 rgb <0.8, 0.9, 0.7>] } scale 0.4 })

@@ -17,8 +17,10 @@ plane { y, -0.75 pigment { rgb 0.5 } }
 #declare Shapes[4] = torus { 0.45, 0.16 }
 #declare Shapes[5] = superellipsoid { <0.3, 0.3> scale 0.5 rotate 20*y }
 #declare Shapes[6] = ovus { 0.4, 0.25 }
-#declare Shapes[7] = lathe { cubic_spline 6, <0, -0.7>, <0.3, -0.5>, <0.55, -0.1>, <0.2, 0.3>, <0.4, 0.6>, <0.5, 0.8> }
-#declare Shapes[8] = sor { 6, <0.3, -0.8>, <0.5, -0.5>, <0.3, -0.1>, <0.5, 0.3>, <0.2, 0.55>, <0, 0.8> }
+#declare Shapes[7] = lathe {
+    cubic_spline 6, <0, -0.7>, <0.3, -0.5>, <0.55, -0.1>, <0.2, 0.3>, <0.4, 0.6>, <0.5, 0.8> }
+#declare Shapes[8] = sor {
+    6, <0.3, -0.8>, <0.5, -0.5>, <0.3, -0.1>, <0.5, 0.3>, <0.2, 0.55>, <0, 0.8> }
 #declare Shapes[9] = prism { -0.3, 0.3, 11
     #for (I, 0, 10) (mod(I, 2) ? 0.28 : 0.65)*<sin(36*I*pi/180), cos(36*I*pi/180)> #end }
 #declare Shapes[10] = sphere_sweep { cubic_spline 6, <-0.8, -0.4, 0>, 0.1, <-0.5, -0.4, 0>, 0.12,
@@ -50,7 +52,8 @@ plane { y, -0.75 pigment { rgb 0.5 } }
     function { (1 + 0.4*cos(v))*sin(u) } <0, 0>, <2*pi, 2*pi>
     contained_by { box { -1.5, 1.5 } } scale 0.42 }
 #declare Shapes[21] = intersection { box { -0.45, 0.45 } sphere { 0, 0.6 } }
-#declare Shapes[22] = difference { sphere { 0, 0.6 } cylinder { -z, z, 0.3 } cylinder { -x, x, 0.2 } }
+#declare Shapes[22] = difference {
+    sphere { 0, 0.6 } cylinder { -z, z, 0.3 } cylinder { -x, x, 0.2 } }
 #declare Shapes[23] = merge { torus { 0.4, 0.12 } torus { 0.4, 0.12 rotate 90*x } }
 
 #for (I, 0, Count - 1)
