@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sky_sphere and fog blocks. Called by the reader of scenes and of #declare.
+// sky_sphere, fog and rainbow blocks. Called by the reader of scenes and of #declare.
 #pragma once
 
 #include "evaluate/binder.h"
 
-/// Both change the last argument to what the block makes of it. False: the block was wrong, and has
+/// All change the last argument to what the block makes of it. False: the block was wrong, and has
 /// been reported.
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
 bool read_fog(Binder&, const Element& block, Fog&);

@@ -21,12 +21,13 @@ ArrayData& Value::edit_array() { return shared_.edit<ArrayData>(); }
 std::string_view kind_name(const Value& value) {
     constexpr auto numbers = std::array<std::string_view, 5>{
         "a number", "a vector of 2", "a vector of 3", "a vector of 4", "a colour"};
-    constexpr auto shared = std::array<std::string_view, ValueKinds::count>{
-        "a string",       "an array",     "a function",   "an object",     "a texture",
-        "a pigment",      "a finish",     "an interior",  "a transform",   "a camera",
-        "a light source", "a colour map", "an open file", "a pigment map", "a normal",
-        "a normal map",   "a slope map",  "a spline",     "a texture map", "a material",
-        "a sky sphere",   "a fog"};
+    constexpr auto shared = std::to_array<std::string_view>(
+        {"a string",       "an array",     "a function",   "an object",     "a texture",
+         "a pigment",      "a finish",     "an interior",  "a transform",   "a camera",
+         "a light source", "a colour map", "an open file", "a pigment map", "a normal",
+         "a normal map",   "a slope map",  "a spline",     "a texture map", "a material",
+         "a sky sphere",   "a fog",        "a rainbow"});
+    static_assert(shared.size() == ValueKinds::count);
     if (const Numbers* found = value.numbers())
         return numbers[static_cast<std::size_t>(found->count) - 1];
     if (value.absent()) return "nothing";

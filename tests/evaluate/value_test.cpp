@@ -22,6 +22,7 @@ TEST_CASE("a value tells what it is", "[evaluate]") {
     CHECK(kind_name(Value(Handle<Finish>())) == "a finish");
     CHECK(kind_name(Value(Handle<std::vector<ColourStop>>())) == "a colour map");
     CHECK(kind_name(Value(Handle<Spline>())) == "a spline");
+    CHECK(kind_name(Value(Handle<Rainbow>())) == "a rainbow");
     const MacroData macro{};
     CHECK(kind_name(Value(&macro)) == "a macro");
     CHECK(Value(&macro).macro() == &macro);
