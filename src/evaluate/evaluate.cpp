@@ -15,14 +15,15 @@
 #include "surface/pigment_map.h"
 #include "text/message.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace {
 
 class SceneReader {
 public:
-    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {}
+    SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {
+        top_.effectless = "max_intersections";
+    }
 
     void take(const Element& element) {
         if (take_stray_setting(element)) return;
@@ -76,6 +77,7 @@ public:
 
     /// After the last element.
     void finish(bool version_given) {
+        if (!binder_.evaluator.stopped()) stray_settings_.finish();
         scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
         if (!given_.noise_generator && scene_.language_version < 3.5)
             scene_.settings.noise_generator = 1;
@@ -109,25 +111,15 @@ private:
         });
     }
 
-    /// The two settings that old scenes have outside of global_settings, each with its number.
+    /// The setting that old scenes have outside of global_settings, and its number.
     bool take_stray_setting(const Element& element) {
-        if (const NameId word = std::exchange(stray_setting_, no_name); word != no_name) {
-            const Numbers* number = element.value.numbers();
-            const bool level = word == "max_trace_level"_word;
-            if (number && number->is_scalar() && level)
-                scene_.settings.max_trace_level =
-                    std::clamp(static_cast<int>(number->at[0]), 1, 256);
-            return number != nullptr;
-        }
-        const bool setting =
-            element.word == "max_trace_level"_word || element.word == "max_intersections"_word;
-        if (element.kind != Element::Kind::word || !setting) return false;
-        stray_setting_ = element.word;
-        const std::string_view name = binder_.evaluator.spelling(element.word);
-        binder_.evaluator.report(warning(Fault::deprecated, element.word_span,
-                                         message("`", name, "` belongs into `global_settings`"))
-                                     .with_help(message("global_settings { ", name, " 5 }")));
-        return true;
+        const bool begins =
+            element.kind == Element::Kind::word && element.word == "max_trace_level"_word;
+        if (begins)
+            binder_.evaluator.report(warning(Fault::deprecated, element.word_span,
+                                             "`max_trace_level` belongs into `global_settings`")
+                                         .with_help("global_settings { max_trace_level 5 }"));
+        return (begins || stray_settings_.waiting()) && stray_settings_.take(element);
     }
 
     void take_block(const Element& element) {
@@ -154,9 +146,6 @@ private:
                 scene_.rainbows.push_back(std::move(rainbow));
         } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, given_);
-        } else if (element.word == "default"_word) {
-            // Old scenes leave the # out.
-            binder_.evaluator.walk(element.body, [&](const Element& e) { set_default(e); });
         } else {
             stray(element);
         }
@@ -275,7 +264,8 @@ private:
     Scene& scene_;
     OpenBlock top_{binder_, {}, {}};
     GivenSettings given_;
-    NameId stray_setting_ = no_name;  ///< whose number comes next
+    OpenBlock around_settings_{binder_, "global_settings", {}};
+    ItemReader stray_settings_{around_settings_, GlobalSettings::vocabulary, &scene_.settings};
 };
 
 }  // namespace

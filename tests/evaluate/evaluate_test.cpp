@@ -73,3 +73,19 @@ TEST_CASE("what makes no scene is told of once", "[evaluate]") {
     CHECK(complaint("#default { finsh { } }") ==
           "error unknown-word: `#default` has no word `finsh`");
 }
+
+TEST_CASE("a setting outside of global_settings is read as within", "[evaluate]") {
+    const auto last = [](const std::string& script) {
+        const Script done = run("#version 3.7; " + script);
+        INFO(done.text);
+        REQUIRE(done.said.size() == 2);
+        CHECK(done.said.front().fault == Fault::deprecated);
+        return done.said.back().fault;
+    };
+    CHECK(last("max_trace_level 1e300") == Fault::out_of_range);
+    CHECK(last("max_trace_level \"a\"") == Fault::wrong_type);
+    CHECK(last("max_trace_level sphere { 0, 1 }") == Fault::missing);
+    CHECK(last("sphere { 0, 1 } max_trace_level") == Fault::missing);
+    CHECK(complaint("max_intersections 64 sphere { 0, 1 }") ==
+          "warning no-effect: `max_intersections` has no effect in this version");
+}
