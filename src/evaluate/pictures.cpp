@@ -105,8 +105,7 @@ bool PictureReader::take_adjustment(const Element& element) {
         adjustment_ = {name == "filter"_word, -1, 0};
         stage_ = word ? Stage::which : Stage::amount;
         const Numbers* numbers = element.value.numbers();
-        if (channel && numbers)
-            adjustment_.number = static_cast<int>(numbers->at[name == "filter"_word ? 3 : 4]);
+        if (channel && numbers) take_number(numbers->at[adjustment_.filter ? 3 : 4], element.span);
         return true;
     }
     if (stage_ == Stage::which && word && element.word == "all"_word) {
@@ -115,13 +114,27 @@ bool PictureReader::take_adjustment(const Element& element) {
     }
     if (stage_ != Stage::amount || element.kind != Element::Kind::value) return false;
     stage_ = Stage::none;
-    const auto amount = converted(
-        block_, element, FieldType::number,
-        {[] { return std::string("the amount of `filter`"); }, [&] { return block_.help(); }});
+    const auto amount = converted(block_, element, FieldType::number,
+                                  {[&] { return message("the amount of `", adjusted(), '`'); },
+                                   [&] { return block_.help(); }});
     if (!amount) return true;
     adjustment_.amount = std::get<double>(*amount);
     std::get<ImageMap>(pattern_).adjustments.push_back(adjustment_);
     return true;
+}
+
+/// Of the colour that is adjusted.
+void PictureReader::take_number(double number, Span span) {
+    constexpr double most_colours = 65536;
+    if (number >= 0 && number < most_colours && std::floor(number) == number)
+        adjustment_.number = static_cast<int>(number);
+    else
+        block_.report(error(Fault::out_of_range, span,
+                            message("`", adjusted(),
+                                    "` of a picture needs the number of a colour, "
+                                    "counted from 0, but here is ",
+                                    number))
+                          .with_help(message(adjusted(), " 3, 0.5, or ", adjusted(), " all 0.5")));
 }
 
 void PictureReader::finish() {

@@ -23,6 +23,8 @@ private:
     enum class Stage { none, which, amount };
 
     bool take_adjustment(const Element&);
+    void take_number(double number, Span);
+    std::string_view adjusted() const { return adjustment_.filter ? "filter" : "transmit"; }
     void load();
 
     OpenBlock& block_;

@@ -57,6 +57,12 @@ TEST_CASE("filter and transmit name all colours or one", "[evaluate]") {
 }
 
 TEST_CASE("what is wrong with a picture is told of", "[evaluate]") {
+    CHECK(wrong("function 2, 2 { x } transmit -3, 0.5") ==
+          "error out-of-range: `transmit` of a picture needs the number of a colour, counted from "
+          "0, but here is -3");
+    CHECK(wrong("function 2, 2 { x } filter 1e300, 0.5") ==
+          "error out-of-range: `filter` of a picture needs the number of a colour, counted from 0, "
+          "but here is 1e+300");
     CHECK(wrong("png \"x.png\"") == "error include-not-found: there is no file `x.png`");
     CHECK(wrong("gamma srgb") == "error missing: `image_map` needs a picture");
     CHECK(wrong("function { x }") ==
