@@ -258,6 +258,15 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
                            "too many textures are nested here: each level can double the work"));
 }
 
+/// Many more than can be seen: layers hold each other, and are walked through by recursion.
+constexpr int most_layers = 1000;
+
+int layers(const Texture& texture) {
+    int count = 0;
+    for (const Texture* layer = &texture; layer; layer = layer->below.get()) ++count;
+    return count;
+}
+
 /// The lowest layer of `above` gets `below` under it.
 Texture stacked(Texture above, const Handle<Texture>& below) {
     above.below = above.below ? make_handle<Texture>(stacked(*above.below, below)) : below;
@@ -362,6 +371,12 @@ Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& belo
         block.report(error(Fault::misplaced, span,
                            "a texture that chooses by a pattern cannot be seen through another")
                          .with_help("put both textures into its `texture_map`"));
+        return above;
+    }
+    if (layers(*above) + layers(*below) > most_layers) {
+        block.report(error(Fault::recursion_limit, span,
+                           message("a texture cannot have more than ", most_layers, " layers"))
+                         .with_help("give it fewer textures that can be seen through"));
         return above;
     }
     return make_handle<Texture>(stacked(*above, below));

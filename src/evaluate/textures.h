@@ -49,6 +49,6 @@ bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 bool read_texture_map(Binder&, const Element& block, TextureMap&);
 bool read_material(Binder&, const Element& block, DeclaredMaterial&);
 
-/// A texture over another; the one above alone where a pattern chooses one of the two, which is
-/// reported.
+/// A texture over another; the one above alone, after a report, where there are too many layers or
+/// the one below is chosen by a pattern.
 Handle<Texture> layered(OpenBlock&, Span, const Handle<Texture>& below, Handle<Texture> above);

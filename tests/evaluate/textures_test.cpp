@@ -97,6 +97,8 @@ TEST_CASE("a material is a texture with an interior", "[evaluate]") {
 }
 
 TEST_CASE("wrong textures are told of once", "[evaluate]") {
+    CHECK(complaint("sphere { 0, 1 #for (I, 0, 1000) texture { pigment { rgbt 0.5 } } #end }") ==
+          "error recursion-limit: a texture cannot have more than 1000 layers");
     CHECK(complaint("sphere { 0, 1 texture { finish { ambiant 1 } } }") ==
           "error unknown-word: `finish` has no word `ambiant`");
     CHECK(complaint("sphere { 0, 1 texture { checker } }") ==
