@@ -2,11 +2,9 @@
 // What an object says of its look, while its block is read. Used by the reader of objects.
 #pragma once
 
-#include "evaluate/lights.h"
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/texture_list.h"
-#include "text/message.h"
 
 /// texture, pigment, normal, finish and interior of an object.
 class LookReader : public SimpleReader {

@@ -93,11 +93,8 @@ std::string_view pattern_name(const Pattern& pattern) {
 }
 
 ObjectPattern pattern_of(const Object& object) {
-    CompositeBuilder builder;
     ShapeStore shapes;
-    NoVisitor nobody;
-    const PartRef root = Assembler<NoVisitor>(builder, shapes, nobody).add(object, nullptr);
-    auto solid = std::make_shared<Composite>(builder.finish(root));
+    auto solid = std::make_shared<Composite>(composite_of(object, shapes));
     const auto inside = [](const void* data, const Vec3& point, const PatternScene&) {
         return static_cast<const Composite*>(data)->inside(point) ? 1.0 : 0.0;
     };

@@ -6,3 +6,10 @@ Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transfor
     if (!outer) return inner;
     return make_handle<Transform>(inner->then(*outer));
 }
+
+Composite composite_of(const Object& object, ShapeStore& shapes) {
+    CompositeBuilder builder;
+    NoVisitor nobody;
+    const PartRef root = Assembler<NoVisitor>(builder, shapes, nobody).add(object, nullptr);
+    return builder.finish(root);
+}

@@ -98,3 +98,6 @@ private:
     ShapeStore& shapes_;
     Visitor& visitor_;
 };
+
+/// An object, by itself, as one solid.
+Composite composite_of(const Object&, ShapeStore&);

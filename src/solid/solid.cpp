@@ -22,12 +22,8 @@ bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
 const Composite& Solids::composite(const ObjectHandle& object) {
     if (last_ && last_->object == object) return last_->composite;
     auto found = known_.find(object.get());
-    if (found == known_.end()) {
-        CompositeBuilder builder;
-        NoVisitor nobody;
-        const PartRef root = Assembler<NoVisitor>(builder, shapes_, nobody).add(*object, {});
-        found = known_.emplace(object.get(), Known{object, builder.finish(root)}).first;
-    }
+    if (found == known_.end())
+        found = known_.emplace(object.get(), Known{object, composite_of(*object, shapes_)}).first;
     last_ = &found->second;
     return last_->composite;
 }

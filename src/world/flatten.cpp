@@ -62,13 +62,8 @@ public:
     /// A light source of the scene, or of a group in its place.
     void add_light(PlacedLight placed, std::uint32_t group = 0) {
         LightReach reach{group};
-        if (placed.projected_through) {
-            CompositeBuilder builder;
-            NoVisitor nobody;
-            const PartRef root = Assembler<NoVisitor>(builder, shapes_, nobody)
-                                     .add(*placed.projected_through, nullptr);
-            reach.window = make_handle<Composite>(builder.finish(root));
-        }
+        if (placed.projected_through)
+            reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
         world_.lights.push_back(std::move(placed.light));
         world_.light_reach.push_back(std::move(reach));
     }

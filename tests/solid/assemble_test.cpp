@@ -21,10 +21,8 @@ Object group(Csg csg, std::vector<ObjectHandle> children) {
 }
 
 Composite assembled(const Object& object) {
-    CompositeBuilder builder;
     ShapeStore shapes;
-    NoVisitor nobody;
-    return builder.finish(Assembler<NoVisitor>(builder, shapes, nobody).add(object, {}));
+    return composite_of(object, shapes);
 }
 
 std::string insides(const Object& object, const std::vector<Vec3>& points) {
