@@ -49,19 +49,25 @@ std::string settings_text(const Scene& scene) {
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 
-std::string camera_text(const Camera& camera) {
-    const Transform& transform =
-        std::visit([](const View& view) -> const Transform& { return view.transform; }, camera);
-    return message("camera { ", item_text(camera), matrix_text(transform), " }\n");
-}
-
-std::string light_text(Light light) {
-    const ItemInfo& info = *Kinds<Light>::infos[light.index()];
-    return message(info.name, " { ", written_fields(info, Kinds<Light>::address(light)), " }\n");
+std::string camera_text(const Scene& scene) {
+    const Transform& transform = std::visit(
+        [](const View& view) -> const Transform& { return view.transform; }, scene.camera);
+    return message("camera { ", item_text(scene.camera), dump(scene.camera_normal),
+                   matrix_text(transform), " }\n");
 }
 
 /// The object in one line, with all that is in it.
 std::string in_one_line(const Object& object);
+
+/// What the light looks like is an object of its own.
+std::string light_text(PlacedLight placed) {
+    const ItemInfo& info = *Kinds<Light>::infos[placed.light.index()];
+    std::string text =
+        message(info.name, " { ", written_fields(info, Kinds<Light>::address(placed.light)));
+    if (placed.projected_through)
+        text += message(" projected_through { ", in_one_line(*placed.projected_through), " }");
+    return text + " }\n";
+}
 
 std::string confines_text(std::string_view word, const std::vector<ObjectHandle>& objects) {
     std::string text = message(word, " { ");
@@ -169,8 +175,8 @@ public:
         if (scene.sky) out_ += dump(*scene.sky);
         for (const Fog& fog : scene.fogs) out_ += block_text(fog) + "\n";
         for (const Rainbow& rainbow : scene.rainbows) out_ += dump(rainbow);
-        out_ += camera_text(scene.camera);
-        for (const PlacedLight& light : scene.lights) out_ += light_text(light.light);
+        out_ += camera_text(scene);
+        for (const PlacedLight& light : scene.lights) out_ += light_text(light);
         declare_shared(scene.objects);
         for (const ObjectHandle& object : scene.objects) refer(*object, 0);
         return std::move(out_);
@@ -223,7 +229,7 @@ private:
 
     void write_lights(const Union& group, std::size_t depth) {
         for (const PlacedLight& light : group.lights)
-            out_ += std::string(4 * depth, ' ') + light_text(light.light);
+            out_ += std::string(4 * depth, ' ') + light_text(light);
         if (group.global_lights) out_ += std::string(4 * depth, ' ') + "global_lights\n";
     }
 

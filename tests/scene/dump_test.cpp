@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump.h"
 
+#include "surface/normal_map.h"
+
 #include <catch2/catch.hpp>
 
 namespace {
@@ -99,6 +101,21 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
           "camera { orthographic location <0, 0, -5> look_at 0 angle 40 }\n"
           "light_source { 9, rgb <1, 1, 0.5> shadowless }\n"
           "sphere { 0, 1 }\n");
+}
+
+TEST_CASE("a camera is written with its normal, a light with its window") {
+    Scene scene;
+    PatternUse bumps;
+    bumps.pattern = Bumps{};
+    scene.camera_normal.pattern =
+        make_handle<PatternedBump>(bumps, BumpSettings(), PatternedBump::Map());
+    PlacedLight light{PointLight{}, {}};
+    light.projected_through = object(Sphere());
+    scene.lights.push_back(light);
+    const std::string text = dump(scene);
+    INFO(text);
+    CHECK(text.find(" normal { bumps ") != std::string::npos);
+    CHECK(text.find(" projected_through { sphere { 0, 1 } } }\n") != std::string::npos);
 }
 
 TEST_CASE("before version 3.7 it is written that there is a gamma") {
