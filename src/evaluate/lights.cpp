@@ -7,9 +7,9 @@
 namespace {
 
 /// looks_like { ... }, projected_through { ... }
-class LookReader : public SimpleReader {
+class LightObjects : public SimpleReader {
 public:
-    LookReader(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
+    LightObjects(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block) return false;
@@ -65,7 +65,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
         placed = moved(std::move(placed), transform);
     };
     TransformReader moves(block, apply);
-    LookReader look(block, placed);
+    LightObjects look(block, placed);
     block.read(element.body, declared, fields, look, moves);
     if (block.broken) return std::nullopt;
     const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene.h"
 
+namespace {
+
+/// The object with its textures and what confines it, which a map of its own would not move.
+ObjectHandle moved(ObjectHandle object, const Transform& transform) {
+    if (object->texture || object->part_textures || object->confines) {
+        ObjectHandle whole = make_handle<Object>();
+        whole.edit().span = object->span;
+        whole.edit().form.emplace<Union>().children.push_back(std::move(object));
+        object = std::move(whole);
+    }
+    Handle<Transform>& own = object.edit().transform;
+    own = make_handle<Transform>(own ? own->then(transform) : transform);
+    return object;
+}
+
+}  // namespace
+
 PlacedLight moved(PlacedLight placed, const Transform& transform) {
     std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);
-    for (ObjectHandle* object : {&placed.looks_like, &placed.projected_through}) {
-        if (!*object) continue;
-        ObjectHandle whole = make_handle<Object>();
-        whole.edit().no_shadow = (*object)->no_shadow;
-        whole.edit().form.emplace<Union>().children.push_back(std::move(*object));
-        whole.edit().span = placed.span;
-        whole.edit().transform = make_handle<Transform>(transform);
-        *object = std::move(whole);
-    }
+    for (ObjectHandle* object : {&placed.looks_like, &placed.projected_through})
+        if (*object) *object = moved(std::move(*object), transform);
     return placed;
 }
