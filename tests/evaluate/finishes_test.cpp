@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/finishes.h"
 
-#include "evaluate/script.h"
+#include "evaluate/looks.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
-Script sphere(const std::string& look, const std::string& before = {}) {
-    Script done = run("#version 3.7; " + before + " sphere { 0, 1 " + look + " }");
-    INFO(done.text);
-    REQUIRE(done.text.empty());
-    return done;
-}
-
 Finish finish_of(const std::string& text) {
-    return sphere("finish { " + text + " }", "#declare F = finish { ambient 1 phong 0.5 }")
+    return sphere_with("finish { " + text + " }", "#declare F = finish { ambient 1 phong 0.5 }")
         .texture()
         .finish;
 }
@@ -50,10 +43,11 @@ TEST_CASE("reflection is an amount or a block", "[evaluate]") {
 }
 
 TEST_CASE("an interior adds up", "[evaluate]") {
-    CHECK(sphere("interior { ior 1.5 }").object().interior->ior == 1.5);
-    CHECK(sphere("interior { I }", "#declare I = interior { ior 1.3 }").object().interior->ior ==
-          1.3);
-    CHECK(sphere("interior { ior 2 } interior { }").object().interior->ior == 2);
+    CHECK(sphere_with("interior { ior 1.5 }").object().interior->ior == 1.5);
+    CHECK(
+        sphere_with("interior { I }", "#declare I = interior { ior 1.3 }").object().interior->ior ==
+        1.3);
+    CHECK(sphere_with("interior { ior 2 } interior { }").object().interior->ior == 2);
 }
 
 TEST_CASE("albedo is turned into amounts when the finish is complete", "[evaluate]") {

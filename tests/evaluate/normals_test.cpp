@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/normals.h"
 
-#include "evaluate/script.h"
+#include "evaluate/looks.h"
 #include "surface/normal_map.h"
 
 #include <catch2/catch.hpp>
@@ -9,14 +9,12 @@
 namespace {
 
 Bump bump_of(const std::string& text) {
-    const Script done =
-        run("#version 3.7; #declare N = normal { bumps 0.3 scale 2 } "
-            "#declare M = normal_map { [0 N] [1 bozo 2] } "
-            "#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] } sphere { 0, 1 " +
-            text + " }");
-    INFO(text << '\n' << done.text);
-    REQUIRE(done.text.empty());
-    return done.texture().normal;
+    return sphere_with(text,
+                       "#declare N = normal { bumps 0.3 scale 2 } "
+                       "#declare M = normal_map { [0 N] [1 bozo 2] } "
+                       "#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] }")
+        .texture()
+        .normal;
 }
 
 std::string wrong(const std::string& text) {

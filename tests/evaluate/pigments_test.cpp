@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/textures.h"
 
-#include "evaluate/script.h"
+#include "evaluate/looks.h"
 #include "surface/default_maps.h"
 #include "surface/pigment_map.h"
 
@@ -10,14 +10,12 @@
 namespace {
 
 Pigment pigment_of(const std::string& text) {
-    const Script done =
-        run("#version 3.7; #declare Red = rgb x; #declare M = color_map { [0 rgb 0] [1 rgb 1] } "
-            "#declare P = pigment { gradient x color_map { [0 Red] [1 rgb 1] } } #declare Q = "
-            "pigment_map { [0 P] [1 rgb 1] } sphere { 0, 1 pigment { " +
-            text + " } }");
-    INFO(done.text);
-    REQUIRE(done.text.empty());
-    return done.texture().pigment;
+    return sphere_with("pigment { " + text + " }",
+                       "#declare Red = rgb x; #declare M = color_map { [0 rgb 0] [1 rgb 1] } "
+                       "#declare P = pigment { gradient x color_map { [0 Red] [1 rgb 1] } } "
+                       "#declare Q = pigment_map { [0 P] [1 rgb 1] }")
+        .texture()
+        .pigment;
 }
 
 const ColourMap& colours_of(const Pigment& pigment) {

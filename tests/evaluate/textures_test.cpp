@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/textures.h"
 
-#include "evaluate/script.h"
+#include "evaluate/looks.h"
 #include "surface/texture_map.h"
 
 #include <catch2/catch.hpp>
 
-namespace {
-
-Script sphere(const std::string& look, const std::string& before = {}) {
-    Script done = run("#version 3.7; " + before + " sphere { 0, 1 " + look + " }");
-    INFO(done.text);
-    REQUIRE(done.text.empty());
-    return done;
-}
-
-}  // namespace
-
 TEST_CASE("a texture starts from the default one", "[evaluate]") {
-    const Script done = sphere("texture { finish { ambient 1 } }",
-                               "#default { pigment { rgb 1 } finish { diffuse 0.1 } }");
+    const Script done = sphere_with("texture { finish { ambient 1 } }",
+                                    "#default { pigment { rgb 1 } finish { diffuse 0.1 } }");
     CHECK(done.texture().pigment.colour.rgb == Vec3(1));
     CHECK(done.texture().finish.ambient == Vec3(1));
     CHECK(done.texture().finish.diffuse == 0.1);
@@ -37,14 +26,14 @@ TEST_CASE("an object without a texture has the default one of its own time", "[e
 TEST_CASE("pigment and finish of an object change its texture, in turn", "[evaluate]") {
     const std::string declared =
         "#declare T = texture { pigment { rgb 0.5 } finish { ambient 0.7 } }";
-    const Script done = sphere(
+    const Script done = sphere_with(
         "texture { T } pigment { rgb 1 } finish { diffuse 0.3 } finish { phong 1 }", declared);
     CHECK(done.texture().pigment.colour.rgb == Vec3(1));
     CHECK(done.texture().finish.ambient == Vec3(0.7));
     CHECK(done.texture().finish.diffuse == 0.3);
     CHECK(done.texture().finish.phong == 1);
-    const Script parts = sphere("texture { P F }",
-                                "#declare P = pigment { rgb 1 } #declare F = finish { ambient 1 }");
+    const Script parts = sphere_with(
+        "texture { P F }", "#declare P = pigment { rgb 1 } #declare F = finish { ambient 1 }");
     CHECK(parts.texture().pigment.colour.rgb == Vec3(1));
     CHECK(parts.texture().finish.ambient == Vec3(1));
 }
@@ -62,36 +51,36 @@ TEST_CASE("a declared texture is shared until it is changed", "[evaluate]") {
 TEST_CASE("an opaque texture covers another; others show what is below", "[evaluate]") {
     const std::string glass = "texture { pigment { rgbt 0.5 } }";
     const std::string red = "texture { pigment { rgb x } }";
-    CHECK(sphere(glass + red).texture().pigment.colour.rgb == Vec3(1, 0, 0));
-    CHECK_FALSE(sphere(glass + red).texture().below);
-    const Script layers = sphere(red + glass + glass);
+    CHECK(sphere_with(glass + red).texture().pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK_FALSE(sphere_with(glass + red).texture().below);
+    const Script layers = sphere_with(red + glass + glass);
     REQUIRE(layers.texture().below);
     REQUIRE(layers.texture().below->below);
     CHECK(layers.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
-    CHECK(sphere("texture { T scale 2 }", "#declare T = " + red + glass).texture().below);
-    CHECK(sphere("texture { finish { reflection 1 } }" + red).texture().below);
+    CHECK(sphere_with("texture { T scale 2 }", "#declare T = " + red + glass).texture().below);
+    CHECK(sphere_with("texture { finish { reflection 1 } }" + red).texture().below);
 }
 
 TEST_CASE("a texture chooses from others by a pattern", "[evaluate]") {
-    const Script map =
-        sphere("texture { gradient y texture_map { [0.2 pigment { rgb 1 }] [0.8 T] } scale 2 }",
-               "#declare T = texture { pigment { rgb x } }");
+    const Script map = sphere_with(
+        "texture { gradient y texture_map { [0.2 pigment { rgb 1 }] [0.8 T] } scale 2 }",
+        "#declare T = texture { pigment { rgb x } }");
     const Handle<PatternedTexture>& choice = map.texture().choice;
     REQUIRE(choice);
     CHECK(choice->map.size() == 2);
     CHECK(choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
     CHECK(choice->transform.point(Vec3(1)) == Vec3(2));
-    const Script list = sphere("texture { hexagon texture { pigment { rgb 1 } } }");
+    const Script list = sphere_with("texture { hexagon texture { pigment { rgb 1 } } }");
     CHECK(list.texture().choice->map.size() == 3);
-    const Script tiles = sphere(
+    const Script tiles = sphere_with(
         "texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } }");
     CHECK(tiles.texture().choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
 }
 
 TEST_CASE("a material is a texture with an interior", "[evaluate]") {
     const Script done =
-        sphere("material { M scale 3 }",
-               "#declare M = material { texture { pigment { bozo } } interior { ior 1.5 } }");
+        sphere_with("material { M scale 3 }",
+                    "#declare M = material { texture { pigment { bozo } } interior { ior 1.5 } }");
     CHECK(done.object().interior->ior == 1.5);
     CHECK(done.texture().pigment.transform.point(Vec3(1)) == Vec3(3));
 }

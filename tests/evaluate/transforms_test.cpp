@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/transforms.h"
 
-#include "evaluate/script.h"
+#include "evaluate/looks.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
 Vec3 image_of(const std::string& modifiers, const Vec3& point) {
-    const Script done = run("#version 3.7; #declare T = transform { translate x } sphere { 0, 1 " +
-                            modifiers + " }");
-    INFO(done.text);
-    REQUIRE(done.text.empty());
+    const Script done = sphere_with(modifiers, "#declare T = transform { translate x }");
     REQUIRE(done.object().transform);
     return done.object().transform->point(point);
 }
