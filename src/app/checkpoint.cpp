@@ -87,7 +87,11 @@ bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint
     first >> r.left >> r.top >> r.right >> r.bottom >> share.first_tile >> share.tile_step >>
         share.first_sample >> checkpoint.samples >> checkpoint.all_samples;
     second >> checkpoint.state.rounds >> checkpoint.finished >> sum;
-    return first && second && !checkpoint.identity.empty() && share.tile_step > 0;
+    const bool tiles = share.first_tile >= 0 && share.first_tile < share.tile_step &&
+                       share.tile_step <= most_shards;
+    const bool samples = checkpoint.samples <= checkpoint.all_samples &&
+                         share.first_sample <= checkpoint.all_samples - checkpoint.samples;
+    return first && second && !checkpoint.identity.empty() && tiles && samples;
 }
 
 }  // namespace

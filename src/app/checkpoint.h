@@ -9,6 +9,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+
+/// What names of states end in.
+inline constexpr std::string_view state_ending = ".state.exr";
 
 struct Checkpoint {
     Identity identity;

@@ -19,7 +19,8 @@ constexpr std::string_view file_prefix = "file ";
 constexpr std::string_view even = "even";
 
 std::string one_line(std::string text) {
-    std::ranges::replace(text, '\n', ' ');
+    std::ranges::replace_if(
+        text, [](char c) { return c == '\n' || c == '\t'; }, ' ');
     return text;
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Name and value. Neither has a line break.
+/// Name and value. Neither has a line break or a tabulator.
 using Fact = std::pair<std::string, std::string>;
 using Identity = std::vector<Fact>;
 

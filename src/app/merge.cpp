@@ -12,12 +12,10 @@
 
 namespace {
 
-constexpr std::string_view ending = ".state.exr";
-
 class Joiner {
 public:
-    Joiner(std::vector<NamedState> states, bool partial, Diagnostics& diagnostics)
-        : states_(std::move(states)), partial_(partial), diagnostics_(diagnostics) {}
+    Joiner(std::vector<NamedState> states, Gaps gaps, Diagnostics& diagnostics)
+        : states_(std::move(states)), gaps_(gaps), diagnostics_(diagnostics) {}
 
     std::optional<Checkpoint> operator()() {
         std::ranges::stable_sort(states_, {}, [](const NamedState& state) {
@@ -39,12 +37,15 @@ private:
 
     void refuse(std::string text) { diagnostics_.add(error(Fault::option, {}, std::move(text))); }
 
-    void missing(const std::string& what) {
-        if (partial_)
+    /// `least`: from which on it may be.
+    void missing(const std::string& what, Gaps least) {
+        if (gaps_ >= least)
             diagnostics_.add(warning(Fault::option, {}, what));
         else
             diagnostics_.add(error(Fault::option, {}, what)
-                                 .with_help("--partial makes a picture of what there is"));
+                                 .with_help(gaps_ == Gaps::none
+                                                ? "--partial makes a picture of what there is"
+                                                : "a picture can have such a gap, a state cannot"));
     }
 
     void compare(const NamedState& state) {
@@ -65,7 +66,8 @@ private:
         if (film.width() != other.width() || film.height() != other.height() ||
             a.tile_step != b.tile_step || a.region != b.region)
             return mixed("the picture was cut in another way");
-        if (!one.finished) missing(message("`", harmless(state.name), "` is not finished"));
+        if (!one.finished)
+            missing(message("`", harmless(state.name), "` is not finished"), Gaps::around);
     }
 
     void check_tiles() {
@@ -78,25 +80,27 @@ private:
                                harmless(state.name), "`"));
         }
         for (int i = 0; i < count; ++i)
-            if (!found.count(i)) missing(message("shard ", i + 1, " of ", count, " is missing"));
+            if (!found.count(i))
+                missing(message("shard ", i + 1, " of ", count, " is missing"), Gaps::anywhere);
     }
 
     void check_samples() {
         std::uint32_t end = 0;
-        const auto gap = [&](std::uint32_t from, std::uint32_t to) {
+        const auto gap = [&](std::uint32_t from, std::uint32_t to, Gaps least) {
             if (from < to)
                 missing(message("samples ", from, " to ", to - 1, " of 0 to ",
-                                first().all_samples - 1, " are missing"));
+                                first().all_samples - 1, " are missing"),
+                        least);
         };
         for (const NamedState& state : states_) {
             const std::uint32_t begin = state.checkpoint.state.share.first_sample;
             if (begin < end && state.checkpoint.samples > 0)
                 refuse(message("`", harmless(state.name), "` has samples from ", begin,
                                " on, of which another shard has some, too"));
-            gap(end, begin);
+            gap(end, begin, &state == &states_.front() ? Gaps::around : Gaps::anywhere);
             end = std::max(end, begin + state.checkpoint.samples);
         }
-        gap(end, first().all_samples);
+        gap(end, first().all_samples, Gaps::around);
     }
 
     Checkpoint sum() const {
@@ -123,7 +127,7 @@ private:
     }
 
     std::vector<NamedState> states_;
-    bool partial_;
+    Gaps gaps_;
     Diagnostics& diagnostics_;
 };
 
@@ -137,7 +141,7 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
     Request request;
     std::vector<std::string_view> others;
     for (const std::string_view argument : arguments) {
-        const bool file = argument.ends_with(ending) && !argument.starts_with('+');
+        const bool file = argument.ends_with(state_ending) && !argument.starts_with('+');
         if (argument == "--partial")
             request.partial = true;
         else if (file)
@@ -149,8 +153,12 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
     if (request.options.scene)
         diagnostics.add(error(Fault::option, {},
                               message("`", harmless(*request.options.scene),
-                                      "` is no state of a picture; those end in ", ending)));
-    if (request.files.empty())
+                                      "` is no state of a picture; those end in ", state_ending)));
+    if (request.options.task != Task::render)
+        diagnostics.add(
+            error(Fault::option, {}, "merge makes a picture or a state and nothing else")
+                .with_help("man candelabra-merge"));
+    else if (request.files.empty())
         diagnostics.add(error(Fault::option, {}, "merge needs the states of shards")
                             .with_help("candelabra merge +Opicture.png picture.png.*.state.exr"));
     return request;
@@ -158,15 +166,17 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
 
 /// Where the picture goes when nothing is said: the shards' name without what makes them shards.
 std::string usual_output(std::string file) {
-    file.resize(file.size() - ending.size());
+    file.resize(file.size() - state_ending.size());
     const std::size_t dot = file.rfind('.');
     const bool shard = dot != file.npos && file.find("of", dot) != file.npos;
     return shard ? file.substr(0, dot) : file;
 }
 
+bool makes_state(const Request& request) { return request.options.output.ends_with(state_ending); }
+
 bool write_result(const Request& request, const Checkpoint& result, Diagnostics& diagnostics) {
     Options options = request.options;
-    if (options.output.ends_with(ending)) {
+    if (makes_state(request)) {
         const auto bytes = encode(result, diagnostics);
         return bytes && write_file(options.output, *bytes, diagnostics);
     }
@@ -181,9 +191,9 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
 
 }  // namespace
 
-std::optional<Checkpoint> joined(std::vector<NamedState> states, bool partial,
+std::optional<Checkpoint> joined(std::vector<NamedState> states, Gaps gaps,
                                  Diagnostics& diagnostics) {
-    return Joiner(std::move(states), partial, diagnostics)();
+    return Joiner(std::move(states), gaps, diagnostics)();
 }
 
 int merge(std::span<const std::string_view> arguments, const Console& console) {
@@ -199,7 +209,10 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
         if (auto checkpoint = read_checkpoint(file, diagnostics))
             states.push_back({file, std::move(*checkpoint)});
     if (diagnostics.failed()) return end(exit_status::file);
-    const auto result = joined(std::move(states), request.partial, diagnostics);
+    const Gaps gaps = !request.partial       ? Gaps::none
+                      : makes_state(request) ? Gaps::around
+                                             : Gaps::anywhere;
+    const auto result = joined(std::move(states), gaps, diagnostics);
     if (!result) return end(exit_status::usage);
     return end(write_result(request, *result, diagnostics) ? exit_status::done : exit_status::file);
 }

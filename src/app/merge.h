@@ -16,9 +16,16 @@ struct NamedState {
     Checkpoint checkpoint;
 };
 
+/// What may be missing; it is said in any case.
+enum class Gaps {
+    none,
+    around,    ///< samples before and behind those that are there, as a state can have it
+    anywhere,  ///< as a picture can
+};
+
 /// The states as one. Nothing, after a report, when they are not of the same picture, overlap, or
-/// leave something out; with `partial` what is missing is only said.
-std::optional<Checkpoint> joined(std::vector<NamedState>, bool partial, Diagnostics&);
+/// leave out what may not be missing.
+std::optional<Checkpoint> joined(std::vector<NamedState>, Gaps, Diagnostics&);
 
 /// The arguments behind the word `merge`; gives the exit status.
 int merge(std::span<const std::string_view> arguments, const Console&);

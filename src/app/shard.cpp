@@ -9,8 +9,6 @@
 
 namespace {
 
-constexpr int most_shards = 1'000'000;
-
 std::optional<int> whole(const std::optional<std::string>& text) {
     if (!text || text->empty()) return std::nullopt;
     int value = 0;
@@ -64,8 +62,7 @@ std::optional<Shard> read_shard(const std::string& text, const Environment& vari
                           "SLURM_ARRAY_TASK_ID, AWS_BATCH_JOB_ARRAY_INDEX or JOB_COMPLETION_INDEX");
         shard = *found;
         if (slash == text.size() && shard.count == 0)
-            return refuse("the job array does not say how many jobs it has",
-                          message("--shard auto/N"));
+            return refuse("the job array does not say how many jobs it has", "--shard auto/N");
     } else {
         shard.number = whole(text.substr(0, slash)).value_or(0);
         shard.count = 0;

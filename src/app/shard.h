@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+inline constexpr int most_shards = 1'000'000;
+
 enum class ShardBy { samples, tiles, frames };
 
 struct Shard {

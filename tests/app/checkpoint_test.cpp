@@ -58,3 +58,23 @@ TEST_CASE("a state comes back bit by bit; a damaged one is an error and no crash
     }
     std::filesystem::remove(path);
 }
+
+TEST_CASE("a state whose share cannot be is refused") {
+    const std::string path = std::filesystem::temp_directory_path() / "candelabra_share.exr";
+    const auto readable = [&](const auto& change) {
+        Checkpoint made = example();
+        change(made);
+        Diagnostics diagnostics;
+        const auto bytes = encode(made, diagnostics);
+        REQUIRE(bytes);
+        std::ofstream(path, std::ios::binary) << *bytes;
+        return read_checkpoint(path, diagnostics).has_value();
+    };
+    CHECK(readable([](Checkpoint&) {}));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_tile = 4; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_tile = -1; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.tile_step = 2'000'000'000; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_sample = 7; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.samples = 0xffffffffu; }));
+    std::filesystem::remove(path);
+}

@@ -38,6 +38,11 @@ TEST_CASE("what differs between two pictures has a name") {
     CHECK(with({{"a.pov", "1"}, {"b.inc", "2"}, {"c.inc", "2"}}) == "`c.inc` was not read then");
 }
 
+TEST_CASE("names of files may have any character") {
+    const Identity identity = identity_of({}, {{"a\tb\nc.pov", "1"}}, {});
+    CHECK(identity_from(to_text(identity)) == identity);
+}
+
 TEST_CASE("a picture says what it was made from, without folders") {
     Options options;
     options.render.samples = 4;

@@ -77,6 +77,8 @@ TEST_CASE("merging refuses what does not fit together, and says what is missing"
     CHECK(has(farm.err, "shard 2 of 2 is missing"));
     CHECK(farm.merge({}) == 2);
     CHECK(farm({"merge", farm.path("lit.pov")}) == 2);
+    CHECK(farm({"merge", "--help"}) == 2);
+    CHECK(has(farm.err, "man candelabra-merge"));
     farm.write("a.png.1of2.state.exr", "nonsense");
     CHECK(farm.merge({"1of2"}) == 3);
 }
@@ -90,6 +92,11 @@ TEST_CASE("shares can be joined to larger shares first") {
             0);
     REQUIRE(farm.merge({"3of3", "1to2"}, {"+O" + farm.path("a.png")}) == 0);
     CHECK(farm.content("a.png") == whole);
+    // A state says from where to where it has samples, so it can have no gap.
+    const std::string gap = farm.path("gap.state.exr");
+    CHECK(farm.merge({"1of3", "3of3"}, {"--partial", "+O" + gap}) == 2);
+    CHECK(has(farm.err, "samples 2 to 3 of 0 to 5 are missing"));
+    CHECK_FALSE(fs::exists(gap));
 }
 
 TEST_CASE("shards must know what they share") {
