@@ -36,7 +36,7 @@ std::uint32_t most_samples(const RenderState& state) {
 
 std::string state_path(const JobPlan& plan) {
     const std::string part = plan.shard ? message('.', shard_name(*plan.shard)) : std::string();
-    return message(plan.picture, part, ".state.exr");
+    return message(plan.picture, part, state_ending);
 }
 
 RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
@@ -160,11 +160,13 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     };
     hooks.cancelled = [&] {
         if (asked == Interrupt::stop) return true;
-        if (interrupts_.take)
-            if (const Interrupt now = interrupts_.take(); now != Interrupt::none) asked = now;
-        Interrupt none = Interrupt::none;
+        const Interrupt now = interrupts_.take ? interrupts_.take() : Interrupt::none;
         const double time = clock();
-        if (time >= save_at_ || time >= deadline_)
+        Interrupt none = Interrupt::none;
+        // A stop that another thread has taken meanwhile counts for more than saving.
+        if (now == Interrupt::stop)
+            asked = now;
+        else if (now == Interrupt::save || time >= save_at_ || time >= deadline_)
             asked.compare_exchange_strong(none, Interrupt::save);
         return asked != Interrupt::none;
     };

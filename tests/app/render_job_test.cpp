@@ -6,7 +6,9 @@
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <random>
+#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -63,6 +65,22 @@ TEST_CASE("a state is written when it is asked for, and the work goes on") {
     CHECK(shell.render({"-V", "+WT1", "+O" + shell.path("a.png")}) == 0);
     CHECK(seen.size() > 100);
     CHECK_FALSE(fs::exists(shell.path("a.png.state.exr")));
+}
+
+TEST_CASE("a stop that comes while another thread is asked to save is not lost") {
+    Shell shell;
+    std::atomic<int> calls = 0;
+    shell.interrupts.take = [&] {
+        const int call = calls++;
+        if (call == 1) return Interrupt::stop;
+        if (call > 0) return Interrupt::none;
+        const auto pause = std::chrono::milliseconds(20);
+        for (int i = 0; i < 50 && calls < 2; ++i) std::this_thread::sleep_for(pause);
+        std::this_thread::sleep_for(pause);
+        return Interrupt::save;
+    };
+    CHECK(shell({shell.path("lit.pov"), "-V", "+W64", "+H48", "--samples", "4", "+WT2",
+                 "+O" + shell.path("a.png")}) == exit_status::stopped);
 }
 
 TEST_CASE("what cannot be kept is said") {
