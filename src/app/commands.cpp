@@ -10,8 +10,6 @@
 #include "picture/file.h"
 #include "text/loader.h"
 
-#include <vector>
-
 namespace {
 
 std::string explanation(const Options& options, Diagnostics& diagnostics) {
@@ -19,11 +17,6 @@ std::string explanation(const Options& options, Diagnostics& diagnostics) {
     if (options.task == Task::completion) return completion(options.topic).value_or("");
     if (options.task == Task::help) return help_text(options.topic, diagnostics);
     return description(options.topic, options.form, diagnostics);
-}
-
-int usage_errors(const Console& console, const Options& options, const Diagnostics& diagnostics) {
-    say_errors(console, options, diagnostics);
-    return exit_status::usage;
 }
 
 /// The options in force as an INI file.
@@ -38,25 +31,27 @@ std::string ini_text(const Options& options) {
 int run(std::span<const std::string_view> arguments, const Console& console) {
     if (!arguments.empty() && arguments[0] == "merge") return merge(arguments.subspan(1), console);
     Diagnostics diagnostics;
-    std::vector<std::string_view> all(arguments.begin(), arguments.end());
-    if (!console.settings.empty()) all.insert(all.begin(), console.settings);
-    const Options options = read_options(all, diagnostics, disk_reader());
+    const Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    const auto end_with_errors = [&](int status) {
+        say_errors(console, options, diagnostics);
+        return status;
+    };
     const std::optional<Animation> animation = plan(options.animation, diagnostics);
-    if (diagnostics.failed()) return usage_errors(console, options, diagnostics);
+    if (!options.movie.empty() && !animation)
+        diagnostics.add(error(Fault::option, {}, "a film needs the frames of an animation")
+                            .with_help("+KFF240"));
+    if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe || options.task == Task::completion) {
         console.out(explanation(options, diagnostics));
-        return diagnostics.failed() ? usage_errors(console, options, diagnostics)
-                                    : exit_status::done;
+        return diagnostics.failed() ? end_with_errors(exit_status::usage) : exit_status::done;
     }
     if (!options.scene) {
         console.err(short_usage());
         return exit_status::usage;
     }
-    if (options.ini_file && !write_file(*options.ini_file, ini_text(options), diagnostics)) {
-        usage_errors(console, options, diagnostics);
-        return exit_status::file;
-    }
+    if (options.ini_file && !write_file(*options.ini_file, ini_text(options), diagnostics))
+        return end_with_errors(exit_status::file);
     if (options.preview_port) return run_preview(options, console, diagnostics);
     if (animation) return run_animation(options, *animation, console, diagnostics);
     return run_scene(options, console, diagnostics);

@@ -216,8 +216,10 @@ void store::frame_rate(Options& options, const Given& given, Diagnostics& diagno
 }
 
 void store::create_ini(Options& options, const Given& given, Diagnostics& diagnostics) {
-    if (!given.on) return;
-    if (!given.value) return refuse(given, diagnostics, "needs the name of a file", "+GIall.ini");
+    options.ini_file.reset();
+    const std::optional<bool> on = given.value ? truth(*given.value) : given.on;
+    if (!given.on || on == false) return;
+    if (on) return refuse(given, diagnostics, "needs the name of a file", "+GIall.ini");
     options.ini_file = *given.value;
 }
 

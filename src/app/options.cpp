@@ -72,7 +72,9 @@ public:
                  const Reader& read)
         : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
-    Options read() {
+    Options read(const std::string& settings) {
+        if (!settings.empty())
+            read_ini(settings, ini_name(settings).value_or(IniName{settings, {}}));
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
         return std::move(options_);
     }
@@ -141,7 +143,7 @@ private:
             options_.given.push_back(
                 message("--", row.word, given.value ? message("=", value) : std::string()));
         else if (row.takes == Takes::sign_and_value && given.value)
-            options_.given.push_back(message("+", row.letters, value));
+            options_.given.push_back(message(given.on ? "+" : "-", row.letters, value));
         else
             options_.given.push_back(message(row.keyword, "=", value));
     }
@@ -234,6 +236,6 @@ private:
 }  // namespace
 
 Options read_options(std::span<const std::string_view> arguments, Diagnostics& diagnostics,
-                     const Reader& read) {
-    return OptionReader(arguments, diagnostics, read).read();
+                     const Reader& read, const std::string& settings) {
+    return OptionReader(arguments, diagnostics, read).read(settings);
 }

@@ -84,5 +84,7 @@ inline bool talks(const Options& options) {
 }
 
 /// The program's arguments, without its name. Everything wrong with them is in the diagnostics. INI
-/// files that they name are read with the reader.
-Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {});
+/// files that they name are read with the reader; before them the file with everybody's settings,
+/// whatever its ending. Empty: there is none.
+Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {},
+                     const std::string& settings = {});

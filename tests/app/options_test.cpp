@@ -237,6 +237,7 @@ TEST_CASE("every wrong argument has one message") {
         {{"+UF"}, "`+UF`: is not offered"},
         {{"+KIx"}, "`+KIx`: initial_clock must be a number, but it is `x`"},
         {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},
+        {{"Create_Ini=on"}, "`Create_Ini=on`: needs the name of a file | +GIall.ini"},
         {{"+UA"}, "`+UA`: is not offered: pictures have no alpha channel"},
         {{"File_Gamma=2.2"},
          "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, "
@@ -266,8 +267,26 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
     CHECK(said({"+W20", "a.ini[wide]"}) == "900x7 9 scene.pov");
     CHECK(said({"a.ini[none]"}) == "`a.ini[none]`: the file has no section [none]");
     CHECK(said({"wrong.ini"}) == "wrong.ini:2: `Widht=3`: there is no such keyword");
-    CHECK(said({"loop.ini"}) == "loop.ini:1: `loop.ini`: INI files name each other more than 10 "
-                                "deep");
+    CHECK(said({"loop.ini"}) ==
+          "loop.ini:1: `loop.ini`: INI files name each other more than 10 "
+          "deep");
+}
+
+TEST_CASE("the file with everybody's settings has any name and comes first", "[app]") {
+    const Reader files = [](const std::string& name) -> std::optional<std::string> {
+        if (name == "settings") return "Width=10\nHeight=20\n";
+        if (name == "parts.ini") return "[Small]\nWidth=5\n";
+        return {};
+    };
+    const auto size = [&](const Words& words, const std::string& settings) {
+        Diagnostics diagnostics;
+        const Options options = read_options(words, diagnostics, files, settings);
+        if (diagnostics.failed()) return diagnostics.all()[0].message;
+        return std::to_string(options.render.width) + "x" + std::to_string(options.render.height);
+    };
+    CHECK(size({"+H30", "a.pov"}, "settings") == "10x30");
+    CHECK(size({"a.pov"}, "parts.ini[small]") == "5x480");
+    CHECK(size({"a.pov"}, "none") == "`none`: there is no such file that can be read");
 }
 
 TEST_CASE("frames, header and version have their options", "[app]") {
@@ -290,4 +309,9 @@ TEST_CASE("all options together are lines of an INI file", "[app]") {
     CHECK(options.given == std::vector<std::string>{"Width=30", "Output_to_File=off", "+A0.2",
                                                     "--seed=4", "Declare=a=1", "Verbose=off",
                                                     "Input_File_Name=x.pov"});
+    CHECK(read({"-A0.2"}).given == std::vector<std::string>{"-A0.2"});
+    CHECK(read({"+GIa.ini"}).ini_file == "a.ini");
+    CHECK(read({"Create_Ini=a.ini"}).ini_file == "a.ini");
+    CHECK_FALSE(read({"+GIa.ini", "-GI"}).ini_file);
+    CHECK_FALSE(read({"+GIa.ini", "Create_Ini=off"}).ini_file);
 }
