@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/animation_run.h"
 
+#include "app/checkpoint.h"
 #include "app/movie.h"
 #include "app/output.h"
 #include "app/scene_run.h"
+#include "picture/file.h"
 #include "text/message.h"
 
 #include <filesystem>
+#include <utility>
 
 namespace {
 
@@ -22,7 +25,7 @@ public:
     int execute() {
         Diagnostics checked = diagnostics_.fresh();
         output_ = output_of(options_, checked);
-        if (!options_.movie.empty()) find_ffmpeg(diagnostics_);
+        if (makes_film()) check_film();
         if (diagnostics_.failed()) return end_with_errors();
         const Shard part = part_of_frames();
         if (diagnostics_.failed()) return end_with_errors();
@@ -31,13 +34,30 @@ public:
             if (turn != static_cast<std::size_t>(part.number)) continue;
             if (const int status = render_frame(i); status != exit_status::done) return status;
         }
-        return options_.movie.empty() || part.count > 1 ? exit_status::done : join();
+        return makes_film() ? join() : exit_status::done;
     }
 
 private:
     int end_with_errors() {
         say_errors(console_, options_, diagnostics_);
         return exit_status::usage;
+    }
+
+    bool makes_film() const { return !options_.movie.empty() && options_.task == Task::render; }
+
+    /// Long work should not end at a film that cannot be made.
+    void check_film() {
+        find_ffmpeg(diagnostics_);
+        const std::string problem = problem_with_destination(options_.movie);
+        if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
+        if (!options_.shard.empty())
+            diagnostics_.add(
+                error(Fault::option, {}, "--movie joins all frames, of which a shard has some")
+                    .with_help("--skip-existing --movie FILE when all shards are done"));
+        else if (!options_.to_file || output_.path == "-")
+            diagnostics_.add(error(Fault::option, {},
+                                   "--movie joins frames in files, so it goes neither with -F nor "
+                                   "with standard output"));
     }
 
     /// Shards of an animation have every so many frames each, unless they share every frame.
@@ -51,7 +71,7 @@ private:
     bool is_there(const std::string& path) const {
         std::error_code none;
         if (!options_.to_file || options_.task != Task::render) return false;
-        const bool begun = fs::exists(path + ".state.exr", none);
+        const bool begun = fs::exists(path + std::string(state_ending), none);
         const bool skips = options_.animation.skip_existing || (options_.go_on && !begun);
         return skips && fs::exists(path, none);
     }
@@ -82,7 +102,7 @@ private:
         if (there) return exit_status::done;
         // What is wrong with the command line is said once.
         Diagnostics later = diagnostics_.fresh();
-        return run_scene(options, console_, i == 0 ? diagnostics_ : later);
+        return run_scene(options, console_, std::exchange(said_, true) ? later : diagnostics_);
     }
 
     int join() {
@@ -99,6 +119,7 @@ private:
     Diagnostics& diagnostics_;
     Output output_;
     std::vector<std::string> files_;
+    bool said_ = false;  ///< what is wrong with the command line
 };
 
 }  // namespace

@@ -32,3 +32,32 @@ TEST_CASE("+C goes on with an animation at the frame that was begun") {
     CHECK(fs::exists(shell.path("f3.png")));
     CHECK_FALSE(fs::exists(shell.path("f2.png.state.exr")));
 }
+
+TEST_CASE("what is wrong with the command line is said once, whichever frames a run has") {
+    for (const char* shard : {"1/1", "2/3"}) {
+        Shell shell;
+        REQUIRE(shell.render(
+                    {"-V", "+O" + shell.path("f.png"), "+KFF3", "--shard", shard, "+BS16"}) == 0);
+        const std::size_t said = shell.err.find("`+BS16` is ignored");
+        CHECK(said != std::string::npos);
+        CHECK(shell.err.find("is ignored", said + 20) == std::string::npos);
+    }
+}
+
+TEST_CASE("a film that cannot be made is refused before the first frame") {
+    Shell shell;
+    const auto refused = [&](std::vector<std::string> more, std::string_view why) {
+        more.insert(more.begin(), {"--movie", shell.path("f.mp4"), "+O" + shell.path("f.png")});
+        CHECK(shell.render(more) == exit_status::usage);
+        CAPTURE(shell.err, why);
+        CHECK(has(shell.err, why));
+        CHECK_FALSE(fs::exists(shell.path("f1.png")));
+    };
+    refused({}, "a film needs the frames of an animation");
+    refused({"+KFF2", "--shard", "1/2"}, "of which a shard has some");
+    refused({"+KFF2", "-F"}, "frames in files");
+    refused({"+KFF2", "--movie", shell.path("none/f.mp4")}, "there is no folder");
+    // A check makes no film.
+    CHECK(shell.render({"--check", "+KFF2", "--movie", shell.path("f.mp4")}) == 0);
+    CHECK_FALSE(fs::exists(shell.path("f.mp4")));
+}
