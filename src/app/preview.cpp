@@ -38,18 +38,18 @@ public:
         : options_(options), console_(console), diagnostics_(diagnostics) {
         options_.to_file = false;
         options_.task = Task::render;
+        options_.progress = "none";
     }
 
     int run() {
         const WebServer server(*options_.preview_port,
                                [this](const WebRequest& request) { return answer(request); });
-        if (server.port() == 0) {
+        if (server.port() == 0)
             diagnostics_.add(
                 error(Fault::io, {}, message("port ", *options_.preview_port, " cannot be had"))
                     .with_help("--preview 0 takes any that is free"));
-            say_errors(console_, options_, diagnostics_);
-            return exit_status::file;
-        }
+        say_errors(console_, options_, diagnostics_);
+        if (diagnostics_.failed()) return exit_status::file;
         console_.err(message("preview: http://localhost:", server.port(), "/\n"));
         if (console_.interrupts.listening) console_.interrupts.listening(true);
         while (!ending_) {
@@ -74,9 +74,7 @@ private:
         remember({{*options_.scene, {}}});
         show_at_ = time_now().seconds + first_look;
         Diagnostics diagnostics = diagnostics_.fresh();
-        Options options = options_;
-        options.progress = "none";
-        const int status = run_scene(options, console, diagnostics);
+        const int status = run_scene(options_, console, diagnostics);
         const std::lock_guard lock(shown_.mutex);
         shown_.errors = diagnostics.failed() ? said : std::string();
         shown_.line = said.substr(0, said.find('\n'));

@@ -7,14 +7,15 @@
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace {
 
 constexpr std::size_t longest_head = 8192;
-constexpr int patience = 2000;  ///< milliseconds for a request to arrive
+constexpr int patience = 2;  ///< seconds that a part of a request or of an answer may take
 
-/// The value of a header, whatever the case of its name; blanks around it are taken away.
+/// The value of a header, whatever the case of its name; blanks before it are taken away.
 std::string header(std::string_view head, std::string_view name) {
     while (!head.empty()) {
         const std::size_t end = std::min(head.find("\r\n"), head.size());
@@ -38,7 +39,7 @@ std::string received_head(int connection) {
     char part[1024];
     while (text.find("\r\n\r\n") == text.npos) {
         pollfd ready{connection, POLLIN, 0};
-        if (::poll(&ready, 1, patience) <= 0 || text.size() > longest_head) return {};
+        if (::poll(&ready, 1, 1000 * patience) <= 0 || text.size() > longest_head) return {};
         const ssize_t count = ::recv(connection, part, sizeof part, 0);
         if (count <= 0) return {};
         text.append(part, static_cast<std::size_t>(count));
@@ -109,6 +110,9 @@ void WebServer::serve() {
         if (::poll(&ready, 1, look_up) <= 0) continue;
         const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
         if (connection < 0) continue;
+        // Who does not read the answer must not hold up the next one, or the end.
+        const timeval longest{patience, 0};
+        ::setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
         answer(connection);
         ::close(connection);
     }

@@ -15,8 +15,12 @@ TEST_CASE("the preview shows a picture, an error after a change, and the picture
     shell.write("client.py", R"(
 import json, subprocess, sys, time, urllib.request
 program, scene = sys.argv[1:]
-run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0"], stderr=subprocess.PIPE, text=True)
-address = run.stderr.readline().split()[-1]
+run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0", "+BS16"],
+                       stderr=subprocess.PIPE, text=True)
+said = ""
+while not said.splitlines()[-1:] or not said.splitlines()[-1].startswith("preview: "): said += run.stderr.readline()
+assert "`+BS16` is ignored" in said
+address = said.split()[-1]
 def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
 def status(): return json.loads(get("status"))
 def until(what, test):

@@ -10,7 +10,8 @@
 
 namespace {
 
-std::string fetch(int port, const std::string& message) {
+/// A connection on which the message has been sent.
+int send_to(int port, const std::string& message) {
     const int connection = ::socket(AF_INET, SOCK_STREAM, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -18,6 +19,11 @@ std::string fetch(int port, const std::string& message) {
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     REQUIRE(::connect(connection, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
     REQUIRE(::send(connection, message.data(), message.size(), 0) > 0);
+    return connection;
+}
+
+std::string fetch(int port, const std::string& message) {
+    const int connection = send_to(port, message);
     std::string answer(1 << 16, '\0');
     std::size_t length = 0;
     for (ssize_t count = 1; count > 0;
@@ -57,4 +63,19 @@ TEST_CASE("a page is served on a free port") {
     CHECK(answer.ends_with("\r\n\r\nyou asked for /a"));
     CHECK(fetch(server.port(), "PUT /a HTTP/1.1\r\n" + host).starts_with("HTTP/1.1 403 "));
     CHECK(WebServer(server.port(), {}).port() == 0);
+}
+
+TEST_CASE("who does not read the answer holds up nobody for long") {
+    int connection = 0;
+    {
+        std::atomic<bool> asked = false;
+        const WebServer server(0, [&](const WebRequest&) {
+            asked = true;
+            return WebAnswer{"text/plain", std::string(64 << 20, 'x')};
+        });
+        const std::string host = "Host: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
+        connection = send_to(server.port(), "GET / HTTP/1.1\r\n" + host);
+        while (!asked) std::this_thread::yield();
+    }
+    ::close(connection);
 }
