@@ -55,7 +55,7 @@ struct Formats {
     /// A picture of more than `most_pixels` is refused: its file is taken for a damaged one.
     std::string (*read)(const std::string& path, std::int64_t most_pixels, StoredPicture&);
     std::string (*write)(const RawPicture&, std::string& bytes);
-    /// Reads the texts that the picture names already, and all planes.
+    /// Reads the texts that the picture names already, and all planes, which must have 32 bits.
     std::string (*read_layers)(const std::string& path, std::int64_t most_pixels, LayeredPicture&);
     std::string (*write_layers)(const LayeredPicture&, std::string& bytes);
 };

@@ -113,14 +113,20 @@ std::string read_layers(const std::string& path, std::int64_t most_pixels,
     picture.width = spec.width;
     picture.height = spec.height;
     for (auto& [name, text] : picture.texts) text = spec.get_string_attribute(name);
-    for (int c = 0; c < spec.nchannels; ++c) {
-        const TypeDesc type = spec.channelformat(c);
-        const bool whole = type == TypeDesc::UINT32;
-        Plane plane{spec.channelnames[static_cast<std::size_t>(c)], whole, {}};
-        plane.bits.resize(static_cast<std::size_t>(pixels));
-        if (!input->read_image(0, 0, c, c + 1, whole ? TypeDesc::UINT32 : TypeDesc::FLOAT,
-                               plane.bits.data()))
-            return input->geterror();
+    for (int c = 0; c < spec.nchannels; ++c)
+        if (spec.channelformat(c).size() != sizeof(std::uint32_t))
+            return "its channels do not have 32 bits each";
+    // All at once: asking for one channel unpacks the whole file, too.
+    const auto count = static_cast<std::size_t>(spec.nchannels);
+    std::vector<std::uint32_t> side_by_side(static_cast<std::size_t>(pixels) * count);
+    if (!input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, side_by_side.data()))
+        return input->geterror();
+    for (std::size_t c = 0; c < count; ++c) {
+        const bool whole = spec.channelformat(static_cast<int>(c)) == TypeDesc::UINT32;
+        Plane plane{spec.channelnames[c], whole, {}};
+        plane.bits.reserve(static_cast<std::size_t>(pixels));
+        for (std::size_t i = c; i < side_by_side.size(); i += count)
+            plane.bits.push_back(side_by_side[i]);
         picture.planes.push_back(std::move(plane));
     }
     return {};

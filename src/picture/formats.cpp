@@ -34,7 +34,6 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
 
 std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& diagnostics,
                                          Span asked_at) {
-    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
     const Formats* formats = picture_formats(diagnostics, asked_at);
     if (!formats) return std::nullopt;
     StoredPicture stored;

@@ -8,6 +8,9 @@
 #include <optional>
 #include <string>
 
+/// More have only files that are damaged.
+inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+
 /// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});
 

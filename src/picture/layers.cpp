@@ -20,7 +20,6 @@ std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& di
 std::optional<LayeredPicture> read_layers(const std::string& path,
                                           std::span<const std::string_view> texts,
                                           Diagnostics& diagnostics) {
-    constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
     const Formats* formats = picture_formats(diagnostics);
     if (!formats) return std::nullopt;
     LayeredPicture picture;
