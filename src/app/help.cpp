@@ -37,7 +37,8 @@ std::string overview() {
                 "later counts. Keyword=value "
                 "says the same in words. -- ends the options: what follows is a file name. Exit "
                 "status: 0 done, 1 error in "
-                "the scene, 2 error in the command line, 3 a file cannot be read or written.",
+                "the scene, 2 error in the command line, 3 a file cannot be read or written, 4 "
+                "stopped by a signal, with the state kept.",
                 0),
         "\n\n",
         wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
@@ -166,6 +167,7 @@ std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
+           "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
            "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
 }

@@ -39,6 +39,6 @@ std::optional<std::string> settings_file(const char* chosen, const char* home) {
     places.push_back("/etc/candelabra/candelabra.ini");
     std::error_code none;
     for (const std::string& place : places)
-        if (std::filesystem::is_regular_file(place, none)) return place;
+        if (fs::is_regular_file(place, none)) return place;
     return std::nullopt;
 }

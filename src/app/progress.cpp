@@ -79,7 +79,7 @@ std::string progress_line(Progress::Style style, double fraction, double elapsed
     if (style == Progress::Style::alf)
         return message("ALF_PROGRESS ", std::lround(std::floor(percent)), "%\n");
     if (style == Progress::Style::openjd) return message("openjd_progress: ", percent, "\n");
-    return message("{\"progress\":", percent / 100,
+    return message("{\"progress\":", std::floor(fraction * 1000) / 1000,
                    ",\"seconds\":", std::floor(elapsed * 1000) / 1000, "}\n");
 }
 

@@ -94,7 +94,7 @@ constexpr int usual_blur_samples = 16;
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
-// Which lens each camera has, and the field that it has without `angle`.
+// Which lens each camera has.
 Lens lens_of(const Perspective&) { return Lens::flat; }
 Lens lens_of(const Orthographic&) { return Lens::parallel; }
 Lens lens_of(const Fisheye&) { return Lens::fisheye; }

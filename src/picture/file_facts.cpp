@@ -31,11 +31,9 @@ void read_png(const std::string& bytes, FileFacts& facts) {
         if (name == "gAMA" || name == "sRGB") facts.says_coding = true;
         if (byte_at(bytes, colour_type) == numbered && name == "PLTE")
             add_colours(facts, bytes, at + 8, length / 3);
-        if (name == "tRNS" && !facts.table.empty()) {
-            facts.table_has_alpha = true;
+        if (name == "tRNS")
             for (std::size_t i = 0; i < std::min(length, facts.table.size()); ++i)
                 facts.table[i][3] = static_cast<std::uint8_t>(byte_at(bytes, at + 8 + i));
-        }
         at += length + 12;
     }
 }

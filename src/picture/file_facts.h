@@ -14,7 +14,6 @@
 struct FileFacts {
     /// Red, green, blue, alpha, as bytes. Empty: the file has no table.
     std::vector<std::array<std::uint8_t, 4>> table;
-    bool table_has_alpha = false;
     /// Of a PNG file, that it says the gamma of its values or that they are sRGB. Nothing for other
     /// files.
     std::optional<bool> says_coding;

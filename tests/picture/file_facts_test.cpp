@@ -32,7 +32,6 @@ const std::string table = "\0\0\0\6PLTE\1\2\3\4\5\6...."s, clear = "\0\0\0\1tRNS
 TEST_CASE("the table of a PNG file is found, with its alpha", "[picture]") {
     const FileFacts facts = facts_of(start + table + clear + pixels);
     REQUIRE(facts.table.size() == 2);
-    CHECK(facts.table_has_alpha);
     CHECK(facts.table[0] == std::array<std::uint8_t, 4>{1, 2, 3, 128});
     CHECK(facts.table[1] == std::array<std::uint8_t, 4>{4, 5, 6, 255});
     CHECK(facts.says_coding == false);

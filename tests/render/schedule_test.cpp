@@ -12,7 +12,7 @@ RenderSettings tiny() {
     return settings;
 }
 
-/// Every pixel gets what it wants: grey in even columns; in odd ones black and white in turn.
+/// Every pixel gets what it wants: grey on the left; on the right black and white in turn.
 void fill(Film& film) {
     for (int y = 0; y < film.height(); ++y)
         for (int x = 0; x < film.width(); ++x)
