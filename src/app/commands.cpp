@@ -3,12 +3,16 @@
 
 #include "app/animation_run.h"
 #include "app/completion.h"
+#include "app/fmt.h"
 #include "app/help.h"
+#include "app/lsp.h"
 #include "app/merge.h"
 #include "app/preview.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
 #include "text/loader.h"
+
+#include <unistd.h>
 
 namespace {
 
@@ -30,6 +34,8 @@ std::string ini_text(const Options& options) {
 
 int run(std::span<const std::string_view> arguments, const Console& console) {
     if (!arguments.empty() && arguments[0] == "merge") return merge(arguments.subspan(1), console);
+    if (!arguments.empty() && arguments[0] == "fmt") return fmt(arguments.subspan(1), console);
+    if (!arguments.empty() && arguments[0] == "lsp") return run_lsp(STDIN_FILENO, console);
     Diagnostics diagnostics;
     const Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
     const auto end_with_errors = [&](int status) {

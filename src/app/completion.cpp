@@ -79,7 +79,7 @@ std::string for_bash() {
         "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(\n"
         "        compgen -f -X '!*.@(pov|ini|state.exr)' -- \"$word\"\n"
         "        compgen -d -S / -- \"$word\"\n"
-        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W merge -- \"$word\")\n"
+        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'merge fmt lsp' -- \"$word\")\n"
         "    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace\n"
         "    return 0\n"
         "}\n"
@@ -126,7 +126,9 @@ std::string for_fish() {
         "complete -c candelabra -f\n"
         "complete -c candelabra -k -a '(__fish_complete_suffix .pov)'\n"
         "complete -c candelabra -k -a '(__fish_complete_suffix .ini)'\n"
-        "complete -c candelabra -n __fish_is_first_arg -a merge -d 'joins the states of shards'\n";
+        "complete -c candelabra -n __fish_is_first_arg -a merge -d 'joins the states of shards'\n"
+        "complete -c candelabra -n __fish_is_first_arg -a fmt -d 'lays out scene files'\n"
+        "complete -c candelabra -n __fish_is_first_arg -a lsp -d 'helps an editor with scenes'\n";
     for (const Spelling& each : spellings()) {
         const std::string help = quoted(short_help(each.help));
         if (each.text.starts_with("--"))

@@ -2,6 +2,7 @@
 #include "app/help.h"
 
 #include "app/option_table.h"
+#include "editor/textmate.h"
 #include "evaluate/functions.h"
 #include "scene/catalogue.h"
 #include "text/harmless.h"
@@ -200,11 +201,13 @@ std::string description(std::string_view part, ManualForm form, Diagnostics& dia
     if (part == "functions") return manual(function_entries(), form);
     if (part == "words") return words(form);
     if (part == "warnings") return manual(warning_entries(), form);
+    if (part == "textmate") return textmate_grammar();
     if (!part.empty()) {
         diagnostics.add(
             error(Fault::option, {},
                   message("there is nothing called `", harmless(part), "` to describe"))
-                .with_help("items, functions, options, compatibility, words or warnings"));
+                .with_help(
+                    "items, functions, options, compatibility, words, warnings or textmate"));
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);

@@ -17,6 +17,6 @@ std::string short_usage();
 /// Reports unknown topics.
 std::string help_text(std::string_view topic, Diagnostics&);
 
-/// Tables for the manual and for editors. Part: items, functions, options, compatibility, words, or
-/// nothing for items (in JSON: for all).
+/// Tables for the manual and for editors. Part: items, functions, options, compatibility, words,
+/// warnings, textmate (a grammar), or nothing for items (in JSON: for all).
 std::string description(std::string_view part, ManualForm, Diagnostics&);

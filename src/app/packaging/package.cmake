@@ -6,6 +6,13 @@ install(FILES ${own}/candelabra.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR
 install(FILES ${own}/candelabra-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME candelabra.xml)
 install(FILES ${own}/copyright README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+# Colours for editors. The folder is an extension of VS Code; others take the grammar alone.
+set(grammar ${CMAKE_BINARY_DIR}/pov.tmLanguage.json)
+add_custom_command(OUTPUT ${grammar} COMMAND candelabra --describe textmate > ${grammar} DEPENDS candelabra VERBATIM)
+add_custom_target(textmate ALL DEPENDS ${grammar})
+install(FILES ${own}/vscode/package.json ${own}/vscode/language-configuration.json ${grammar}
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/candelabra/vscode)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME candelabra)
 set(CPACK_PACKAGE_CONTACT "The authors of Candelabra <candelabra@localhost>")

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/fmt.h"
+
+#include "editor/layout.h"
+#include "picture/file.h"
+#include "syntax/parser.h"
+#include "text/excerpt.h"
+#include "text/harmless.h"
+#include "text/loader.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+namespace {
+
+class Formatter {
+public:
+    Formatter(const Console& console, bool checks) : console_(console), checks_(checks) {}
+
+    void file(const std::string& path) {
+        const std::optional<std::string> text = disk_reader()(path);
+        if (!text)
+            return say(error(Fault::io, {}, message("`", harmless(path), "` cannot be read")));
+        const std::optional<std::string> better = laid_out_if_correct(path, *text);
+        if (!better || *better == *text) return;
+        if (checks_) {
+            console_.out(message(harmless(path), "\n"));
+            status = std::max(status, exit_status::scene);
+            return;
+        }
+        Diagnostics diagnostics;
+        if (!write_file(path, *better, diagnostics))
+            for (const Diagnostic& each : diagnostics.all()) say(each);
+    }
+
+    void standard_input() {
+        const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+        const auto better = laid_out_if_correct("standard input", text);
+        if (!better) return;
+        if (!checks_)
+            console_.out(*better);
+        else if (*better != text)
+            status = std::max(status, exit_status::scene);
+    }
+
+    int status = exit_status::done;
+
+private:
+    void say(const Diagnostic& diagnostic) {
+        console_.err(format(diagnostic, SourceStore(), console_.coloured));
+        status = exit_status::file;
+    }
+
+    std::optional<std::string> laid_out_if_correct(const std::string& name,
+                                                   const std::string& text) {
+        SourceStore sources;
+        Names names;
+        Diagnostics diagnostics;
+        parse(sources.add(name, text), sources, names, diagnostics);
+        for (const Diagnostic& each : diagnostics.all())
+            if (each.severity == Severity::error)
+                console_.err(format(each, sources, console_.coloured));
+        if (!diagnostics.failed()) return laid_out(text);
+        status = std::max(status, exit_status::scene);
+        return std::nullopt;
+    }
+
+    const Console& console_;
+    bool checks_;
+};
+
+}  // namespace
+
+int fmt(std::span<const std::string_view> arguments, const Console& console) {
+    std::vector<std::string> files;
+    bool checks = false, only_files = false;
+    for (const std::string_view argument : arguments) {
+        if (only_files || !argument.starts_with('-') || argument == "-") {
+            files.emplace_back(argument);
+        } else if (argument == "--") {
+            only_files = true;
+        } else if (argument == "--check") {
+            checks = true;
+        } else {
+            console.err(format(
+                error(Fault::option, {}, message("fmt has no option `", harmless(argument), "`"))
+                    .with_help("candelabra fmt [--check] [file ...]"),
+                SourceStore(), console.coloured));
+            return exit_status::usage;
+        }
+    }
+    Formatter formatter(console, checks);
+    if (files.empty()) files = {"-"};
+    for (const std::string& path : files) {
+        if (path == "-")
+            formatter.standard_input();
+        else
+            formatter.file(path);
+    }
+    return formatter.status;
+}

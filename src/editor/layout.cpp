@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/layout.h"
+
+#include "editor/edited_file.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+constexpr int step = 4;
+constexpr std::string_view blanks = " \t\f\v";
+
+/// What is open at a place of the text, and the columns (from 0) of lines that follow.
+struct Opening {
+    TokenKind kind;
+    int outside;   ///< of what closes it
+    int dividers;  ///< of what divides it: #else, #case
+    int inside;    ///< of all else
+
+    bool is_directive() const { return opens_directive(kind); }
+    bool is_block() const { return is_directive() || kind == TokenKind::open_brace; }
+};
+
+bool opens_bracket(TokenKind kind) {
+    return kind == TokenKind::open_brace || kind == TokenKind::open_parenthesis ||
+           kind == TokenKind::open_bracket;
+}
+
+bool closes_bracket(TokenKind kind) {
+    return kind == TokenKind::close_brace || kind == TokenKind::close_parenthesis ||
+           kind == TokenKind::close_bracket;
+}
+
+/// Whether a value may end with this token, so that `<` behind it compares.
+bool ends_value(TokenKind kind) {
+    using enum TokenKind;
+    return kind == name || kind == number || kind == literal || kind == text || kind == constant ||
+           kind == channel || kind == close_parenthesis || kind == close_bracket;
+}
+
+/// Whether an expression goes on behind this token.
+bool asks_for_more(TokenKind kind) {
+    using enum TokenKind;
+    return kind == equal || kind == plus || kind == minus || kind == times || kind == divide ||
+           kind == both || kind == either || kind == question || kind == colon;
+}
+
+/// The #ifndef around a whole file, which keeps it from being included twice; null: there is none.
+const Token* guard(const std::vector<Token>& tokens) {
+    if (tokens.empty() || tokens.back().kind != TokenKind::hash_end) return nullptr;
+    int ends = 0;
+    for (std::size_t i = tokens.size(); i-- > 0;) {
+        if (tokens[i].kind == TokenKind::hash_end) ++ends;
+        if (opens_directive(tokens[i].kind) && --ends == 0)
+            return tokens[i].kind == TokenKind::hash_ifdef ? &tokens[i] : nullptr;
+    }
+    return nullptr;
+}
+
+class Layout {
+public:
+    explicit Layout(std::string_view text) : text_(text) {
+        for (std::size_t at = 0; at <= text.size(); ++at)
+            if (at == 0 || text[at - 1] == '\n') starts_.push_back(at);
+        if (text.empty() || text.back() == '\n') starts_.pop_back();
+        columns_.resize(starts_.size());
+        kept_.resize(starts_.size());
+        kept_ends_.resize(starts_.size());
+    }
+
+    std::string operator()() {
+        Names names;
+        const EditedFile file = read_tokens(std::string(text_), names);
+        keep_inside(file.comments);
+        for (const Token& token : file.tokens)
+            if (token.kind == TokenKind::text) keep_inside(token.first, token.last);
+        guard_ = guard(file.tokens);
+        std::size_t line = 0;
+        for (std::size_t i = 0; i < file.tokens.size(); ++i) {
+            const Token& token = file.tokens[i];
+            const std::size_t own = line_of(token.first);
+            for (; line <= own && line < starts_.size(); ++line)
+                columns_[line] = line == own ? column_before(token) : column_within();
+            const bool last = i + 1 == file.tokens.size() ||
+                              line_of(file.tokens[i + 1].first) != line_of(token.last);
+            follow(token, last ? nullptr : &file.tokens[i + 1]);
+            const std::size_t end = line_of(token.last);  // of a long vector
+            for (; line <= end && line < starts_.size(); ++line)
+                columns_[line] = column_of(token) + 1;
+        }
+        for (; line < starts_.size(); ++line) columns_[line] = column_within();
+        return written();
+    }
+
+private:
+    std::size_t line_of(std::size_t offset) const {
+        const auto next = std::ranges::upper_bound(starts_, offset);
+        return static_cast<std::size_t>(next - starts_.begin()) - 1;
+    }
+
+    void keep_inside(const std::vector<Part>& parts) {
+        for (const Part& part : parts) keep_inside(part.first, part.last);
+    }
+
+    /// Lines that begin or end within the part keep their blanks there.
+    void keep_inside(std::size_t first, std::size_t last) {
+        for (std::size_t line = line_of(first); line < line_of(last); ++line) {
+            kept_ends_[line] = true;
+            kept_[line + 1] = true;
+        }
+    }
+
+    std::size_t indentation(std::size_t line) const {
+        const std::string_view content = line_text(line);
+        return std::min(content.find_first_not_of(blanks), content.size());
+    }
+
+    /// In the new layout.
+    int column_of(const Token& token) const {
+        const std::size_t line = line_of(token.first);
+        return columns_[line] + static_cast<int>(token.first - starts_[line] - indentation(line));
+    }
+
+    int column_within() const { return open_.empty() ? 0 : open_.back().inside; }
+
+    /// Of a line that begins with the token: what closes stands below what it closes.
+    int column_before(const Token& token) {
+        const bool divides = divides_directive(token.kind);
+        const bool of_directive =
+            divides || token.kind == TokenKind::hash_end || token.kind == TokenKind::hash_break;
+        if (!of_directive && !closes(token)) {
+            const bool list = !open_.empty() && !open_.back().is_block();
+            return column_within() + (asks_for_more(previous_) && !list ? step : 0);
+        }
+        for (std::size_t i = open_.size(); i-- > 0;) {
+            if (open_[i].is_directive() != of_directive) continue;
+            if (token.kind != TokenKind::hash_break)
+                return divides ? open_[i].dividers : open_[i].outside;
+            if (open_[i].kind == TokenKind::hash_switch && i + 1 == open_.size())
+                return open_[i].dividers;
+        }
+        return column_within();
+    }
+
+    bool closes(const Token& token) const {
+        if (token.kind != TokenKind::greater) return closes_bracket(token.kind);
+        const auto last = innermost(false);
+        return last != open_.rend() && last->kind == TokenKind::less;
+    }
+
+    std::vector<Opening>::const_reverse_iterator innermost(bool directive) const {
+        return std::ranges::find(open_.rbegin(), open_.rend(), directive, &Opening::is_directive);
+    }
+
+    /// `behind`: the next token in the same line, or null.
+    void follow(const Token& token, const Token* behind) {
+        const bool vector = token.kind == TokenKind::less && !ends_value(previous_);
+        previous_ = token.kind;
+        if (divides_directive(token.kind)) end_branch();
+        if (vector || opens_bracket(token.kind) || opens_directive(token.kind)) open(token, behind);
+        // A brace that a branch closes for the text around its directive is taken from there.
+        if (closes(token)) close(false);
+        // Braces that the last branch leaves open stay open behind the directive.
+        if (token.kind == TokenKind::hash_end) close(true);
+    }
+
+    void open(const Token& token, const Token* behind) {
+        const int outside = columns_[line_of(token.first)];
+        Opening opening{token.kind, outside, outside, outside + step};
+        if (&token == guard_) opening.inside = outside;
+        if (token.kind == TokenKind::hash_switch) {
+            opening.dividers += step;
+            opening.inside += step;
+        }
+        if (!opening.is_block() && behind) opening.inside = column_of(*behind);
+        open_.push_back(opening);
+    }
+
+    void close(bool directive) {
+        const auto last = innermost(directive);
+        if (last != open_.rend()) open_.erase(std::next(last).base());
+    }
+
+    /// What one branch leaves open, the next one does, too: it counts once.
+    void end_branch() {
+        while (!open_.empty() && !open_.back().is_directive()) open_.pop_back();
+    }
+
+    std::string_view line_text(std::size_t line) const {
+        const std::size_t end = line + 1 < starts_.size() ? starts_[line + 1] : text_.size();
+        return text_.substr(starts_[line], end - starts_[line]);
+    }
+
+    std::string written() const {
+        const std::string_view line_end = text_.find("\r\n") < text_.find('\n') ? "\r\n" : "\n";
+        std::string result;
+        int empty = 2;  // none at the beginning
+        for (std::size_t line = 0; line < starts_.size(); ++line) {
+            std::string_view content = line_text(line);
+            while (content.ends_with('\n') || content.ends_with('\r')) content.remove_suffix(1);
+            if (!kept_ends_[line])
+                content = content.substr(0, content.find_last_not_of(blanks) + 1);
+            if (!kept_[line])
+                content.remove_prefix(std::min(content.find_first_not_of(blanks), content.size()));
+            const bool is_empty = content.empty() && !kept_[line] && !kept_ends_[line];
+            empty = is_empty ? empty + 1 : 0;
+            if (is_empty && empty > 2) continue;
+            if (!is_empty && !kept_[line])
+                result.append(static_cast<std::size_t>(columns_[line]), ' ');
+            result.append(content).append(line_end);
+        }
+        while (result.ends_with(std::string(line_end) + std::string(line_end)))
+            result.resize(result.size() - line_end.size());
+        return result == line_end ? "" : result;
+    }
+
+    std::string_view text_;
+    std::vector<std::size_t> starts_;     ///< of the lines
+    std::vector<int> columns_;            ///< of the first sign of each line, in the new layout
+    std::vector<bool> kept_, kept_ends_;  ///< lines whose first or last blanks belong to a comment
+                                          ///< or string
+    std::vector<Opening> open_;
+    const Token* guard_ = nullptr;
+    TokenKind previous_ = TokenKind::end_of_file;
+};
+
+}  // namespace
+
+std::string laid_out(std::string_view text) { return Layout(text)(); }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a scene is laid out on lines: the program's own hand, for `candelabra fmt` and for editors.
+// Only blanks at both ends of lines and empty lines change, never what stands between: the tokens
+// of the text stay what they are, and so do comments and strings that run over several lines.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// The text with four blanks for each block or directive that a line lies in, lists in parentheses
+/// and vectors below their first value, no blanks at the ends of lines, at most two empty lines
+/// together and none at the ends of the text. Laying out the result again changes nothing.
+std::string laid_out(std::string_view text);

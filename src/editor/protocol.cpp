@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/protocol.h"
+
+#include "text/message.h"
+#include "text/utf8.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace {
+
+constexpr std::string_view scheme = "file://";
+constexpr std::string_view hexadecimal = "0123456789ABCDEF";
+
+/// Units of UTF-16 that the character takes.
+int units(const Character& character) { return character.code > 0xFFFF ? 2 : 1; }
+
+int digit(char c) {
+    const std::size_t at =
+        hexadecimal.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+    return at == hexadecimal.npos ? -1 : static_cast<int>(at);
+}
+
+std::int64_t number(const Json& object, const char* name) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
+}
+
+}  // namespace
+
+std::string path_of(std::string_view uri) {
+    if (!uri.starts_with(scheme)) return std::string(uri);
+    uri.remove_prefix(scheme.size());
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool coded =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) >= 0 && digit(uri[i + 2]) >= 0;
+        path += coded ? static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])) : uri[i];
+        if (coded) i += 2;
+    }
+    return path;
+}
+
+std::string uri_of(std::string_view path) {
+    std::string uri(scheme);
+    for (const char c : path) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) || std::string_view("/-_.~").find(c) != std::string_view::npos)
+            uri += c;
+        else
+            uri += message('%', hexadecimal[byte / 16], hexadecimal[byte % 16]);
+    }
+    return uri;
+}
+
+std::uint32_t offset_of(std::string_view text, const Json& position) {
+    std::size_t at = 0;
+    for (std::int64_t line = number(position, "line"); line > 0; --line) {
+        const std::size_t end = text.find('\n', at);
+        if (end == text.npos) return static_cast<std::uint32_t>(text.size());
+        at = end + 1;
+    }
+    for (std::int64_t left = number(position, "character");
+         left > 0 && at < text.size() && text[at] != '\n' && text[at] != '\r';) {
+        const Character character = character_at(text, at);
+        left -= units(character);
+        at += character.length;
+    }
+    return static_cast<std::uint32_t>(at);
+}
+
+Json position_of(std::string_view text, std::uint32_t offset) {
+    const std::string_view before = text.substr(0, std::min<std::size_t>(offset, text.size()));
+    const std::size_t start = before.rfind('\n') + 1;
+    int column = 0;
+    for (std::size_t at = start; at < before.size();) {
+        const Character character = character_at(text, at);
+        column += units(character);
+        at += character.length;
+    }
+    return {{"line", std::ranges::count(before, '\n')}, {"character", column}};
+}
+
+Json range_of(std::string_view text, Part part) {
+    return {{"start", position_of(text, part.first)}, {"end", position_of(text, part.last)}};
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values of the Language Server Protocol and their counterparts here: files as URIs, places as
+// line and UTF-16 unit from 0. Places that do not exist become the nearest that does.
+#pragma once
+
+#include "editor/edited_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+
+using Json = nlohmann::json;
+
+/// `file:///a%20b.pov` to `/a b.pov`; what is no such URI is taken as it is.
+std::string path_of(std::string_view uri);
+std::string uri_of(std::string_view path);
+
+std::uint32_t offset_of(std::string_view text, const Json& position);
+Json position_of(std::string_view text, std::uint32_t offset);
+Json range_of(std::string_view text, Part);

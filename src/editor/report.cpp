@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/report.h"
+
+#include "evaluate/evaluate.h"
+#include "syntax/lint.h"
+#include "syntax/parser.h"
+#include "world/compile.h"
+#include "world/review.h"
+
+namespace {
+
+/// Loops of a scene that is being typed may be without end.
+constexpr std::uint64_t most_steps = 5'000'000;
+
+}  // namespace
+
+void report(const Workspace& workspace, const std::string& path,
+            const std::string& folder_for_writing, Report& result) {
+    const std::string folder = directory_of(path);
+    const std::optional<Found> found = workspace.loader(folder).load(path, "", FileKind::data);
+    if (!found) return;
+    const SourceId main = result.sources.add(path, found->text);
+    if (path.ends_with(".inc")) {
+        Names names;
+        const Tree tree = parse(main, result.sources, names, result.diagnostics);
+        lint(tree, names, result.diagnostics);
+        return;
+    }
+    const Door door({folder, "", workspace.library()}, {folder_for_writing});
+    EvaluateOptions options;
+    options.limits.steps = most_steps;
+    const Scene scene =
+        evaluate(result.sources, workspace.loader(folder, door), main, options, result.diagnostics);
+    if (!result.diagnostics.failed())
+        review(scene, survey(scene, result.diagnostics), result.diagnostics);
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/workspace.h"
+
+#include <algorithm>
+
+void Workspace::open(const std::string& path, std::string text) {
+    documents_[path] = std::move(text);
+}
+
+void Workspace::close(const std::string& path) { documents_.erase(path); }
+
+std::vector<std::string> Workspace::open_files() const {
+    std::vector<std::string> paths;
+    for (const auto& [path, text] : documents_) paths.push_back(path);
+    return paths;
+}
+
+Reader Workspace::reader() const {
+    return [this](const std::string& path) -> std::optional<std::string> {
+        const auto document = documents_.find(path);
+        if (document != documents_.end()) return document->second;
+        return disk_reader()(path);
+    };
+}
+
+Loader Workspace::loader(const std::string& folder, Door door) const {
+    std::vector<std::string> library;
+    if (!library_.empty()) library.push_back(library_);
+    return Loader(reader(), folder, std::move(library), std::move(door), disk_lister());
+}
+
+bool Workspace::in_library(const std::string& path) const {
+    return !library_.empty() && path.starts_with(library_ + "/");
+}
+
+FileHandle Workspace::file(const std::string& path) {
+    std::optional<std::string> text = reader()(path);
+    if (!text) return nullptr;
+    FileHandle& known = read_[path];
+    if (!known || known->text != *text) {
+        EditedFile file = read_tokens(std::move(*text), names_);
+        file.path = path;
+        known = std::make_shared<const EditedFile>(std::move(file));
+    }
+    return known;
+}
+
+void Workspace::add_with_includes(const std::string& path, const std::string& folder,
+                                  std::vector<FileHandle>& files) {
+    const FileHandle one = file(path);
+    if (!one || std::ranges::find(files, one) != files.end()) return;
+    files.push_back(one);
+    for (const std::string& name : one->includes)
+        if (const auto found = loader(folder).load(name, directory_of(path)))
+            add_with_includes(found->path, folder, files);
+}
+
+std::vector<FileHandle> Workspace::around(const std::string& path) {
+    std::vector<FileHandle> files;
+    add_with_includes(path, directory_of(path), files);
+    for (const std::string& other : open_files())
+        add_with_includes(other, directory_of(other), files);
+    return files;
+}
+
+std::vector<Workspace::Found> Workspace::declarations(NameId name, const std::string& path,
+                                                      std::uint32_t offset) {
+    std::vector<Found> found;
+    for (const FileHandle& file : around(path)) {
+        const std::size_t before = found.size();
+        for (const DeclaredName& each : file->declarations)
+            if (each.name == name) found.push_back({file, &each});
+        if (file->path != path) continue;
+        const auto below = [&](const Found& one) { return one.declaration->place.first > offset; };
+        const auto own = found.begin() + static_cast<std::ptrdiff_t>(before);
+        const auto first_below = std::find_if(own, found.end(), below);
+        std::reverse(own, first_below);
+    }
+    return found;
+}

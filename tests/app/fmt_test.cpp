@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/fmt.h"
+
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("files are laid out in place, or only named") {
+    Shell shell;
+    shell.write("a.pov", "union {\nA\n}\n");
+    shell.write("b.pov", "A\n");
+    const std::string a = shell.path("a.pov"), b = shell.path("b.pov");
+    CHECK(shell({"fmt", "--check", a, b}) == exit_status::scene);
+    CHECK(shell.out == a + "\n");
+    CHECK(shell.content("a.pov") == "union {\nA\n}\n");
+    CHECK(shell({"fmt", a, b}) == exit_status::done);
+    CHECK(shell.content("a.pov") == "union {\n    A\n}\n");
+    CHECK(shell({"fmt", "--check", a, b}) == exit_status::done);
+}
+
+TEST_CASE("files that cannot be read or have mistakes are left alone, and the others are not") {
+    Shell shell;
+    shell.write("bad.pov", "union {\nA\n");
+    shell.write("good.pov", " A\n");
+    CHECK(shell({"fmt", shell.path("bad.pov"), shell.path("good.pov")}) == exit_status::scene);
+    CHECK(has(shell.err, "bad.pov:"));
+    CHECK(shell.content("bad.pov") == "union {\nA\n");
+    CHECK(shell.content("good.pov") == "A\n");
+    CHECK(shell({"fmt", shell.path("none.pov")}) == exit_status::file);
+    CHECK(has(shell.err, "cannot be read"));
+    CHECK(shell({"fmt", "--what"}) == exit_status::usage);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/layout.h"
+
+#include "editor/edited_file.h"
+#include "text/loader.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+TEST_CASE("texts are laid out") {
+    struct Case {
+        std::string_view written, better;
+    };
+    const Case cases[] = {
+        {"", ""},
+        {"\n\n  \n", ""},
+        {"sphere{0,1}", "sphere{0,1}\n"},
+        {"union {\nsphere { 0, 1\npigment { rgb 1 } }  \n}\n",
+         "union {\n    sphere { 0, 1\n        pigment { rgb 1 } }\n}\n"},
+        {"union { object {\nA\n}\n}\n", "union { object {\n    A\n}\n}\n"},
+        {"#if (A)\nB\n#else\n#if (C) D\n#end\n#end\n",
+         "#if (A)\n    B\n#else\n    #if (C) D\n    #end\n#end\n"},
+        {"#switch (A)\n#case (1)\nB\n#break\n#else C\n#end\n",
+         "#switch (A)\n    #case (1)\n        B\n    #break\n    #else C\n#end\n"},
+        {"#declare A =\n1 +\n2;\n", "#declare A =\n    1 +\n    2;\n"},
+        {"#declare A = f(1,\n2, (3 +\n4));\n",
+         "#declare A = f(1,\n               2, (3 +\n                   4));\n"},
+        {"matrix <\n1, A.x,\n0>\nB\n", "matrix <\n    1, A.x,\n    0>\nB\n"},
+        {"#if (A < 1)\nB\n#end\n", "#if (A < 1)\n    B\n#end\n"},
+        // Braces that branches leave open for the text behind them.
+        {"#if (M) merge {\n#else union {\n#end\nA\n}\nB\n",
+         "#if (M) merge {\n#else union {\n#end\n    A\n}\nB\n"},
+        // The guard of an include file is no level.
+        {"#ifndef (A)\n#declare A = 1;\n#end\n", "#ifndef (A)\n#declare A = 1;\n#end\n"},
+        {"A\n\n\n\n\nB\n\n", "A\n\n\nB\n"},
+        {"A   \r\n  B\r\n", "A\r\nB\r\n"},
+        // Comments and strings of several lines are kept as they are.
+        {"{\n/* one\n  two  \n*/  A\n}", "{\n    /* one\n  two  \n*/  A\n}\n"},
+        {"{\n\"one  \n  two\" // three \n}", "{\n    \"one  \n  two\" // three\n}\n"},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.written);
+        CHECK(laid_out(each.written) == each.better);
+        CHECK(laid_out(each.better) == each.better);
+    }
+}
+
+namespace {
+
+/// Tokens without the blanks in and between them.
+std::vector<std::string> words(const std::string& text) {
+    Names names;
+    const EditedFile file = read_tokens(text, names);
+    std::vector<std::string> all;
+    for (const Token& token : file.tokens) {
+        std::string word(file.part({token.first, token.last}));
+        if (token.kind != TokenKind::text) std::erase_if(word, [](char c) { return c <= ' '; });
+        all.push_back(std::move(word));
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("laying out the library and the examples changes no token, and nothing the second time") {
+    int count = 0;
+    for (const char* folder : {"stdlib", "examples"})
+        for (const auto& entry :
+             fs::recursive_directory_iterator(fs::path(CANDELABRA_SOURCE_DIR) / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".pov" && ending != ".inc") continue;
+            const std::string text = disk_reader()(entry.path().string()).value();
+            const std::string better = laid_out(text);
+            CAPTURE(entry.path());
+            CHECK(words(better) == words(text));
+            CHECK(laid_out(better) == better);
+            ++count;
+        }
+    CHECK(count > 60);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/protocol.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("files have URIs") {
+    const std::string path = "/a b/ä%.pov";
+    CHECK(uri_of(path) == "file:///a%20b/%C3%A4%25.pov");
+    CHECK(path_of(uri_of(path)) == path);
+    CHECK(path_of("file:///a%2") == "/a%2");
+    CHECK(path_of("untitled:1") == "untitled:1");
+}
+
+TEST_CASE("places are lines and units of UTF-16") {
+    const std::string text = "a\nä\xF0\x9F\x92\xA1z\r\nb";
+    struct Case {
+        int line, character;
+        std::uint32_t offset;
+    };
+    for (const Case& each : {Case{0, 0, 0}, Case{0, 1, 1}, Case{1, 0, 2}, Case{1, 1, 4},
+                             Case{1, 3, 8}, Case{1, 4, 9}, Case{2, 1, 12}}) {
+        const Json position = {{"line", each.line}, {"character", each.character}};
+        CAPTURE(each.line, each.character);
+        CHECK(offset_of(text, position) == each.offset);
+        CHECK(position_of(text, each.offset) == position);
+    }
+    CHECK(offset_of(text, {{"line", 1}, {"character", 99}}) == 9);
+    CHECK(offset_of(text, {{"line", 99}, {"character", 0}}) == text.size());
+    CHECK(offset_of(text, Json()) == 0);
+    CHECK(position_of(text, 99) == Json({{"line", 2}, {"character", 1}}));
+}
