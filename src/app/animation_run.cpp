@@ -2,6 +2,7 @@
 #include "app/animation_run.h"
 
 #include "app/checkpoint.h"
+#include "app/frame_commands.h"
 #include "app/movie.h"
 #include "app/output.h"
 #include "app/scene_run.h"
@@ -32,7 +33,9 @@ public:
         for (std::size_t i = 0; i < animation_.frames.size(); ++i) {
             const std::size_t turn = i % static_cast<std::size_t>(part.count) + 1;
             if (turn != static_cast<std::size_t>(part.number)) continue;
-            if (const int status = render_frame(i); status != exit_status::done) return status;
+            const Outcome outcome = render_frame(i);
+            if (outcome.status != exit_status::done) return outcome.status;
+            if (outcome.ends) break;
         }
         return makes_film() ? join() : exit_status::done;
     }
@@ -76,7 +79,7 @@ private:
         return skips && fs::exists(path, none);
     }
 
-    int render_frame(std::size_t i) {
+    Outcome render_frame(std::size_t i) {
         const AnimationFrame& frame = animation_.frames[i];
         Options options = options_;
         options.type = output_.format.type;
@@ -96,13 +99,15 @@ private:
         if (!options.shard_by) options.shard_by = ShardBy::frames;
         const bool there = is_there(options.output);
         if (talks(options_))
-            console_.err(message("frame ", frame.number, " (", i + 1, " of ",
-                                 animation_.frames.size(), "), clock ", frame.clock,
-                                 there ? ": is there\n" : "\n"));
-        if (there) return exit_status::done;
+            say(console_, Stream::render,
+                message("frame ", frame.number, " (", i + 1, " of ", animation_.frames.size(),
+                        "), clock ", frame.clock, there ? ": is there\n" : "\n"));
+        if (there) return {};
         // What is wrong with the command line is said once.
         Diagnostics later = diagnostics_.fresh();
-        return run_scene(options, console_, std::exchange(said_, true) ? later : diagnostics_);
+        return with_frame_commands(options, [&] {
+            return run_scene(options, console_, std::exchange(said_, true) ? later : diagnostics_);
+        });
     }
 
     int join() {

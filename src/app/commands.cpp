@@ -4,13 +4,16 @@
 #include "app/animation_run.h"
 #include "app/completion.h"
 #include "app/fmt.h"
+#include "app/frame_commands.h"
 #include "app/help.h"
 #include "app/lsp.h"
 #include "app/merge.h"
 #include "app/preview.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
+#include "text/harmless.h"
 #include "text/loader.h"
+#include "text/message.h"
 
 #include <unistd.h>
 
@@ -21,6 +24,19 @@ std::string explanation(const Options& options, Diagnostics& diagnostics) {
     if (options.task == Task::completion) return completion(options.topic).value_or("");
     if (options.task == Task::help) return help_text(options.topic, diagnostics);
     return description(options.topic, options.form, diagnostics);
+}
+
+int run_task(const Options& options, const std::optional<Animation>& animation,
+             const Console& console, Diagnostics& diagnostics) {
+    if (options.preview_port) return run_preview(options, console, diagnostics);
+    const auto work = [&]() -> Outcome {
+        if (animation) return {run_animation(options, *animation, console, diagnostics)};
+        return with_frame_commands(options,
+                                   [&] { return run_scene(options, console, diagnostics); });
+    };
+    return with_commands(options.commands, Moment::pre_scene, Moment::post_scene,
+                         command_facts(options), work)
+        .status;
 }
 
 /// The options in force as an INI file.
@@ -58,7 +74,20 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     }
     if (options.ini_file && !write_file(*options.ini_file, ini_text(options), diagnostics))
         return end_with_errors(exit_status::file);
-    if (options.preview_port) return run_preview(options, console, diagnostics);
-    if (animation) return run_animation(options, *animation, console, diagnostics);
-    return run_scene(options, console, diagnostics);
+    if (options.commands.any() && !options.commands.allowed) {
+        diagnostics.add(error(Fault::option, {}, "commands are run only when that is permitted")
+                            .with_help("--allow-commands"));
+        return end_with_errors(exit_status::usage);
+    }
+    Streams streams(options.streams, console.err);
+    if (!streams.problem().empty()) {
+        diagnostics.add(error(Fault::io, {},
+                              message("`", harmless(streams.problem()), "` cannot be written to")));
+        return end_with_errors(exit_status::file);
+    }
+    Console sorted = console;
+    sorted.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
+        streams.say(stream, text, plain);
+    };
+    return run_task(options, animation, sorted, diagnostics);
 }

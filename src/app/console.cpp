@@ -4,8 +4,20 @@
 #include "app/diagnostics_json.h"
 #include "text/excerpt.h"
 
+void say(const Console& console, Stream stream, std::string_view text, std::string_view plain) {
+    if (console.sorted)
+        console.sorted(stream, text, plain);
+    else
+        console.err(text);
+}
+
+void say(const Console& console, const Options& options, const Diagnostic& diagnostic,
+         const SourceStore& sources) {
+    if (options.diagnostics_as_json) return console.err(to_json(diagnostic, sources));
+    say(console, diagnostic.severity == Severity::error ? Stream::fatal : Stream::warning,
+        format(diagnostic, sources, console.coloured), format(diagnostic, sources, false));
+}
+
 void say_errors(const Console& console, const Options& options, const Diagnostics& diagnostics) {
-    for (const Diagnostic& each : diagnostics.all())
-        console.err(options.diagnostics_as_json ? to_json(each, SourceStore())
-                                                : format(each, SourceStore(), console.coloured));
+    for (const Diagnostic& each : diagnostics.all()) say(console, options, each, SourceStore());
 }

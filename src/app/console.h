@@ -7,6 +7,7 @@
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "render/film.h"
+#include "text/source.h"
 
 #include <functional>
 #include <string>
@@ -24,7 +25,9 @@ inline constexpr int stopped = 4;  ///< a signal ended the work, and its state w
 struct Console {
     std::function<void(std::string_view)> out;  ///< results: dumps, help
     std::function<void(std::string_view)> err;  ///< diagnostics, progress
-    bool terminal = false;                      ///< err can rewrite its line
+    /// The same by kind, when options sort it; empty: err gets all. `plain`: without colours.
+    std::function<void(Stream, std::string_view text, std::string_view plain)> sorted;
+    bool terminal = false;  ///< err can rewrite its line
     bool coloured = false;
     std::string library;      ///< folder of the standard library; empty: none
     Interrupts interrupts;    ///< what signals ask
@@ -34,6 +37,13 @@ struct Console {
     std::function<void(const std::vector<ReadFile>&)> files_read;
     std::string settings;  ///< INI file that is read before the command line; empty: none
 };
+
+/// Says something of that kind.
+void say(const Console&, Stream, std::string_view text, std::string_view plain);
+inline void say(const Console& console, Stream stream, std::string_view text) {
+    say(console, stream, text, text);
+}
+void say(const Console&, const Options&, const Diagnostic&, const SourceStore&);
 
 /// Writes all diagnostics to the console in the form that the options ask for.
 void say_errors(const Console&, const Options&, const Diagnostics&);

@@ -7,9 +7,6 @@
 #include <string>
 #include <vector>
 
-/// The path of a program that the shell would find, or "".
-std::string find_program(const std::string& name);
-
 /// The path of ffmpeg, or "" after a report. To be asked before long work.
 std::string find_ffmpeg(Diagnostics&);
 

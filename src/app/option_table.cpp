@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_table.h"
 
+#include "app/console_options.h"
 #include "app/production_options.h"
 #include "text/message.h"
 
@@ -10,7 +11,6 @@ namespace {
 
 using enum Takes;
 
-constexpr std::string_view no_commands = "no commands are run";
 constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
 constexpr std::string_view kd_tree = "a kd-tree is always used";
@@ -43,6 +43,29 @@ constexpr OptionRow ignored(Text letters, Text keyword, Takes takes, Text parame
 
 constexpr OptionRow refused(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
     return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::refused};
+}
+
+template <Stream which>
+constexpr OptionRow stream(Text letters, Text keyword, Text help) {
+    return option(letters, keyword, "", sign_and_value, "file", store::stream_switch<which>, help);
+}
+
+template <Stream which>
+constexpr OptionRow stream_file(Text keyword) {
+    return option("", keyword, "", value, "file", store::stream_file<which>, "its file, or off");
+}
+
+template <Moment moment>
+constexpr OptionRow command(Text keyword, Text help) {
+    return option("", keyword, "", value, "command", store::command<moment>, help);
+}
+
+template <Moment moment>
+constexpr OptionRow command_return(Text keyword) {
+    return option(
+        "", keyword, "", value, "action", store::command_return<moment>,
+        "what comes of its failure: I nothing, S the picture is skipped, A all are, Q the "
+        "run ends, U it is aborted, F it fails; -S and so on: of its success");
 }
 
 constexpr auto rows = std::to_array<OptionRow>({
@@ -131,6 +154,32 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "Create_Ini", "", value, "file", store::create_ini, "the same; off: none"),
     option("V", "Verbose", "", sign, "", store::verbose,
            "progress and a summary (the default); -V: warnings and errors only"),
+    option("GA", "All_Console", "", sign_and_value, "file", store::all_streams,
+           "all that is said appears (the default), and goes to a file, too; -GA: nothing appears"),
+    option("", "All_File", "", value, "file", store::all_stream_files,
+           "all that is said goes to a file, too"),
+    stream<Stream::debug>("GD", "Debug_Console", "the same for what the scene says"),
+    stream_file<Stream::debug>("Debug_File"),
+    stream<Stream::fatal>("GF", "Fatal_Console", "the same for errors"),
+    stream_file<Stream::fatal>("Fatal_File"),
+    stream<Stream::render>("GR", "Render_Console", "the same for progress"),
+    stream_file<Stream::render>("Render_File"),
+    stream<Stream::statistics>("GS", "Statistic_Console", "the same for the summary"),
+    stream_file<Stream::statistics>("Statistic_File"),
+    stream<Stream::warning>("GW", "Warning_Console", "the same for warnings"),
+    stream_file<Stream::warning>("Warning_File"),
+    option("", "", "allow-commands", nothing, "", store::allow_commands,
+           "runs the commands of the following options, which are refused otherwise"),
+    command<Moment::pre_scene>("Pre_Scene_Command", "before everything"),
+    command_return<Moment::pre_scene>("Pre_Scene_Return"),
+    command<Moment::pre_frame>("Pre_Frame_Command", "before each picture"),
+    command_return<Moment::pre_frame>("Pre_Frame_Return"),
+    command<Moment::post_frame>("Post_Frame_Command", "after each picture"),
+    command_return<Moment::post_frame>("Post_Frame_Return"),
+    command<Moment::post_scene>("Post_Scene_Command", "after everything"),
+    command_return<Moment::post_scene>("Post_Scene_Return"),
+    command<Moment::user_abort>("User_Abort_Command", "after a signal has ended the work"),
+    command<Moment::fatal_error>("Fatal_Error_Command", "after an error"),
     option("", "", "warn", value, "names", store::warn,
            "warnings by name, with commas between: `no-division-by-zero` switches one off, `none` "
            "and `all` do what they say, `error` makes warnings errors; see WARNINGS"),
@@ -191,12 +240,6 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
     ignored("AC", "Antialias_Confidence", value, "n", ""),
     ignored("", "Display_Gamma", value, "g", no_preview),
-    ignored("GA", "All_Console", sign_and_value, "", "see -V"),
-    ignored("GD", "Debug_Console", sign_and_value, "file", "see -V"),
-    ignored("GF", "Fatal_Console", sign_and_value, "file", "see -V"),
-    ignored("GR", "Render_Console", sign_and_value, "file", "see -V"),
-    ignored("GS", "Statistic_Console", sign_and_value, "file", "see --stats"),
-    ignored("GW", "Warning_Console", sign_and_value, "file", "see -V"),
     refused("UA", "Output_Alpha", sign, "", "pictures have no alpha channel"),
     refused("", "Grayscale_Output", sign, "", "pictures have colours"),
     refused("TH", "Dither", sign_and_value, "x", "pictures are not dithered"),
@@ -206,12 +249,6 @@ constexpr auto rows = std::to_array<OptionRow>({
     refused("RF", "Radiosity_File_Name", value, "file", no_radiosity),
     refused("RFI", "Radiosity_From_File", sign, "", no_radiosity),
     refused("RFO", "Radiosity_To_File", sign, "", no_radiosity),
-    refused("", "Pre_Scene_Command", value, "command", no_commands),
-    refused("", "Pre_Frame_Command", value, "command", no_commands),
-    refused("", "Post_Scene_Command", value, "command", no_commands),
-    refused("", "Post_Frame_Command", value, "command", no_commands),
-    refused("", "User_Abort_Command", value, "command", no_commands),
-    refused("", "Fatal_Error_Command", value, "command", no_commands),
 });
 
 }  // namespace

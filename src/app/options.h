@@ -5,6 +5,8 @@
 
 #include "app/animation.h"
 #include "app/shard.h"
+#include "app/shell_commands.h"
+#include "app/streams.h"
 #include "evaluate/evaluator.h"
 #include "evaluate/limits.h"
 #include "picture/write.h"
@@ -61,6 +63,8 @@ struct Options {
     std::vector<std::string> given;       ///< all options as lines of an INI file
     RenderSettings render;
     bool verbose = true;
+    StreamSettings streams;    ///< where what is said goes
+    CommandSettings commands;  ///< of the shell, around pictures
     bool diagnostics_as_json = false;
     std::string stats_file;
     std::string depfile;              ///< rule for make; empty: none

@@ -17,7 +17,6 @@
 #include "syntax/dump.h"
 #include "syntax/lexer.h"
 #include "syntax/parser.h"
-#include "text/excerpt.h"
 #include "text/harmless.h"
 #include "text/loader.h"
 #include "text/message.h"
@@ -98,19 +97,15 @@ private:
         return options_.task == Task::check || options_.task == Task::check_syntax;
     }
 
-    std::string written(const Diagnostic& diagnostic) const {
-        return options_.diagnostics_as_json ? to_json(diagnostic, sources_)
-                                            : format(diagnostic, sources_, console_.coloured);
-    }
-
     /// Prints what is new; true when there are errors.
     bool say_diagnostics() {
         const auto& all = diagnostics_.all();
         for (; said_ < all.size(); ++said_)
             if (options_.verbose || all[said_].severity != Severity::note)
-                console_.err(written(all[said_]));
+                ::say(console_, options_, all[said_], sources_);
         if (diagnostics_.full() && !options_.diagnostics_as_json)
-            console_.err(message("stopped after ", diagnostics_.error_count(), " errors\n"));
+            ::say(console_, Stream::fatal,
+                  message("stopped after ", diagnostics_.error_count(), " errors\n"));
         return diagnostics_.failed();
     }
 
@@ -209,7 +204,8 @@ private:
     }
 
     void say_correct() {
-        if (talks(options_)) console_.err(message(harmless(*options_.scene), ": no errors\n"));
+        if (talks(options_))
+            ::say(console_, Stream::render, message(harmless(*options_.scene), ": no errors\n"));
     }
 
     Scene evaluate_scene(SourceId main, const std::string& picture_folder) {
@@ -225,15 +221,14 @@ private:
         if (options_.diagnostics_as_json)
             options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
         else if (options_.verbose)
-            options.print = console_.err;
+            options.print = [&](std::string_view text) { ::say(console_, Stream::debug, text); };
         return evaluate(sources_, loader, main, options, diagnostics_);
     }
 
     Progress progress() const {
         using enum Progress::Style;
-        const Progress::Style usual = !talks(options_)    ? silent
-                                      : console_.terminal ? terminal
-                                                          : lines;
+        const bool shown = talks(options_) && options_.streams[Stream::render].shown;
+        const Progress::Style usual = !shown ? silent : console_.terminal ? terminal : lines;
         const Progress::Style style = progress_style(options_.progress).value_or(usual);
         // Who manages a farm listens to the standard output, unless the picture goes there.
         const bool out = (style == alf || style == openjd) && options_.output != "-";
@@ -265,8 +260,9 @@ private:
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (talks(options_) && status == exit_status::done)
-            console_.err(message(options_.to_file ? harmless(made_path_) : "no file", ": ",
-                                 summary(statistics_), "\n"));
+            ::say(console_, Stream::statistics,
+                  message(options_.to_file ? harmless(made_path_) : "no file", ": ",
+                          summary(statistics_), "\n"));
         return status;
     }
 

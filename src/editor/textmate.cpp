@@ -53,7 +53,7 @@ std::string textmate_grammar() {
                        {"begin", "\""},
                        {"end", "\""},
                        {"patterns", Json::array({coloured("constant.character.escape", "\\\\.")})}};
-    const std::string directive =
+    const std::string directives =
         message("#\\s*", any_of(words_of({WordClass::directive})).substr(2));
     const Json macro = {{"match", "(#\\s*macro)\\s+([A-Za-z_][A-Za-z0-9_]*)"},
                         {"captures",
@@ -64,7 +64,7 @@ std::string textmate_grammar() {
          coloured("comment.line.double-slash", "//.*$"),
          text,
          macro,
-         coloured("keyword.control.directive", directive),
+         coloured("keyword.control.directive", directives),
          coloured("constant.numeric", "\\b(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][+-]?\\d+)?"),
          coloured("constant.language", any_of(words_of({constant}))),
          coloured("support.function", any_of(words_of({unary_function, function}))),

@@ -20,8 +20,3 @@ TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     // A name that begins with a hyphen is no option of ffmpeg.
     CHECK(has("-a.mp4", "./-a.mp4"));
 }
-
-TEST_CASE("programs are found where the shell finds them", "[app]") {
-    CHECK_FALSE(find_program("sh").empty());
-    CHECK(find_program("no-such-program-here").empty());
-}

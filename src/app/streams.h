@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program says, by kind, as POV-Ray sorts it: each kind can be kept from the console and
+// written to a file.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <string_view>
+
+enum class Stream {
+    debug,       ///< what the scene says
+    fatal,       ///< errors
+    render,      ///< progress
+    statistics,  ///< the summary
+    warning,
+};
+inline constexpr std::size_t stream_count = 5;
+
+struct StreamSettings {
+    struct One {
+        bool shown = true;  ///< on the console
+        std::string file;   ///< empty: none
+    };
+    std::array<One, stream_count> all;
+
+    One& operator[](Stream stream) { return all[static_cast<std::size_t>(stream)]; }
+    const One& operator[](Stream stream) const { return all[static_cast<std::size_t>(stream)]; }
+};
+
+class Streams {
+public:
+    /// Empties the files; streams with the same file share it.
+    Streams(const StreamSettings&, std::function<void(std::string_view)> console);
+
+    /// The file that cannot be written to, or "".
+    const std::string& problem() const { return problem_; }
+    bool shown(Stream stream) const { return settings_[stream].shown; }
+    /// `plain`: the same without colours, for files.
+    void say(Stream, std::string_view text, std::string_view plain);
+
+private:
+    StreamSettings settings_;
+    std::function<void(std::string_view)> console_;
+    std::array<std::ofstream, stream_count> files_;
+    std::array<std::size_t, stream_count> file_of_{};  ///< index in files_
+    std::string problem_;
+};
