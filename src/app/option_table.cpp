@@ -168,8 +168,10 @@ constexpr auto rows = std::to_array<OptionRow>({
     stream_file<Stream::statistics>("Statistic_File"),
     stream<Stream::warning>("GW", "Warning_Console", "the same for warnings"),
     stream_file<Stream::warning>("Warning_File"),
-    option("", "", "allow-commands", nothing, "", store::allow_commands,
-           "runs the commands of the following options, which are refused otherwise"),
+    option(
+        "", "", "allow-commands", nothing, "", store::allow_commands,
+        "runs the commands of the following options, which are refused otherwise; no INI file that "
+        "may come with a scene can say this or the two other permissions"),
     command<Moment::pre_scene>("Pre_Scene_Command", "before everything"),
     command_return<Moment::pre_scene>("Pre_Scene_Return"),
     command<Moment::pre_frame>("Pre_Frame_Command", "before each picture"),

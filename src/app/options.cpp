@@ -73,8 +73,12 @@ public:
         : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
     Options read(const std::string& settings) {
-        if (!settings.empty())
+        if (!settings.empty()) {
+            // What lies in the current folder may have come with a scene.
+            may_permit_ = settings.find('/') != settings.npos;
             read_ini(settings, ini_name(settings).value_or(IniName{settings, {}}));
+        }
+        may_permit_ = true;
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
         return std::move(options_);
     }
@@ -100,8 +104,12 @@ private:
 
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
-        if (const auto ini = only_files_ ? std::nullopt : ini_name(argument))
-            return read_ini(argument, *ini);
+        if (const auto ini = only_files_ ? std::nullopt : ini_name(argument)) {
+            const bool permits = std::exchange(may_permit_, false);
+            read_ini(argument, *ini);
+            may_permit_ = permits;
+            return;
+        }
         if (bare_scene_)
             return fail(argument,
                         message("only one scene can be rendered at a time, and there is already `",
@@ -134,10 +142,14 @@ private:
     }
 
     void accept(const OptionRow& row, const Given& given) {
+        if (!may_permit_ && row.word.starts_with("allow-"))
+            return refuse(given, diagnostics_,
+                          "permissions are given on the command line, or in the settings of your "
+                          "own that lie in ~/.config/candelabra/candelabra.ini");
         const std::size_t before = diagnostics_.error_count();
         apply(row, options_, given, diagnostics_);
         if (diagnostics_.error_count() > before || row.unoffered != Unoffered::no) return;
-        if (row.store == store::create_ini) return;
+        if (row.store == store::create_ini || row.word.starts_with("allow-")) return;
         const std::string value = given.value.value_or(given.on ? "on" : "off");
         if (row.keyword.empty())
             options_.given.push_back(
@@ -231,6 +243,7 @@ private:
     std::size_t next_ = 0;
     bool only_files_ = false;
     bool bare_scene_ = false;
+    bool may_permit_ = true;  ///< what the scene may do beyond the usual
 };
 
 }  // namespace

@@ -78,7 +78,9 @@ private:
     void list(std::size_t i, int without, DeclaredName::Kind kind, bool local) {
         if (!is(i, TokenKind::open_parenthesis)) return;
         for (++i; i < file_.tokens.size() && !is(i, TokenKind::close_parenthesis); ++i)
-            if (is(i, TokenKind::name) && without-- <= 0) add(i, kind, local);
+            // In `optional A` the first of the two names is none.
+            if (is(i, TokenKind::name) && !is(i + 1, TokenKind::name) && without-- <= 0)
+                add(i, kind, local);
     }
 
     EditedFile& file_;

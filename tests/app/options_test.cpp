@@ -175,8 +175,7 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
     CHECK(complaint({"+AM2"}, Severity::warning) ==
           "`+AM2` is ignored: one method is offered, which is adaptive");
-    for (const char* word : {"+Q3", "-J", "+J0.5", "+BS16", "+MB1", "-UR", "+SP8", "+GA",
-                             "+GRlog.txt", "Bounding=on"}) {
+    for (const char* word : {"+Q3", "-J", "+J0.5", "+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);
     }
@@ -287,6 +286,23 @@ TEST_CASE("the file with everybody's settings has any name and comes first", "[a
     CHECK(size({"+H30", "a.pov"}, "settings") == "10x30");
     CHECK(size({"a.pov"}, "parts.ini[small]") == "5x480");
     CHECK(size({"a.pov"}, "none") == "`none`: there is no such file that can be read");
+}
+
+TEST_CASE("no file that may come with a scene gives it permissions", "[app]") {
+    const Reader files = [](const std::string&) -> std::optional<std::string> {
+        return "--allow-write=/\n--allow-commands";
+    };
+    const auto allowed = [&](const Words& words, const std::string& settings) {
+        Diagnostics diagnostics;
+        const Options options = read_options(words, diagnostics, files, settings);
+        CHECK(diagnostics.failed() == options.writable.empty());
+        return options.commands.allowed;
+    };
+    CHECK_FALSE(allowed({"a.ini"}, ""));
+    CHECK_FALSE(allowed({"a.pov"}, "candelabra.ini"));
+    CHECK(allowed({"a.pov"}, "/home/me/.config/candelabra/candelabra.ini"));
+    CHECK(allowed({"--allow-write=/", "--allow-commands", "a.pov"}, ""));
+    CHECK(read({"--allow-commands", "+W9"}).given == std::vector<std::string>{"Width=9"});
 }
 
 TEST_CASE("frames, header and version have their options", "[app]") {

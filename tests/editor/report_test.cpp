@@ -16,7 +16,7 @@ std::string first_message(Edited& edited) {
 
 TEST_CASE("scenes are evaluated, include files are parsed") {
     Edited edited("camera { location -5*z look_at 0 } sphere { 0, Size }");
-    CHECK(first_message(edited) == "there is nothing called `Size`");
+    CHECK(first_message(edited) == "nothing is declared as `Size`");
     edited.path = edited.folder / "b.inc";
     edited.open("sphere { 0, Size }");
     CHECK(first_message(edited).empty());
@@ -37,5 +37,5 @@ TEST_CASE("what a scene writes does not touch its folder, and can be read again"
 
 TEST_CASE("a loop without end ends with a message") {
     Edited edited("#while (true) #end");
-    CHECK(first_message(edited).find("steps") != std::string::npos);
+    CHECK(first_message(edited).find("passes of loops") != std::string::npos);
 }
