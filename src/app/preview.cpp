@@ -64,6 +64,7 @@ private:
     void render() {
         Console console = console_;
         std::string said;
+        console.sorted = {};  // all is shown
         console.err = [&](std::string_view text) { said += text; };
         console.out = [](std::string_view) {};
         console.terminal = console.coloured = false;
