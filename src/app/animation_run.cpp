@@ -95,6 +95,11 @@ private:
         facts.initial_clock = options_.animation.initial_clock;
         facts.final_clock = options_.animation.final_clock;
         facts.clock_delta = animation_.clock_delta;
+        for (std::string* each : {&options.stats_file, &options.depfile})
+            if (!each->empty() && *each != "-")
+                *each = numbered(*each, frame.number, animation_.digits);
+        const double count = static_cast<double>(animation_.frames.size());
+        options.share = {static_cast<double>(i) / count, static_cast<double>(i + 1) / count};
         files_.push_back(options.output);
         if (!options.shard_by) options.shard_by = ShardBy::frames;
         const bool there = is_there(options.output);

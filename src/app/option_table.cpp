@@ -202,9 +202,13 @@ constexpr auto rows = std::to_array<OptionRow>({
            "shows the picture at http://localhost:PORT/ while it becomes better, and makes it anew "
            "when the scene changes; 0: any free port"),
     option("", "", "depfile", value, "file", store::depfile,
-           "writes a rule for make(1) with all files that the picture was made from"),
+           "writes a rule for make(1) with all files that the picture was made from; of frames "
+           "each has "
+           "its own, with a number"),
     option("", "", "stats", value, "file", store::stats,
-           "writes what the run cost as JSON; - for standard output"),
+           "writes what the run cost as JSON; - for standard output; of frames each has its own, "
+           "with a "
+           "number"),
     option("", "", "help", maybe_words, "topic", store::help,
            "this text, or what there is to say about an option, an item or a group of items"),
     option("", "", "version", nothing, "", store::version, "name and version"),

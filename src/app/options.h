@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/animation.h"
+#include "app/progress.h"
 #include "app/shard.h"
 #include "app/shell_commands.h"
 #include "app/streams.h"
@@ -68,6 +69,7 @@ struct Options {
     bool diagnostics_as_json = false;
     std::string stats_file;
     std::string depfile;              ///< rule for make; empty: none
+    Progress::Share share;            ///< of all pictures that the run makes
     std::string progress = "auto";    ///< or plain, json, alf, openjd, none
     std::optional<int> preview_port;  ///< nothing: no preview
     bool go_on = false;               ///< from the state that an earlier run has left

@@ -20,10 +20,11 @@ std::string two_digits(long number) { return message(number < 10 ? "0" : "", num
 
 }  // namespace
 
-Progress::Progress(Style style, Seconds clock, Output output)
+Progress::Progress(Style style, Seconds clock, Output output, Share share)
     : style_(style),
       clock_(std::move(clock)),
       output_(std::move(output)),
+      share_(share),
       start_(clock_()),
       shown_at_(start_) {}
 
@@ -47,7 +48,10 @@ void Progress::update(double fraction) {
 void Progress::show(double now) {
     shown_at_ = now;
     shown_ = fraction_;
-    if (for_programs()) return output_(progress_line(style_, fraction_, now - start_));
+    if (for_programs()) {
+        const double part = share_.last - share_.first;
+        return output_(progress_line(style_, share_.first + part * fraction_, now - start_));
+    }
     std::string text = progress_text(fraction_, now - start_);
     if (style_ == Style::lines) return output_(text + "\n");
     const std::size_t length = text.size();

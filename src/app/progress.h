@@ -18,7 +18,12 @@ public:
     using Seconds = std::function<double()>;
     using Output = std::function<void(std::string_view)>;
 
-    Progress(Style style, Seconds clock, Output output);
+    /// The share of a whole job that this work is, of which programs hear.
+    struct Share {
+        double first = 0, last = 1;
+    };
+
+    Progress(Style style, Seconds clock, Output output, Share share = {0, 1});
 
     /// `fraction` of the work is done. What comes late, from another thread, and says less than
     /// before, is left out.
@@ -35,6 +40,7 @@ private:
     Style style_;
     Seconds clock_;
     Output output_;
+    Share share_;
     std::mutex mutex_;
     double start_;
     double shown_at_;

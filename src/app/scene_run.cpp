@@ -233,7 +233,8 @@ private:
         // Who manages a farm listens to the standard output, unless the picture goes there.
         const bool out = (style == alf || style == openjd) && options_.output != "-";
         return Progress(
-            style, [] { return time_now().seconds; }, out ? console_.out : console_.err);
+            style, [] { return time_now().seconds; }, out ? console_.out : console_.err,
+            options_.share);
     }
 
     int render_picture(const World& world, Output output) {

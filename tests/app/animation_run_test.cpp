@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 TEST_CASE("shards of an animation have every so many frames") {
@@ -60,4 +62,17 @@ TEST_CASE("a film that cannot be made is refused before the first frame") {
     // A check makes no film.
     CHECK(shell.render({"--check", "+KFF2", "--movie", shell.path("f.mp4")}) == 0);
     CHECK_FALSE(fs::exists(shell.path("f.mp4")));
+}
+
+TEST_CASE("programs hear one progress of all frames, and each frame has its own figures") {
+    Shell shell;
+    REQUIRE(shell.render({"-V", "+O" + shell.path("f.png"), "+KFF2", "--progress", "openjd",
+                          "--stats", shell.path("s.json"), "--depfile", shell.path("d")}) == 0);
+    std::vector<int> heard;
+    for (std::size_t at = 0; (at = shell.out.find(": ", at)) != std::string::npos; ++at)
+        heard.push_back(std::stoi(shell.out.substr(at + 2)));
+    CHECK(std::is_sorted(heard.begin(), heard.end()));
+    CHECK(std::count(heard.begin(), heard.end(), 50) == 1);
+    CHECK(std::count(heard.begin(), heard.end(), 100) == 1);
+    for (const char* name : {"s1.json", "s2.json", "d1", "d2"}) CHECK(fs::exists(shell.path(name)));
 }
