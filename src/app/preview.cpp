@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preview.h"
 
+#include "app/option_store.h"
 #include "app/preview_page.h"
 #include "app/scene_run.h"
 #include "app/stats.h"
+#include "editor/knobs.h"
 #include "picture/write.h"
+#include "text/loader.h"
 #include "text/message.h"
 #include "web/server.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
@@ -30,6 +34,8 @@ struct Shown {
     std::string errors, line = "reading the scene";
     double progress = 0;
     int pictures = 0;
+    std::vector<Knob> knobs;
+    std::map<std::string, double> turned;  ///< what the page has set, by name
 };
 
 class Preview {
@@ -75,11 +81,23 @@ private:
         remember({{*options_.scene, {}}});
         show_at_ = time_now().seconds + first_look;
         Diagnostics diagnostics = diagnostics_.fresh();
-        const int status = run_scene(options_, console, diagnostics);
+        const int status = run_scene(options_as_turned(), console, diagnostics);
         const std::lock_guard lock(shown_.mutex);
         shown_.errors = diagnostics.failed() ? said : std::string();
         shown_.line = said.substr(0, said.find('\n'));
         if (status == exit_status::done) shown_.progress = 1;
+    }
+
+    Options options_as_turned() {
+        turned_ = false;
+        Options options = options_;
+        const std::string text = disk_reader()(*options_.scene).value_or("");
+        const std::lock_guard lock(shown_.mutex);
+        shown_.knobs = knobs(text);
+        for (const Knob& knob : shown_.knobs)
+            if (const auto set = shown_.turned.find(knob.name); set != shown_.turned.end())
+                options.declares.push_back({knob.name, set->second});
+        return options;
     }
 
     /// May be asked by any thread of the renderer.
@@ -117,6 +135,7 @@ private:
     }
 
     bool changed() const {
+        if (turned_) return true;
         for (const auto& [path, time] : times_)
             if (time_of(path) != time) return true;
         return false;
@@ -140,13 +159,41 @@ private:
         if (request.path == "/") return {"text/html; charset=utf-8", preview_page};
         if (request.path == "/picture.png") return {"image/png", shown_.png};
         if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
+        if (request.path == "/turn") return turn(request);
         if (request.path != "/status") return {"text/plain", "no such page\n", 404};
         const nlohmann::json status = {{"picture", shown_.pictures},
                                        {"progress", shown_.progress},
                                        {"errors", shown_.errors},
-                                       {"line", shown_.line}};
+                                       {"line", shown_.line},
+                                       {"knobs", listed_knobs()}};
         return {"application/json",
                 status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+    }
+
+    nlohmann::json listed_knobs() const {
+        nlohmann::json list = nlohmann::json::array();
+        for (const Knob& knob : shown_.knobs) {
+            const auto set = shown_.turned.find(knob.name);
+            list.push_back({{"name", knob.name},
+                            {"value", set == shown_.turned.end() ? knob.value : set->second},
+                            {"low", knob.low},
+                            {"high", knob.high},
+                            {"step", knob.step},
+                            {"help", knob.help}});
+        }
+        return list;
+    }
+
+    /// Sets a knob, within its range; the lock is held.
+    WebAnswer turn(const WebRequest& request) {
+        const std::string name = request.parameter("name");
+        const auto value = number(request.parameter("value"));
+        const auto knob = std::ranges::find(shown_.knobs, name, &Knob::name);
+        if (knob == shown_.knobs.end() || !value)
+            return {"text/plain", "there is no such knob or number\n", 404};
+        shown_.turned[name] = std::clamp(*value, knob->low, knob->high);
+        turned_ = true;
+        return {"text/plain", ""};
     }
 
     /// The colour of a pixel; the lock is held.
@@ -175,6 +222,7 @@ private:
     std::mutex look_;
     double show_at_ = 0;
     std::atomic<bool> ending_ = false;
+    std::atomic<bool> turned_ = false;  ///< since the picture that is being made was begun
 };
 
 }  // namespace

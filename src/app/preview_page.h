@@ -21,10 +21,16 @@ body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow
   padding: 0 1em; background: #111; white-space: nowrap; }
 #bar { position: absolute; left: 0; bottom: 2em; height: 3px; background: #fb4; width: 0; }
 #picked { float: right; }
+#knobs { position: absolute; right: 1em; top: 1em; padding: 0.5em 1em; background: #111c; }
+#knobs:empty { display: none; }
+#knobs label { display: block; margin: 0.4em 0; }
+#knobs input { width: 14em; vertical-align: middle; }
+#knobs output { display: inline-block; width: 4em; text-align: right; }
 </style>
 </head>
 <body>
 <div id="stage"><img id="picture" alt=""><pre id="errors"></pre></div>
+<form id="knobs"></form>
 <div id="bar"></div>
 <div id="line"><span id="picked"></span><span id="status">waiting</span></div>
 <script>
@@ -64,11 +70,32 @@ addEventListener("pointerup", async event => {
   const y = Math.floor((event.clientY - view.y) / view.zoom);
   element("picked").textContent = await (await fetch(`/pick?x=${x}&y=${y}`)).text();
 });
+let known = "";
+function turn(knob, input, output) {
+  output.value = input.value;
+  fetch(`/turn?name=${encodeURIComponent(knob.name)}&value=${input.value}`);
+}
+function showKnobs(knobs) {
+  const form = JSON.stringify(knobs.map(({ value, ...form }) => form));
+  if (form === known) return;
+  known = form;
+  element("knobs").replaceChildren(...knobs.map(knob => {
+    const label = document.createElement("label"), input = document.createElement("input");
+    const output = document.createElement("output");
+    Object.assign(input, { type: "range", min: knob.low, max: knob.high, step: knob.step });
+    input.value = output.value = knob.value;
+    input.addEventListener("input", () => turn(knob, input, output));
+    label.title = knob.help;
+    label.append(knob.name + " ", input, output);
+    return label;
+  }));
+}
 async function ask() {
   try {
     const status = await (await fetch("/status")).json();
     element("errors").textContent = status.errors;
     element("status").textContent = status.line;
+    showKnobs(status.knobs);
     element("bar").style.width = 100 * status.progress + "%";
     if (status.picture !== shown) {
       shown = status.picture;

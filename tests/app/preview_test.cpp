@@ -12,8 +12,11 @@
 TEST_CASE("the preview shows a picture, an error after a change, and the picture again") {
     if (std::system("command -v python3 > /dev/null") != 0) return;
     const Shell shell;
+    shell.write("lit.pov",
+                "#ifndef (Size) #declare Size = 1; #end  // 0.5 to 2 by 0.5: of the lamp\n" +
+                    std::string(lit_scene));
     shell.write("client.py", R"(
-import json, subprocess, sys, time, urllib.request
+import json, subprocess, sys, time, urllib.error, urllib.request
 program, scene = sys.argv[1:]
 run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0", "+BS16"],
                        stderr=subprocess.PIPE, text=True)
@@ -34,6 +37,13 @@ try:
     assert b"<!DOCTYPE html>" in get("")
     assert get("pick?x=3&y=40").startswith(b"<3, 40>: rgb <")
     assert get("pick?x=64&y=0") == b""
+    assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
+    before = status()["picture"]
+    get("turn?name=Size&value=7")
+    until("a picture of a larger lamp", lambda s: s["picture"] > before and s["progress"] == 1)
+    assert status()["knobs"][0]["value"] == 2
+    try: get("turn?name=None&value=1"); assert False
+    except urllib.error.HTTPError: pass
     good = open(scene).read()
     open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
     until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
