@@ -84,8 +84,11 @@ private:
         const int status = run_scene(options_as_turned(), console, diagnostics);
         const std::lock_guard lock(shown_.mutex);
         shown_.errors = diagnostics.failed() ? said : std::string();
-        shown_.line = said.substr(0, said.find('\n'));
         if (status == exit_status::done) shown_.progress = 1;
+        // The summary comes last, the first error first.
+        while (said.ends_with('\n')) said.pop_back();
+        shown_.line = status == exit_status::done ? said.substr(said.rfind('\n') + 1)
+                                                  : said.substr(0, said.find('\n'));
     }
 
     Options options_as_turned() {
