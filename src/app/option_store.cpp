@@ -223,16 +223,6 @@ void store::create_ini(Options& options, const Given& given, Diagnostics& diagno
     options.ini_file = *given.value;
 }
 
-void store::quality(Options&, const Given& given, Diagnostics& diagnostics) {
-    const auto value = number(*given.value);
-    if (!value || *value < 0 || *value > 11)
-        return refuse(given, diagnostics, "quality must be a number from 0 to 11");
-    if (*value < 9)
-        diagnostics.add(
-            warning(Fault::option, {},
-                    message(shown(given), " is ignored: the picture has the full quality")));
-}
-
 void store::gamma(Options&, const Given& given, Diagnostics& diagnostics) {
     if (!same_letters(*given.value, "srgb"))
         refuse(given, diagnostics,

@@ -77,7 +77,6 @@ void describe(Options&, const Given&, Diagnostics&);
 void diagnostics(Options&, const Given&, Diagnostics&);
 void warn(Options&, const Given&, Diagnostics&);
 void warning_level(Options&, const Given&, Diagnostics&);
-void quality(Options&, const Given&, Diagnostics&);
 void gamma(Options&, const Given&, Diagnostics&);
 
 }  // namespace store

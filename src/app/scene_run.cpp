@@ -173,8 +173,9 @@ private:
             return say(is_check() ? "" : dump(tree, names_));
         }
         statistics_.parse = time_now();
-        Scene scene = evaluate_scene(main, folder_of(output));
+        Scene scene = evaluate_scene(main, folder_of(output), 0, diagnostics_);
         statistics_.parse = time_now() - statistics_.parse;
+        scene.settings.ambient_luminaires |= options_.render.ambient_luminaires;
         if (console_.files_read) console_.files_read(files_);
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
@@ -183,9 +184,14 @@ private:
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
-        const World world =
-            compile(std::move(scene), {options_.render.threads, options_.render.light_sampler},
-                    diagnostics_);
+        const View view = std::visit([](const View& v) { return v; }, scene.camera);
+        World world = compile(
+            std::move(scene),
+            {options_.render.threads, options_.render.light_sampler, options_.render.quality},
+            diagnostics_);
+        if (!is_check() && options_.task != Task::dump_world)
+            add_moments(main, folder_of(output), view, world);
+        if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));
         if (is_check()) return finish(world);
@@ -193,6 +199,26 @@ private:
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
         return render_picture(world, fitting);
+    }
+
+    /// The scene as the clock runs on while the camera's shutter is open.
+    void add_moments(SourceId main, const std::string& picture_folder, const View& view,
+                     World& world) {
+        for (int i = 1; view.shutter > 0 && i < view.moments; ++i) {
+            Diagnostics problems;
+            const double ahead = view.shutter * i / view.moments;
+            Scene scene = evaluate_scene(main, picture_folder, ahead, problems);
+            scene.settings.ambient_luminaires |= options_.render.ambient_luminaires;
+            // What is no error has been said of the first moment.
+            for (const Diagnostic& each : problems.all())
+                if (each.severity == Severity::error) diagnostics_.add(each);
+            if (problems.failed()) return;
+            Diagnostics unheard;
+            world.other_moments.push_back(compile(
+                std::move(scene),
+                {options_.render.threads, options_.render.light_sampler, options_.render.quality},
+                unheard));
+        }
     }
 
     /// The result of a check or a dump, and what is wrong.
@@ -208,7 +234,8 @@ private:
             ::say(console_, Stream::render, message(harmless(*options_.scene), ": no errors\n"));
     }
 
-    Scene evaluate_scene(SourceId main, const std::string& picture_folder) {
+    Scene evaluate_scene(SourceId main, const std::string& picture_folder, double clock_ahead,
+                         Diagnostics& diagnostics) {
         const std::vector<std::string> library = library_paths();
         const Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
                             disk_lister());
@@ -216,13 +243,16 @@ private:
         options.limits = options_.limits;
         options.declares = options_.declares;
         options.facts = options_.facts;
+        options.facts.clock += clock_ahead;
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;
-        if (options_.diagnostics_as_json)
+        if (clock_ahead > 0)
+            options.print = {};
+        else if (options_.diagnostics_as_json)
             options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
         else if (options_.verbose)
             options.print = [&](std::string_view text) { ::say(console_, Stream::debug, text); };
-        return evaluate(sources_, loader, main, options, diagnostics_);
+        return evaluate(sources_, loader, main, options, diagnostics);
     }
 
     Progress progress() const {

@@ -5,10 +5,11 @@
 
 const ItemInfo SkySphere::vocabulary = described<SkySphere>([] {
     using F = Field<SkySphere>;
-    return schema<SkySphere>("sky_sphere",
-                             "Pigments by direction, far behind everything: the last one on top.",
-                             as_colour(F{"emission", &SkySphere::emission, item,
-                                         "brightness of all pigments together"}));
+    return schema<SkySphere>(
+        "sky_sphere", "Pigments by direction, far behind everything: the last one on top.",
+        as_colour(F{"emission", &SkySphere::emission, item, "brightness of all pigments together"}),
+        F{"luminaire", &SkySphere::luminaire, flag,
+          "lights the scene, from the directions where it is bright"});
 });
 
 namespace {

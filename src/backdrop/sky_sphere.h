@@ -10,6 +10,7 @@
 struct SkySphere {
     std::vector<Pigment> pigments;  ///< the last one is the nearest
     Vec3 emission = Vec3(1);        ///< times all of them
+    bool luminaire = false;         ///< lights the scene
 
     static const ItemInfo vocabulary;
 };

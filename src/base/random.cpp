@@ -44,6 +44,10 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::pixel_x), true};
         case Purpose::light_v:
             return {static_cast<std::uint32_t>(Purpose::light_u), true};
+        case Purpose::sky_v:
+            return {static_cast<std::uint32_t>(Purpose::sky_u), true};
+        case Purpose::facet_v:
+            return {static_cast<std::uint32_t>(Purpose::facet_u), true};
         default:
             return {static_cast<std::uint32_t>(purpose), false};
     }

@@ -20,7 +20,13 @@ enum class Purpose : std::uint32_t {
     jitter_v,
     rainbow,
     lens_u,
-    lens_v
+    lens_v,
+    sky_choice,
+    sky_u,
+    sky_v,
+    facet_choice,
+    facet_u,
+    facet_v
 };
 
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces

@@ -15,7 +15,7 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
                              const std::array<Field<T>, N>& before = {},
                              const std::array<Field<T>, M>& behind = {}) {
     using F = Field<T>;
-    const std::array<F, 13> common = {
+    const std::array<F, 15> common = {
         F{"location", &T::location, item, "where it stands"},
         F{"direction", &T::direction, item,
           "towards the middle of the picture; its length is the distance of the "
@@ -37,8 +37,13 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         F{"variance", &T::variance, item, "greatest variance of a blurred pixel's mean",
           at_least(0)},
         F{"confidence", &T::confidence, item, "in this variance", Range{0, 1, true}},
-        F{"angle", &T::angle, item, "degrees from the left edge to the right",
-          Range{0, 360, true}}};
+        F{"angle", &T::angle, item, "degrees from the left edge to the right", Range{0, 360, true}},
+        F{"shutter", &T::shutter, item,
+          "how far the clock runs on while the picture is taken: what it moves is blurred",
+          at_least(0)},
+        maybe(F{"moments", &T::moments, following,
+                "moments of that time that the picture is made of, after a comma",
+                between(1, 1000)})};
     Schema<T, N + common.size() + M> result{name, help, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
     to = std::copy(common.begin(), common.end(), to);
@@ -78,6 +83,9 @@ const ItemInfo CylinderCamera::vocabulary = described<CylinderCamera>([] {
                                          between(1, 4)}});
 });
 
+const ItemInfo MeshCamera::vocabulary = described<MeshCamera>(
+    [] { return camera_schema<MeshCamera>("mesh_camera", "Rays from the faces of meshes."); });
+
 const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
     return camera_schema<SphericalCamera>(
         "spherical", "All around: longitude to the right, latitude upwards.",
@@ -90,7 +98,7 @@ const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
 namespace {
 
 /// How many rays a blurred pixel gets at least when the scene does not say.
-constexpr int usual_blur_samples = 16;
+constexpr int usual_blur_samples = 4;
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
@@ -105,16 +113,18 @@ Lens lens_of(const CylinderCamera& camera) {
     return static_cast<Lens>(static_cast<int>(Lens::cylinder1) + camera.type - 1);
 }
 Lens lens_of(const SphericalCamera&) { return Lens::spherical; }
+Lens lens_of(const MeshCamera&) { return Lens::mesh; }
 
 Projection untransformed(const View& view, Lens lens) {
     const bool parallel = lens == Lens::parallel;
     const bool flat = parallel || lens == Lens::flat;
-    Projection f{view.location,
-                 view.direction.value_or(Vec3(0, 0, 1)),
-                 view.right.value_or(Vec3(1.33, 0, 0)),
-                 view.up.value_or(Vec3(0, 1, 0)),
-                 parallel || lens == Lens::cylinder3 || lens == Lens::cylinder4,
-                 lens};
+    Projection f{
+        view.location,
+        view.direction.value_or(Vec3(0, 0, 1)),
+        view.right.value_or(Vec3(1.33, 0, 0)),
+        view.up.value_or(Vec3(0, 1, 0)),
+        parallel || lens == Lens::cylinder3 || lens == Lens::cylinder4 || lens == Lens::mesh,
+        lens};
     f.angle = view.angle.value_or(lens == Lens::spherical ? 360 : 90) * radians_per_degree;
     f.vertical_angle = f.angle / 2;
     if (view.angle && flat)
@@ -146,7 +156,33 @@ const View& view_of(const Camera& camera) {
     return std::visit([](const auto& c) -> const View& { return c; }, camera);
 }
 
+View& view_of(Camera& camera) {
+    return std::visit([](auto& c) -> View& { return c; }, camera);
+}
+
+/// The faces as they stand after the camera's transformation.
+Handle<MeshLens> lens_of_meshes(const MeshCamera& camera) {
+    MeshRays rays = camera.from ? *camera.from : MeshRays();
+    for (CameraMesh& mesh : rays.meshes) mesh.transform = mesh.transform.then(camera.transform);
+    const bool reversed = camera.direction && camera.direction->z < 0;
+    return make_handle<MeshLens>(std::move(rays), camera.location.z, reversed);
+}
+
 }  // namespace
+
+void settle(Camera& camera) {
+    const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
+    View& view = view_of(camera);
+    const bool narrows = view.angle && lens == Lens::flat;
+    const bool turns = view.look_at && *view.look_at != view.location && lens != Lens::parallel;
+    if (!narrows && !turns) return;
+    const Projection now = untransformed(view, lens);
+    view.direction = now.direction;
+    view.right = now.right;
+    view.up = now.up;
+    view.look_at.reset();
+    if (narrows) view.angle.reset();
+}
 
 std::string problem(const Camera& camera) {
     const View& view = view_of(camera);
@@ -180,6 +216,7 @@ Projection projection(const Camera& camera) {
         const Vec3 ahead = view.focal_point ? *view.focal_point - f.location : f.direction;
         f.focal_distance = length(view.transform.direction(ahead));
     }
+    if (const auto* meshes = std::get_if<MeshCamera>(&camera)) f.mesh = lens_of_meshes(*meshes);
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);
     f.right = view.transform.direction(f.right);
@@ -268,6 +305,7 @@ Ray Projection::ray(double u, double v) const {
     const auto from_here = [&](const Vec3& towards) { return Ray{location, unit(towards)}; };
     switch (lens) {
         case Lens::flat:
+        case Lens::mesh:
             break;
         case Lens::parallel:
             return {location + u * right + v * up, ahead};

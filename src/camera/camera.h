@@ -3,8 +3,10 @@
 // right, up, sky, angle and look_at, in its order of evaluation.
 #pragma once
 
+#include "base/handle.h"
 #include "base/ray.h"
 #include "base/transform.h"
+#include "camera/mesh_camera.h"
 #include "vocabulary/kinds.h"
 
 #include <optional>
@@ -25,6 +27,8 @@ struct View {
     std::optional<Vec3> focal_point;
     double variance = 1e-4;
     double confidence = 0.9;
+    double shutter = 0;   ///< how far the clock runs on while the picture is taken
+    int moments = 8;      ///< of that time; the picture is the mean of all
     Transform transform;  ///< applied after everything else
 };
 
@@ -65,9 +69,15 @@ struct SphericalCamera : View {
 
     static const ItemInfo vocabulary;
 };
+/// Rays from the faces of meshes.
+struct MeshCamera : View {
+    Handle<MeshRays> from;
+
+    static const ItemInfo vocabulary;
+};
 /// Every camera; the first is the one that a block without a type means.
 using Camera = std::variant<Perspective, Orthographic, Fisheye, UltraWideAngle, Omnimax, Panoramic,
-                            CylinderCamera, SphericalCamera>;
+                            CylinderCamera, SphericalCamera, MeshCamera>;
 
 /// How points of the picture become directions; cylinders are counted from the first.
 enum class Lens : std::uint8_t {
@@ -81,7 +91,8 @@ enum class Lens : std::uint8_t {
     cylinder2,
     cylinder3,
     cylinder4,
-    spherical
+    spherical,
+    mesh  ///< see Projection::mesh
 };
 
 /// How many rays a pixel of a blurred picture gets: until its mean is known as well as is asked.
@@ -104,6 +115,7 @@ struct Projection {
     double lens_radius = 0;  ///< 0: a pinhole
     double focal_distance = 0;
     BlurRule blur = {};
+    Handle<MeshLens> mesh = {};  ///< says where rays go; null: ray() does
 
     bool blurs() const { return lens_radius > 0 && blur.most > 1; }
 
@@ -115,6 +127,10 @@ struct Projection {
     /// Direction of unit length; zero where the picture has no ray.
     Ray ray(double u, double v) const;
 };
+
+/// Of a camera that is still read: what `look_at` and `angle` do, done at once. Before language
+/// version 3.5 the order of the words counted.
+void settle(Camera&);
 
 /// What is wrong with the camera as a whole, as a sentence; empty when nothing is.
 std::string problem(const Camera&);

@@ -25,6 +25,7 @@ constexpr auto structure = std::array{
     Structure{"bounded_by", "object"},
     Structure{"object", ""},
     Structure{"camera", ""},
+    Structure{"mesh_camera", "camera"},
     Structure{"background", ""},
     Structure{"texture", "object"},
     Structure{"interior_texture", "object"},

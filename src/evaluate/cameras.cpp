@@ -2,14 +2,88 @@
 #include "evaluate/cameras.h"
 
 #include "evaluate/normals.h"
+#include "evaluate/objects.h"
 #include "evaluate/transforms.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
+
+#include <map>
 
 namespace {
 
 View& view_of(Camera& camera) {
     return std::visit([](auto& c) -> View& { return c; }, camera);
+}
+
+/// The meshes of a mesh_camera { ... }.
+class CameraMeshes : public SimpleReader {
+public:
+    CameraMeshes(OpenBlock& block, std::vector<CameraMesh>& meshes)
+        : block_(block), meshes_(meshes) {}
+
+    bool take(const Element& element) {
+        ObjectHandle object;
+        if (element.kind == Element::Kind::block && makes_object(element.word))
+            object = read_object(block_.binder, element);
+        else if (element.kind == Element::Kind::value)
+            object = element.value.handle<Object>();
+        else
+            return false;
+        if (object) add(std::move(object), element.word_span);
+        block_.broken |= !object && element.kind == Element::Kind::block;
+        return object || element.kind == Element::Kind::block;
+    }
+    void finish() {
+        if (meshes_.empty() && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`mesh_camera` needs a mesh")
+                              .with_help(block_.help()));
+    }
+    void add_words(WordList& words) const { words.insert(words.end(), {"mesh", "mesh2"}); }
+
+private:
+    void add(ObjectHandle object, Span span) {
+        const auto* shape = std::get_if<Shape>(&object->form);
+        const auto* mesh = shape ? std::get_if<Shared<Mesh>>(shape) : nullptr;
+        if (!mesh) {
+            block_.report(
+                error(Fault::wrong_type, span, "the rays of `mesh_camera` start at meshes")
+                    .with_help(block_.help()));
+            return;
+        }
+        Handle<std::vector<CameraFace>>& faces = known_[&**mesh];
+        if (!faces) faces = faces_of(**mesh);
+        meshes_.push_back({faces, object->transform ? *object->transform : Transform()});
+        kept_.push_back(std::move(object));
+    }
+
+    static Handle<std::vector<CameraFace>> faces_of(const Mesh& mesh) {
+        std::vector<CameraFace> faces;
+        faces.reserve(mesh.faces.size());
+        for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+            const MeshTriangle triangle = face(mesh, i);
+            faces.push_back({triangle.corners, triangle.normals, face_uvs(mesh, i)});
+        }
+        return make_handle<std::vector<CameraFace>>(std::move(faces));
+    }
+
+    OpenBlock& block_;
+    std::vector<CameraMesh>& meshes_;
+    std::map<const Mesh*, Handle<std::vector<CameraFace>>> known_;
+    std::vector<ObjectHandle> kept_;  ///< so that no address in known_ is used twice
+};
+
+bool read_mesh_rays(Binder& binder, const Element& element, MeshRays& rays) {
+    OpenBlock block(binder, "mesh_camera", element.word_span);
+    block.form = "{ rays, distribution mesh { ... } ... [smooth] }";
+    block.item = &MeshRays::vocabulary;
+    ItemReader fields(block, *block.item, &rays);
+    CameraMeshes meshes(block, rays.meshes);
+    block.read(element.body, meshes, fields);
+    if (!block.broken && rays.distribution == 0 && static_cast<int>(rays.meshes.size()) < rays.rays)
+        block.report(error(Fault::wrong_count, element.word_span,
+                           "with distribution 0 each ray of a pixel has a mesh of its own")
+                         .with_help(block.help()));
+    return !block.broken;
 }
 
 /// The type, as the first word, and what all cameras have.
@@ -24,14 +98,13 @@ public:
     bool wants() const { return fields_.wants() || block_.taken == 0; }
 
     bool take(const Element& element) {
-        if (element.kind == Element::Kind::value) {
-            if (fields_.take(element)) return true;
-            return false;
-        }
-        const std::size_t kind = element.kind == Element::Kind::word
+        if (element.kind == Element::Kind::value) return take_field(element);
+        const bool meshes =
+            element.kind == Element::Kind::block && element.word == "mesh_camera"_word;
+        const std::size_t kind = element.kind == Element::Kind::word || meshes
                                      ? Kinds<Camera>::find(block_.spelling(element.word))
                                      : Kinds<Camera>::count;
-        if (kind == Kinds<Camera>::count) return fields_.take(element);
+        if (kind == Kinds<Camera>::count) return take_field(element);
         if (block_.taken > 0) {
             block_.report(error(Fault::misplaced, element.span,
                                 message("the type `", Kinds<Camera>::infos[kind]->name,
@@ -43,10 +116,21 @@ public:
         camera_ = Kinds<Camera>::make(kind);
         view_of(camera_) = view;
         follow();
+        if (meshes) {
+            MeshRays rays;
+            block_.broken |= !read_mesh_rays(block_.binder, element, rays);
+            std::get<MeshCamera>(camera_).from = make_handle<MeshRays>(std::move(rays));
+        }
         return true;
     }
 
-    void finish() { fields_.finish(); }
+    void finish() {
+        fields_.finish();
+        const auto* meshes = std::get_if<MeshCamera>(&camera_);
+        if (meshes && !meshes->from && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`mesh_camera` needs meshes in braces")
+                              .with_help("camera { mesh_camera { 1, 0 mesh { ... } } }"));
+    }
     void add_words(WordList& words) const {
         fields_.add_words(words);
         for (const ItemInfo* info : Kinds<Camera>::infos) words.push_back(info->name);
@@ -58,6 +142,12 @@ public:
     }
 
 private:
+    bool take_field(const Element& element) {
+        const bool taken = fields_.take(element);
+        if (taken && block_.binder.evaluator.version() < 3.5) settle(camera_);
+        return taken;
+    }
+
     OpenBlock& block_;
     Camera& camera_;
     ItemReader fields_;

@@ -95,6 +95,31 @@ private:
     Irid& irid_;
 };
 
+/// microfacet { ... }
+class MicrofacetReader : public SimpleReader {
+public:
+    MicrofacetReader(OpenBlock& block, Microfacet& microfacet)
+        : block_(block), microfacet_(microfacet) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || block_.spelling(element.word) != "microfacet")
+            return false;
+        OpenBlock inner(block_.binder, "microfacet", element.word_span);
+        inner.item = &Microfacet::vocabulary;
+        microfacet_.on = true;
+        ItemReader fields(inner, *inner.item, &microfacet_);
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("microfacet"); }
+
+private:
+    OpenBlock& block_;
+    Microfacet& microfacet_;
+};
+
 /// The fields of a finish; some amounts may be given as `albedo`, which depends on other fields.
 class FinishFields {
 public:
@@ -151,7 +176,8 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     FinishFields fields(block, finish);
     ReflectionReader reflection(block, finish.reflection);
     IridReader irid(block, finish.irid);
-    block.read(element.body, declared, fields, reflection, irid);
+    MicrofacetReader microfacet(block, finish.microfacet);
+    block.read(element.body, declared, microfacet, fields, reflection, irid);
     return !block.broken;
 }
 

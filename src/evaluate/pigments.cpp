@@ -19,19 +19,22 @@ constexpr std::string_view pigment_form =
 
 /// A pigment while it is read.
 struct PigmentDraft {
-    explicit PigmentDraft(const Pigment& pigment) : colour(pigment.colour), uv(pigment.uv) {
+    explicit PigmentDraft(const Pigment& pigment)
+        : colour(pigment.colour), uv(pigment.uv), quick(pigment.quick) {
         if (!pigment.pattern) return;
         pattern = PatternDraft(pigment.pattern->use, pigment.transform);
         map = pigment.pattern->map;
     }
     Pigment made() const {
-        if (!pattern.pattern || !map) return {colour, nullptr, {}};
-        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform, uv};
+        if (!pattern.pattern || !map) return {colour, nullptr, {}, false, quick};
+        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform, uv,
+                quick};
     }
     void clear() { *this = PigmentDraft(Pigment()); }
 
     Colour colour;
     bool uv = false;
+    Handle<Colour> quick;
     PatternDraft pattern;
     std::optional<PatternedPigment::Map> map;
 };
@@ -205,11 +208,48 @@ private:
     std::size_t listed_ = 0;
 };
 
+/// quick_color rgb 1
+class QuickColour {
+public:
+    explicit QuickColour(OpenBlock& block) : block_(block) {}
+
+    std::optional<Colour> colour;
+
+    bool waiting() const { return waiting_; }
+    bool wants() const { return waiting_; }
+    bool take(const Element& element) {
+        const bool named =
+            element.kind == Element::Kind::word &&
+            (element.word == "quick_color"_word || element.word == "quick_colour"_word);
+        if (waiting_ && element.kind == Element::Kind::value) {
+            waiting_ = false;
+            colour = plain_colour(block_, element);
+            return true;
+        }
+        if (waiting_) finish();
+        if (named) span_ = element.word_span;
+        return waiting_ = named;
+    }
+    void finish() {
+        if (std::exchange(waiting_, false))
+            block_.report(error(Fault::missing, span_, "`quick_color` needs a colour")
+                              .with_help("quick_color rgb <1, 0.5, 0>"));
+    }
+    void add_words(WordList& words) const { words.push_back("quick_color"); }
+
+private:
+    OpenBlock& block_;
+    bool waiting_ = false;
+    Span span_;
+};
+
 /// What stands in the braces of a pigment, or behind the number of an entry.
 template <class... First>
 void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first) {
-    block.effectless = "quick_color quick_colour";
-    read_patterned<PigmentDraft, ColouringReader>(block, body, pigment, "pigments", first...);
+    QuickColour quick(block);
+    read_patterned<PigmentDraft, ColouringReader>(block, body, pigment, "pigments", quick,
+                                                  first...);
+    if (quick.colour) pigment.quick = make_handle<Colour>(*quick.colour);
 }
 
 /// The commonest pigment by far, nothing but `rgb ...`. False: it is something else.

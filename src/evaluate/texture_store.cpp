@@ -23,8 +23,8 @@ std::uint64_t hash_of(const Texture& texture) {
 
 /// Neither has a pattern.
 bool equal_plain(const Texture& a, const Texture& b) {
-    return a.pigment.colour == b.pigment.colour && a.finish == b.finish &&
-           a.pigment.transform == b.pigment.transform;
+    return a.pigment.colour == b.pigment.colour && a.pigment.quick == b.pigment.quick &&
+           a.finish == b.finish && a.pigment.transform == b.pigment.transform;
 }
 
 }  // namespace

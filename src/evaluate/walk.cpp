@@ -13,6 +13,13 @@ bool is_power(const Tree& tree, NodeId id) {
     return word && word->word == "pwr"_word && tree.get_if<node::Tuple>(tree[id].next);
 }
 
+/// A value that channels may change: `Red*0.8 filter 0.5`.
+bool has_channels(const Tree& tree, const Node& node) {
+    const std::size_t index = node.content.index();
+    return index > kind<node::Word> && index < kind<node::Channel> && index != kind<node::Call> &&
+           tree.get_if<node::Channel>(node.next);
+}
+
 }  // namespace
 
 bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
@@ -36,7 +43,7 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
                        tree, node.next);
             id = tree[node.next].next;
         } else if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
-                   kind_here != kind<node::Channel>) {
+                   kind_here != kind<node::Channel> && !has_channels(tree, node)) {
             const Flow flow = walk_one(tree, id, take);
             if (flow != Flow::end) return flow;
             id = node.next;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/direct_light.h"
 
+#include "render/microfacet.h"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -8,6 +10,9 @@
 namespace {
 
 using std::numbers::pi;
+
+/// Behind all objects.
+constexpr double far_away = 1e20;
 
 /// Light of one source at a point, with what it needs.
 class SourceLight {
@@ -30,8 +35,10 @@ private:
     Vec3 answer_to(const Incidence& light) const {
         if (light.colour == Vec3(0)) return Vec3(0);
         const double grain = s_.finish->crand == 0 ? 0 : uniform(key_, Purpose::grain);
-        return response(s_, light.direction, !light_.shadowless, grain) * light.colour *
-               iridescence(world_, s_, light.direction);
+        const Vec3 answer = s_.finish->microfacet.on
+                                ? facet_response(s_, light.direction, Lobes::all)
+                                : response(s_, light.direction, !light_.shadowless, grain);
+        return answer * light.colour * iridescence(world_, s_, light.direction);
     }
 
     Vec3 grid_answer() const {
@@ -126,6 +133,7 @@ ShadingPoint point_of(const Shading& s) {
 
 /// What the surface sends on of light from there.
 Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, const Key& key) {
+    if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::wide);
     const double grain = s.finish->crand == 0 ? 0 : uniform(key, Purpose::grain);
     return response(s, direction, true, grain) * iridescence(world, s, direction);
 }
@@ -377,10 +385,29 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
     return std::visit(ask, world_.sampler) / static_cast<double>(shadow_rays_);
 }
 
+/// A direction from where the sky is bright or the surface answers, weighed by the density that
+/// both ways together have.
+Vec3 DirectLight::from_sky(const Shading& s, const Key& key, RayCounts& rays) const {
+    const SkyLight& sky = world_.sky_light;
+    const double u = uniform(key, Purpose::sky_choice);
+    const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
+    const Vec3 direction = u < 0.5 ? sky.draw(place).direction : scattered(s, place);
+    const Vec3 answer = answer_to(world_, s, direction, key);
+    if (answer == Vec3(0)) return Vec3(0);
+    ++rays.shadow;
+    const Vec3 passed = world_.transmittance({s.position, direction}, s.tolerance, far_away);
+    if (passed == Vec3(0)) return Vec3(0);
+    const double density = 0.5 * (sky.density(direction) + scattered_density(s, direction));
+    return answer * passed * world_.sky_radiance(direction) / (pi * density);
+}
+
 Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) {
     Vec3 sum(0);
     if (!answers_light(s)) return sum;
     sum = from_sources(s, key, rays);
     if (!world_.luminaires.empty()) sum += from_luminaires(s, key, rays);
-    return sum;
+    if (world_.sky_light.empty()) return sum;
+    Vec3 of_sky(0);
+    for (int i = 0; i < shadow_rays_; ++i) of_sky += from_sky(s, key.part(shadow_rays_, i), rays);
+    return sum + of_sky / static_cast<double>(shadow_rays_);
 }

@@ -24,6 +24,7 @@ private:
     using Octree = BuiltCutOctree;
 
     Vec3 from_sources(const Shading&, const Key&, RayCounts&) const;
+    Vec3 from_sky(const Shading&, const Key&, RayCounts&) const;
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
     template <class Sampler>
     Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);

@@ -71,16 +71,24 @@ private:
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            Tracer tracer(world_, settings_.shadow_rays);
-            const std::uint64_t made = make_tile(tracer, tiles[i], level);
+            std::vector<Tracer> tracers = tracers_of_moments();
+            const std::uint64_t made = make_tile(tracers, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
-                rays_ += tracer.rays();
+                for (const Tracer& tracer : tracers) rays_ += tracer.rays();
             }
             const std::uint64_t done = done_ += made;
             if (hooks_.progress && made > 0)
                 hooks_.progress(overall(static_cast<double>(done) / static_cast<double>(wanted_)));
         });
+    }
+
+    std::vector<Tracer> tracers_of_moments() const {
+        std::vector<Tracer> tracers;
+        tracers.emplace_back(world_, settings_.shadow_rays);
+        for (const World& moment : world_.other_moments)
+            tracers.emplace_back(moment, settings_.shadow_rays);
+        return tracers;
     }
 
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
@@ -100,40 +108,47 @@ private:
         return false;
     }
 
-    std::uint64_t make_tile(Tracer& tracer, const Region& tile, std::uint32_t level) {
+    std::uint64_t make_tile(std::vector<Tracer>& tracers, const Region& tile, std::uint32_t level) {
         std::uint64_t made = 0;
         for (int y = tile.top; y < tile.bottom; ++y)
             for (int x = tile.left; x < tile.right; ++x)
-                made += add_samples(tracer, x, y, std::min(level, state_.film.at(x, y).target));
+                made += add_samples(tracers, x, y, std::min(level, state_.film.at(x, y).target));
         return made;
     }
 
-    std::uint64_t add_samples(Tracer& tracer, int x, int y, std::uint32_t wanted) {
+    /// The samples of a pixel take turns with the moments.
+    std::uint64_t add_samples(std::vector<Tracer>& tracers, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
         const std::uint32_t before = pixel.samples;
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
         while (pixel.samples < wanted && !stop()) {
             key.sample = state_.share.first_sample + pixel.samples;
+            const std::size_t moment = key.sample % tracers.size();
+            const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
             // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
-            const bool spread = settings_.antialias || world_.camera.lens_radius > 0;
+            const bool spread = settings_.antialias || world.camera.lens_radius > 0;
             const double dx = spread ? uniform(key, Purpose::pixel_x) : 0.5;
             const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
             const double u = (x + dx) / state_.film.width() - 0.5;
             const double v = 0.5 - (y + dy) / state_.film.height();
-            pixel.add(tracer.radiance(camera_ray(u, v, key), key));
+            const PictureSample at{
+                x, y, state_.film.width(), state_.film.height(), key.sample, u + 0.5, v + 0.5};
+            const Ray ray =
+                world.camera.mesh ? world.camera.mesh->ray(at) : camera_ray(world, u, v, key);
+            pixel.add(tracers[moment].radiance(ray, key));
         }
         return pixel.samples - before;
     }
 
-    Ray camera_ray(double u, double v, const Key& key) const {
-        Ray ray = world_.camera.ray(u, v);
+    static Ray camera_ray(const World& world, double u, double v, const Key& key) {
+        Ray ray = world.camera.ray(u, v);
         if (ray.direction == Vec3(0)) return ray;
-        if (world_.camera_normal.pattern)
+        if (world.camera_normal.pattern)
             ray.direction =
-                bumped(world_.camera_normal, ray.direction, Vec3(u, v, 0), world_.pattern_scene());
-        if (world_.camera.lens_radius == 0) return ray;
-        return world_.camera.through_lens(
+                bumped(world.camera_normal, ray.direction, Vec3(u, v, 0), world.pattern_scene());
+        if (world.camera.lens_radius == 0) return ray;
+        return world.camera.through_lens(
             ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
     }
 
@@ -156,15 +171,26 @@ private:
 
 }  // namespace
 
-int samples_per_pixel(const World& world, const RenderSettings& settings) {
+namespace {
+
+int usual_samples(const World& world, const RenderSettings& settings) {
     constexpr int first_for_noise = 16;
     if (settings.noise > 0)
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
-    if (!settings.antialias) return world.luminaires.empty() ? 1 : 16;
+    if (!settings.antialias) return world.left_to_chance() ? 16 : 1;
     return std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+}
+
+}  // namespace
+
+int samples_per_pixel(const World& world, const RenderSettings& settings) {
+    const int usual = usual_samples(world, settings);
+    if (settings.samples > 0 || settings.noise > 0) return usual;
+    const int moments = 1 + static_cast<int>(world.other_moments.size());
+    return std::max({usual, moments, world.camera.mesh ? world.camera.mesh->rays_per_pixel() : 1});
 }
 
 bool is_even(const World& world, const RenderSettings& settings) {

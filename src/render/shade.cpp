@@ -71,13 +71,15 @@ Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
 }
 
 bool answers_light(const Shading& s) {
-    return ((s.finish->diffuse != 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
+    return s.finish->microfacet.on ||
+           ((s.finish->diffuse != 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
            s.finish->phong != 0 || s.finish->specular != 0;
 }
 
-Vec3 own_radiance(const World& world, const Shading& s) {
+Vec3 own_radiance(const World& world, const Shading& s, bool glowing) {
     return s.colour.rgb * s.opacity *
-           (s.finish->ambient * world.settings.ambient_light + s.finish->emission);
+           (s.finish->ambient * world.settings.ambient_light +
+            (glowing ? s.finish->emission : Vec3(0)));
 }
 
 Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double grain) {

@@ -42,8 +42,8 @@ struct SurfacePlace {
 /// Whether light from anywhere would change what is seen.
 bool answers_light(const Shading&);
 
-/// Radiance that the surface sends to the viewer by itself.
-Vec3 own_radiance(const World&, const Shading&);
+/// Radiance that the surface sends to the viewer by itself; `glowing`: with its emission.
+Vec3 own_radiance(const World&, const Shading&, bool glowing = true);
 
 /// By what light from a direction, or a reflection towards it, is multiplied where the finish is
 /// iridescent.

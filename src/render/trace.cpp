@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/trace.h"
 
+#include "render/microfacet.h"
+#include "surface/simplified.h"
+
 #include <algorithm>
 
 namespace {
@@ -8,7 +11,7 @@ namespace {
 // Clear surfaces in a row that a ray may pass; a stop for rays that rounding keeps in one place.
 constexpr int most_passed = 1000;
 
-enum Bounce : std::uint32_t { reflection, refraction };
+enum Bounce : std::uint32_t { reflection, refraction, scattering };
 
 Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * dot(direction, normal) * normal;
@@ -73,7 +76,10 @@ Vec3 Tracer::follow(const Path& path) {
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
-    Vec3 seen = met ? surface(path, hit) : world_.sky_radiance(path.ray.direction);
+    const bool dark_sky = path.counted && !world_.sky_light.empty();
+    Vec3 seen = met        ? surface(path, hit)
+                : dark_sky ? Vec3(0)
+                           : world_.sky_radiance(path.ray.direction);
     if ((world_.fogs.empty() && world_.rainbows.empty()) || !in_the_open(path)) return seen;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double distance = met ? length(hit.position - path.ray.origin) : infinity;
@@ -106,6 +112,7 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
 /// behind.
 Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                      std::span<const Layer> layers) {
+    if (world_.quality < quality_light) return layers.front().colour.rgb;
     const double bailout = world_.settings.adc_bailout;
     const bool asks = world_.material(hit.primitive).transparent ||
                       std::ranges::any_of(layers, [](const Layer& layer) {
@@ -120,7 +127,9 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     };
     Vec3 behind(1);
     for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
-    const bool clear = grey(behind) > bailout;
+    const bool clear = grey(behind) > bailout && world_.quality >= quality_pigments;
+    const bool counted = path.counted && !world_.luminaires.empty() &&
+                         world_.luminaire_of[hit.primitive] != no_primitive;
     const Shading top = with_layer(world_, common, layers.front());
     const double cosine = -dot(top.view, top.normal);
     const bool total = clear && surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
@@ -129,9 +138,11 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         const double share = &layer == layers.data() ? 1 : grey(through);
         if (share <= bailout) break;
         const Shading s = with_layer(world_, common, layer);
-        result += through * (own_radiance(world_, s) + direct_light_(s, path.key, rays_));
+        result += through * (own_radiance(world_, s, !counted) + direct_light_(s, path.key, rays_));
         const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
         if (amount != Vec3(0)) result += reflected(path, s, amount, share);
+        if (s.finish->microfacet.on && world_.quality >= quality_reflection)
+            result += through * scattered(path, s, share);
         through *= kept(s);
     }
     // Total reflection: nothing is lost.
@@ -162,6 +173,7 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
     next.level = path.level + 1;
     next.weight = path.weight * share * max_component(amount);
     next.kind = RayKind::reflected;
+    next.counted = false;
     next.key = path.key.bounced(reflection);
     ++rays_.scattered;
     const Vec3 seen = follow(next);
@@ -172,6 +184,24 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
         return channel > 0 ? std::pow(channel, 1 / exponent) : 0.0;
     };
     return tinted * Vec3(dimmed(seen.x), dimmed(seen.y), dimmed(seen.z));
+}
+
+/// What small facets reflect, besides what direct_light_ has seen of it.
+Vec3 Tracer::scattered(const Path& path, const Shading& s, double share) {
+    const auto drawn =
+        scatter(s, uniform(path.key, Purpose::facet_choice),
+                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
+    if (!drawn || dot(drawn->direction, s.true_normal) <= 0) return Vec3(0);
+    Path next = path;
+    next.ray = {s.position, drawn->direction};
+    next.tolerance = s.tolerance;
+    next.level = path.level + 1;
+    next.weight = path.weight * share * max_component(drawn->weight);
+    next.kind = RayKind::reflected;
+    next.counted = !drawn->narrow;
+    next.key = path.key.bounced(scattering);
+    ++rays_.scattered;
+    return drawn->weight * follow(next);
 }
 
 /// White light, each of its bands on a way of its own.

@@ -36,6 +36,7 @@ private:
         Key key;
         Solids solids;
         std::optional<SpectralBand> band;  ///< when it is one colour of split white light
+        bool counted = false;  ///< the light of luminaires that it meets has been counted already
     };
     struct Interface {
         double ratio;  ///< index of refraction in front of the surface over the one behind it
@@ -50,6 +51,7 @@ private:
     bool in_the_open(const Path&) const;
     Vec3 faded(const Path&, const Hit&) const;
     Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share);
+    Vec3 scattered(const Path&, const Shading&, double share);
     Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);
     Vec3 split(const Path&, const Shading&, const Interface&, const Vec3& share);
     Interface interface_at(const Path&, PrimitiveIndex) const;

@@ -10,10 +10,11 @@
 namespace {
 
 constexpr auto surface =
-    std::array{&BumpSettings::vocabulary, &Finish::vocabulary, &Reflection::vocabulary,
-               &Irid::vocabulary, &Interior::vocabulary};
+    std::array{&BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary,
+               &Irid::vocabulary,         &Microfacet::vocabulary, &Interior::vocabulary};
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
+constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary};
 
@@ -22,6 +23,7 @@ constexpr auto groups = std::array{
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},
+    ItemGroup{"Parts of cameras", "What mesh_camera has in braces.", parts_of_cameras, "camera"},
     ItemGroup{"Lights",
               "Lights without size. Every object whose finish has emission is a luminaire and "
               "lights the scene as well.",

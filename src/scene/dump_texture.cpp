@@ -142,6 +142,9 @@ std::string finish_text(const Finish& finish) {
     add(reflection_text(finish.reflection));
     if (finish.irid.amount != 0)
         add(message("irid { ", written_fields(Irid::vocabulary, &finish.irid), " }"));
+    if (finish.microfacet.on)
+        add(message("microfacet { ", written_fields(Microfacet::vocabulary, &finish.microfacet),
+                    " }"));
     return text.empty() ? text : message(" finish { ", text, " }");
 }
 

@@ -51,6 +51,13 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
           "how often luminaires are chosen at each hit", between(1, 1e4)},
+        F{"quality", &RenderSettings::quality, item,
+          "how much is shown: 0 colours, 2 light, 4 shadows, 5 area lights, 6 pigments and what is "
+          "behind, 8 reflections and normals, 9 everything",
+          between(0, 11)},
+        F{"ambient_luminaires", &RenderSettings::ambient_luminaires, flag,
+          "objects whose ambient is 1 or more are luminaires, as with luminaires ambient in the "
+          "scene's global_settings"},
         F{"seed", &RenderSettings::seed, item, "another seed gives other noise",
           between(0, std::numeric_limits<int>::max())},
         F{"threads", &RenderSettings::threads, item, "threads that work; 0: one for each core",

@@ -21,6 +21,18 @@ void crossings(const BuiltShape& shape, const Ray& ray, Crossings& found) {
     visit_shape([&](const auto& s) { crossings(s, ray, found); }, shape);
 }
 
+void crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range,
+                  Crossings& found) {
+    visit_shape(
+        [&](const auto& s) {
+            if constexpr (requires { nearest_crossings(s, ray, range, found); })
+                nearest_crossings(s, ray, range, found);
+            else
+                crossings(s, ray, found);
+        },
+        shape);
+}
+
 bool inside(const BuiltShape& shape, const Vec3& point) {
     return visit_shape([&](const auto& s) { return inside(s, point); }, shape);
 }

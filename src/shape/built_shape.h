@@ -75,6 +75,8 @@ Box bounds(const BuiltShape& shape);
 /// outward. A solid is entered before it is left, and a line that only touches it does not cross
 /// it.
 void crossings(const BuiltShape& shape, const Ray& ray, Crossings& found);
+/// Some of the crossings: the nearest one in the range is among them, if there is one.
+void crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range, Crossings& found);
 /// Whether the point is in the solid; always false for shapes without an inside.
 bool inside(const BuiltShape& shape, const Vec3& point);
 /// A box outside of which no point is inside; for half spaces it is infinite in some directions.

@@ -16,6 +16,13 @@ KdTree index_of(std::span<const Box> boxes) {
     return build_kdtree(boxes, {}, {}, boxes.size() > many ? 0 : 1);
 }
 
+/// Whether the ray passes a box by, rounding errors included.
+bool misses(const Box& box, const Ray& ray, const Interval& range) {
+    const Interval part = clip(ray, box, range);
+    const double slack = 1e-9 * (max_abs_component(ray.origin) + std::abs(part.min));
+    return part.min > part.max + slack;
+}
+
 /// The plane in the space of the whole.
 Plane moved(const Plane& plane, const Transform& transform) {
     const Vec3 normal = unit(plane.normal), turned = unit(transform.normal(normal));
@@ -219,14 +226,16 @@ bool Composite::within_limits(std::uint32_t leaf, const Ray& ray) const {
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
                           Take take) const {
-    if (limited_ && !within_limits(index, ray)) return;
     const CompositeLeaf& leaf = leaves_[index];
     const Transform* transform = leaf.transform.get();
     Crossings found;
     ::crossings(leaf.shape, transform ? transform->inverse_ray(ray) : ray, found);
+    bool limits_asked = !limited_;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Crossing& c = found[i];
         if (!range.contains(c.t) || !seen_at(index, ray.at(c.t))) continue;
+        if (!limits_asked && !within_limits(index, ray)) return;
+        limits_asked = true;
         const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;
         take(Meeting{c.t, leaf.inverse ? -normal : normal, index, c.part});
     }
@@ -244,7 +253,8 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
         });
         if (nearest) left.max = nearest->t;
     };
-    for (const std::uint32_t leaf : apart_) ask(leaf);
+    for (const std::uint32_t leaf : apart_)
+        if (!misses(seen_[leaf], ray, left)) ask(leaf);
     tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
         for (const std::uint32_t leaf : items) ask(leaf);
         rest.max = left.max;
@@ -255,7 +265,9 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
 
 void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
                     std::vector<Meeting>& met) const {
-    std::vector<std::uint32_t> candidates = apart_;
+    std::vector<std::uint32_t> candidates;
+    for (const std::uint32_t leaf : apart_)
+        if (!misses(seen_[leaf], ray, range)) candidates.push_back(leaf);
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
         candidates.insert(candidates.end(), items.begin(), items.end());
         return false;

@@ -88,11 +88,15 @@ public:
     Walk(const BuiltHeightField& field, const Ray& ray, const Vec3& direction, Crossings& found)
         : field_(field), grid_(*field.grid), ray_(ray), direction_(direction), found_(found) {}
 
-    void along(const Interval& range) {
+    /// Up to the first crossing in `wanted`.
+    void along(const Interval& range, const Interval& wanted) {
         double t = range.min;
         above_ = true;
         bool first = true;
-        while (t < range.max) {
+        const auto met = [&] {
+            return found_.size() > 0 && found_[found_.size() - 1].t > wanted.min;
+        };
+        while (t < range.max && t <= wanted.max && !met()) {
             // The cell in which the ray is right behind t.
             const double probe = t + 1e-9 * (range.max - range.min);
             const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
@@ -190,6 +194,12 @@ Box bounds(const BuiltHeightField& field) {
 }
 
 void crossings(const BuiltHeightField& field, const Ray& ray, Crossings& found) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    nearest_crossings(field, ray, {infinity, infinity}, found);
+}
+
+void nearest_crossings(const BuiltHeightField& field, const Ray& ray, const Interval& wanted,
+                       Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     const Interval range =
         clip(ray, bounds(field),
@@ -200,7 +210,8 @@ void crossings(const BuiltHeightField& field, const Ray& ray, Crossings& found) 
     const Vec3 start = ray.at(range.min);
     const Ray over{cells * start, cells * ray.direction};
     Crossings met;
-    Walk(field, over, ray.direction, met).along({0, range.max - range.min});
+    Walk(field, over, ray.direction, met)
+        .along({0, range.max - range.min}, {wanted.min - range.min, wanted.max - range.min});
     for (std::size_t i = 0; i < met.size(); ++i)
         found.add({range.min + met[i].t, met[i].normal, met[i].entering});
 }

@@ -48,6 +48,8 @@ BuiltHeightField build(const HeightField&);
 
 /// Only the landscape is a surface; below it everything is inside.
 Box bounds(const BuiltHeightField&);
+/// See crossings_in() of BuiltShape.
+void nearest_crossings(const BuiltHeightField&, const Ray&, const Interval& range, Crossings&);
 void crossings(const BuiltHeightField&, const Ray&, Crossings&);
 bool inside(const BuiltHeightField&, const Vec3&);
 Box inside_bounds(const BuiltHeightField&);

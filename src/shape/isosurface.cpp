@@ -108,6 +108,33 @@ Box bounds(const BuiltIsosurface& surface) {
     return std::visit([](const auto& shape) { return bounds(shape); }, surface.container);
 }
 
+void nearest_crossings(const BuiltIsosurface& surface, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    const Vec3 u = ray.direction / speed;
+    const double start = dot(bounds(surface).centre() - ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    const Interval wanted{range.min * speed - start, range.max * speed - start};
+    const auto walls = stay(surface, near);
+    if (!walls || (*walls)[0].t > wanted.max || (*walls)[1].t < wanted.min) return;
+    const Crossing &first = (*walls)[0], &last = (*walls)[1];
+    const auto add = [&](double t, const Vec3& normal, bool entering) {
+        found.add({(start + t) / speed, normal, entering});
+    };
+    const auto at = [&](double t) { return value_at(surface, near.at(t)); };
+    const auto slopes = [&](const Interval& part) { return within(surface, near, part); };
+    if (!surface.open && first.t > wanted.min && is_below(at(first.t)))
+        return add(first.t, first.normal, true);
+    bool met = false;
+    for (const SignChange& change :
+         nearest_changes({at, slopes}, {first.t, last.t}, surface.accuracy, wanted)) {
+        add(change.t, normal_at(surface, near.at(change.t), u, change.below), change.below);
+        met |= change.t > wanted.min;
+    }
+    if (!met && !surface.open && is_below(at(last.t))) add(last.t, last.normal, false);
+}
+
 void crossings(const BuiltIsosurface& surface, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;

@@ -48,5 +48,7 @@ std::string problem(const Isosurface&);
 BuiltIsosurface build(const Isosurface&);
 
 Box bounds(const BuiltIsosurface&);
+/// See crossings_in() of BuiltShape.
+void nearest_crossings(const BuiltIsosurface&, const Ray&, const Interval& range, Crossings&);
 void crossings(const BuiltIsosurface&, const Ray&, Crossings&);
 bool inside(const BuiltIsosurface&, const Vec3&);

@@ -2,6 +2,7 @@
 #include "shape/line_search.h"
 
 #include <cmath>
+#include <optional>
 
 namespace {
 
@@ -30,7 +31,11 @@ public:
     Search(const LineFunction& f, double detail, double precision)
         : f_(f), detail_(detail), precision_(precision) {}
 
+    /// Of what is found, only the first one in this is of interest.
+    void want(const Interval& wanted) { wanted_ = wanted; }
+
     void look(const Place& first, const Place& last) {
+        if (wanted_ && (done_ || last.t < wanted_->min || first.t > wanted_->max)) return;
         const bool crosses = is_below(first.value) != is_below(last.value);
         const double length = last.t - first.t;
         const Enclosure known = f_.within({first.t, last.t});
@@ -39,7 +44,7 @@ public:
             return;
         const bool one_way = known.slope.low >= 0 || known.slope.high <= 0;
         if (one_way || length < detail_ || ++stretches_ > most_stretches) {
-            if (crosses) found.push_back(solve(first, last));
+            if (crosses) take({solve(first, last), is_below(last.value)});
             return;
         }
         const double middle = 0.5 * (first.t + last.t);
@@ -48,9 +53,14 @@ public:
         look(between, last);
     }
 
-    std::vector<double> found;
+    std::vector<SignChange> found;
 
 private:
+    void take(const SignChange& change) {
+        found.push_back(change);
+        done_ = wanted_ && change.t > wanted_->min;
+    }
+
     /// The change between two places of different signs: the false position, and the middle
     /// whenever that gets on slowly.
     double solve(Place first, Place last) const {
@@ -69,8 +79,14 @@ private:
 
     const LineFunction& f_;
     double detail_, precision_;
+    std::optional<Interval> wanted_;
+    bool done_ = false;
     int stretches_ = 0;
 };
+
+double precision_in(const Interval& range) {
+    return 1e-14 * std::max(std::abs(range.min), std::abs(range.max));
+}
 
 }  // namespace
 
@@ -84,8 +100,17 @@ Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering) {
 }
 
 std::vector<double> sign_changes(const LineFunction& f, const Interval& range, double detail) {
-    const double size = std::max(std::abs(range.min), std::abs(range.max));
-    Search search(f, detail, 1e-14 * size);
+    Search search(f, detail, precision_in(range));
+    search.look({range.min, f.at(range.min)}, {range.max, f.at(range.max)});
+    std::vector<double> places;
+    for (const SignChange& change : search.found) places.push_back(change.t);
+    return places;
+}
+
+std::vector<SignChange> nearest_changes(const LineFunction& f, const Interval& range, double detail,
+                                        const Interval& wanted) {
+    Search search(f, detail, precision_in(range));
+    search.want(wanted);
     search.look({range.min, f.at(range.min)}, {range.max, f.at(range.max)});
     return std::move(search.found);
 }

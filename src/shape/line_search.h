@@ -28,3 +28,13 @@ Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering);
 /// within `detail` may be passed over. The work is bounded: a function that stays at 0, or changes
 /// its sign very often, is not looked at more closely than that.
 std::vector<double> sign_changes(const LineFunction&, const Interval& range, double detail);
+
+struct SignChange {
+    double t;
+    bool below;  ///< behind it
+};
+
+/// Those of them that lie about the beginning of `wanted`, up to the first one in it, if there is
+/// one.
+std::vector<SignChange> nearest_changes(const LineFunction&, const Interval& range, double detail,
+                                        const Interval& wanted);

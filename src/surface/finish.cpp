@@ -27,6 +27,20 @@ const ItemInfo Irid::vocabulary = described<Irid>([] {
                           "how much the thickness differs from place to place"});
 });
 
+const ItemInfo Microfacet::vocabulary = described<Microfacet>([] {
+    using F = Field<Microfacet>;
+    return schema<Microfacet>(
+        "microfacet", "Scatters light as small facets do; the pigment is the base colour.",
+        F{"roughness", &Microfacet::roughness, item, "0: a mirror, 1: dull", between(0, 1)},
+        F{"metallic", &Microfacet::metallic, item,
+          "1: a metal, which reflects with its base colour", between(0, 1)},
+        F{"specular", &Microfacet::specular, item,
+          "of what is no metal: 8 % of this are reflected straight on", between(0, 1)},
+        F{"coat", &Microfacet::coat, item, "strength of a clear coat above", between(0, 1)},
+        F{"coat_roughness", &Microfacet::coat_roughness, item, "the same as roughness, of the coat",
+          between(0, 1)});
+});
+
 const ItemInfo Finish::vocabulary = described<Finish>([] {
     using F = Field<Finish>;
     return schema<Finish>(

@@ -27,6 +27,20 @@ struct Irid {
     friend bool operator==(const Irid&, const Irid&) = default;
 };
 
+/// How much light a surface of small facets scatters: the material of today's programs. The pigment
+/// is its base colour; it takes the place of diffuse, phong and specular.
+struct Microfacet {
+    double roughness = 0.5;  ///< the facets' directions vary by its square
+    double metallic = 0;     ///< 1: all is reflected, with the base colour
+    double specular = 0.5;   ///< of what is no metal: 8 % of this are reflected straight on
+    double coat = 0;         ///< of a clear layer above, as of lacquer
+    double coat_roughness = 0.03;
+    bool on = false;
+
+    static const ItemInfo vocabulary;
+    friend bool operator==(const Microfacet&, const Microfacet&) = default;
+};
+
 struct Finish {
     Vec3 ambient = Vec3(0.1);
     Vec3 emission = Vec3(0);
@@ -45,6 +59,7 @@ struct Finish {
     double refraction = 1;  ///< share of what is seen through it
     Reflection reflection;
     Irid irid;
+    Microfacet microfacet;
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Finish&, const Finish&) = default;

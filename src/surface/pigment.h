@@ -19,6 +19,7 @@ struct Pigment {
     Handle<PatternedPigment> pattern;  ///< null: one colour everywhere
     Transform transform;               ///< after all steps of the pattern: to the object's space
     bool uv = false;                   ///< that space is u, v, 0, and does not move with the object
+    Handle<Colour> quick = {};         ///< instead of all this at low quality; null: none
 };
 
 Nesting nesting(const Pigment&);

@@ -172,6 +172,13 @@ void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
     visit(texture, point, normal, 1, nullptr, {scene, use});
 }
 
+bool scatters(const Texture& texture) {
+    if (texture.choice)
+        return std::ranges::any_of(texture.choice->map,
+                                   [](const TextureStop& stop) { return scatters(*stop.texture); });
+    return texture.finish.microfacet.on || (texture.below && scatters(*texture.below));
+}
+
 bool focuses(const Texture& texture) {
     if (texture.choice)
         return std::ranges::any_of(texture.choice->map,

@@ -67,6 +67,9 @@ struct Passing {
 /// The share of light that passes through all layers at a point, per channel.
 Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const Passing& = {});
 
+/// Whether one of its finishes has facets.
+bool scatters(const Texture&);
+
 /// Whether one of its finishes has caustics.
 bool focuses(const Texture&);
 

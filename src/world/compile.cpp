@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "surface/simplified.h"
 #include "world/flatten.h"
 
 namespace {
@@ -57,8 +58,19 @@ std::vector<Plane> world_planes(const World& world) {
     return planes;
 }
 
-World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
+/// Lights as they are seen at a quality.
+void simplify_lights(World& world) {
+    if (world.quality < quality_light) {
+        world.lights.clear();
+        world.light_reach.clear();
+    }
+    if (world.quality >= quality_areas) return;
+    for (Light& light : world.lights) std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
+}
+
+World flattened(const Scene& scene, Flatten what, int quality, Diagnostics& diagnostics) {
     World world;
+    world.quality = quality;
     world.settings = scene.settings;
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
@@ -68,6 +80,7 @@ World flattened(const Scene& scene, Flatten what, Diagnostics& diagnostics) {
     world.fogs = scene.fogs;
     world.rainbows = scene.rainbows;
     flatten(scene, world, diagnostics, what);
+    simplify_lights(world);
     return world;
 }
 
@@ -89,6 +102,9 @@ void build_indices(World& world, const CompileOptions& options) {
         boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
         {}, options.threads);
     note_luminaires(world);
+    if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)
+        world.sky_light =
+            SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     const std::vector<Plane> planes = world_planes(world);
     LightScene lit{world.luminaires, boxes, planes};
     if (!world.camera.parallel) lit.eye = world.camera.location;
@@ -98,17 +114,17 @@ void build_indices(World& world, const CompileOptions& options) {
 }  // namespace
 
 World survey(const Scene& scene, Diagnostics& diagnostics) {
-    return flattened(scene, Flatten::luminaires, diagnostics);
+    return flattened(scene, Flatten::luminaires, quality_full, diagnostics);
 }
 
 World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, Flatten::everything, diagnostics);
+    World world = flattened(scene, Flatten::everything, options.quality, diagnostics);
     build_indices(world, options);
     return world;
 }
 
 World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, Flatten::everything, diagnostics);
+    World world = flattened(scene, Flatten::everything, options.quality, diagnostics);
     scene.objects = {};
     build_indices(world, options);
     return world;

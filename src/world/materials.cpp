@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/materials.h"
 
+#include "surface/simplified.h"
+
 std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
@@ -46,14 +48,16 @@ std::uint32_t Materials::index(const Inherited& look) {
 /// What is to glow by its ambient does.
 Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
     const GlobalSettings& settings = world_.settings;
-    return settings.ambient_luminaires ? kindled(texture, settings.ambient_light) : texture;
+    return simplified(
+        settings.ambient_luminaires ? kindled(texture, settings.ambient_light) : texture,
+        world_.quality);
 }
 
 void Materials::add(const Inherited& look) {
     Material material;
     material.texture = lit(*look.texture);
     const Texture& texture = *material.texture;
-    if (look.inner) material.inner = *look.inner;
+    if (look.inner) material.inner = simplified(*look.inner, world_.quality);
     if (look.interior) material.interior = *look.interior;
     if (!texture.choice && texture.finish.ior != 0) {
         material.interior =
@@ -63,7 +67,7 @@ void Materials::add(const Inherited& look) {
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
     material.focuses = focuses(texture);
     material.light_group = look.light_group;
-    material.no_shadow = look.no_shadow;
+    material.no_shadow = look.no_shadow || world_.quality < quality_shadows;
     material.no_image = look.no_image;
     material.no_reflection = look.no_reflection;
     material.double_illuminate = look.double_illuminate;
@@ -72,7 +76,8 @@ void Materials::add(const Inherited& look) {
     material.solid = static_cast<std::uint32_t>(world_.materials.size());
     world_.any_transparent |= material.transparent;
     world_.any_left_out |= look.no_image || look.no_reflection;
-    glows_.push_back(greatest_emission(texture) != Vec3(0));
+    world_.any_scattering |= scatters(texture);
+    glows_.push_back(world_.quality >= quality_shadows && greatest_emission(texture) != Vec3(0));
     world_.materials.push_back(std::move(material));
 }
 

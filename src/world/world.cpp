@@ -17,13 +17,30 @@ double tolerance_at(const Ray& ray, double t) {
     return relative_tolerance * (max_abs_component(ray.origin) + t);
 }
 
+/// Items that have been asked for one ray: those that stand in several cells of the tree need not
+/// be asked again, and a few are remembered.
+class Asked {
+public:
+    bool before(std::uint32_t item) {
+        if (std::ranges::find(items_, item) != items_.end()) return true;
+        items_[next_++ % items_.size()] = item;
+        return false;
+    }
+
+private:
+    std::array<std::uint32_t, 8> items_ = {no_primitive, no_primitive, no_primitive, no_primitive,
+                                           no_primitive, no_primitive, no_primitive, no_primitive};
+    std::size_t next_ = 0;
+};
+
 }  // namespace
 
 void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
                        Candidate& best) const {
     const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
     Crossings found;
-    crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, found);
+    crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
+                 {range.min, best.t}, found);
     for (std::size_t i = 0; i < found.size(); ++i) {
         const double t = found[i].t;
         if (t <= range.min || t >= best.t) continue;
@@ -98,7 +115,10 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     const auto there = [&](PrimitiveIndex primitive) {
         return !any_left_out || !left_out(primitive, kind);
     };
+    const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
+    Asked asked;
     const auto ask = [&](std::uint32_t item) {
+        if (item >= first_shape && asked.before(item)) return;
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
@@ -220,7 +240,10 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     std::vector<std::uint32_t> clear;
+    const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
+    Asked asked;
     const auto blocks = [&](std::uint32_t item) {
+        if (item >= first_shape && asked.before(item)) return false;
         if (any_transparent && may_pass(item)) clear.push_back(item);
         return opaque_between(item, ray, range);
     };

@@ -3,6 +3,7 @@
 // threads may ask it.
 #pragma once
 
+#include "backdrop/sky_light.h"
 #include "camera/camera.h"
 #include "index/kdtree.h"
 #include "lighting/sampler.h"
@@ -164,6 +165,12 @@ public:
         return static_cast<PrimitiveIndex>(spheres.size() + triangles.size() + shapes.size());
     }
 
+    /// Whether two samples of one point of the picture may differ.
+    bool left_to_chance() const {
+        return !luminaires.empty() || !sky_light.empty() || any_scattering ||
+               !other_moments.empty();
+    }
+
     // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
     std::vector<SpherePrimitive> spheres;
     std::vector<TrianglePrimitive> triangles;
@@ -186,6 +193,7 @@ public:
     std::vector<std::uint32_t>
         luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
     BuiltLightSampler sampler;
+    SkyLight sky_light;  ///< empty unless the sky is a luminaire
     std::vector<Light> lights;
     std::vector<LightReach> light_reach;      ///< of each light
     std::vector<LightGroup> light_groups{1};  ///< the first stands for what is in none
@@ -198,9 +206,12 @@ public:
     std::vector<Rainbow> rainbows;
     GlobalSettings settings;
     double language_version = 3.7;
-    std::size_t objects = 0;       ///< as the scene counts them
-    bool any_transparent = false;  ///< rays must know what they are inside of
-    bool any_left_out = false;     ///< some objects are not there for some rays
+    std::size_t objects = 0;           ///< as the scene counts them
+    bool any_transparent = false;      ///< rays must know what they are inside of
+    bool any_left_out = false;         ///< some objects are not there for some rays
+    bool any_scattering = false;       ///< a finish has facets
+    int quality = 9;                   ///< see surface/simplified.h
+    std::vector<World> other_moments;  ///< the scene while the camera's shutter stays open
 
 private:
     struct Candidate {

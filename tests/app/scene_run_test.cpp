@@ -65,3 +65,23 @@ TEST_CASE("pictures with a wish for noise or a limit of time are finished") {
     CHECK(shell({shell.path("lit.pov"), "+W16", "+H12", file, "--noise", "0.2", "+WT1"}) == 0);
     CHECK(shell.content("a.png") == once);
 }
+
+TEST_CASE("a shutter that stays open blurs what the clock moves") {
+    Shell shell;
+    shell.write("moving.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+        camera { orthographic right 4*x up 4*y location -5*z look_at 0 shutter 2, 2 }
+        box { <-2, -2, 0>, <-1, 2, 1> translate clock*x
+              pigment { rgb 1 } finish { ambient 1 diffuse 0 } })");
+    const std::string file = "+O" + shell.path("a.ppm");
+    REQUIRE(shell({shell.path("moving.pov"), "+W4", "+H1", "-A", "-V", file}) == 0);
+    // The box covers the first column at the clock 0, the second at 1.
+    const std::string picture = shell.content("a.ppm");
+    const std::string row = picture.substr(picture.size() - 12);
+    const auto grey = [&](std::size_t column) {
+        return static_cast<int>(static_cast<unsigned char>(row[3 * column]));
+    };
+    CHECK(grey(0) == 188);
+    CHECK(grey(1) == 188);
+    CHECK(grey(2) == 0);
+    CHECK(grey(3) == 0);
+}

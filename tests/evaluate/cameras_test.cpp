@@ -5,6 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
+using std::numbers::pi;
+
 TEST_CASE("a camera has its type and its words", "[evaluate]") {
     const Script done =
         run("#version 3.7; camera { orthographic location <1, 2, 3> look_at 0 angle 30 right 2*x "
@@ -52,4 +56,46 @@ TEST_CASE("wrong cameras are told of once", "[evaluate]") {
           "error unknown-word: `camera` has no word `locaton`");
     CHECK(complaint("camera { look_at \"here\" }") ==
           "error wrong-type: `look_at` of `camera` must be a vector of 3, but it is a string");
+}
+
+TEST_CASE("before version 3.5 the order of a camera's words counts", "[evaluate]") {
+    const char* const words = "angle 60 right 2*x";
+    const auto length_at = [&](const char* version) {
+        const Script done = run(std::string("#version ") + version + "; camera { " + words + " }");
+        return length(projection(done.scene.camera).direction);
+    };
+    CHECK(length_at("3.1") == Approx(0.665 / std::tan(pi / 6)));
+    CHECK(length_at("3.7") == Approx(1 / std::tan(pi / 6)));
+}
+
+TEST_CASE("a mesh_camera has its meshes in braces", "[evaluate]") {
+    const std::string mesh = "mesh { triangle { 0, x, y } } ";
+    const Script done = run("#version 3.7; #declare M = " + mesh +
+                            "camera { mesh_camera { 2, 0 mesh { M } mesh { M translate z } smooth }"
+                            " location <0, 0, -0.1> }");
+    REQUIRE(done.text.empty());
+    const auto& camera = std::get<MeshCamera>(done.scene.camera);
+    REQUIRE(camera.from);
+    CHECK(camera.from->rays == 2);
+    CHECK(camera.from->smooth);
+    REQUIRE(camera.from->meshes.size() == 2);
+    CHECK(camera.from->meshes[1].transform.point(Vec3(0)) == Vec3(0, 0, 1));
+    CHECK(camera.location.z == -0.1);
+
+    const auto wrong = [](const std::string& content) {
+        return run("#version 3.7; camera { " + content + " }").text;
+    };
+    CHECK(wrong("mesh_camera { 1, 0 }").find("`mesh_camera` needs a mesh") != std::string::npos);
+    CHECK(wrong("mesh_camera").find("`mesh_camera` needs meshes in braces") != std::string::npos);
+    CHECK(wrong("mesh_camera { 2, 0 " + mesh + "}").find("a mesh of its own") != std::string::npos);
+    CHECK(wrong("mesh_camera { 1, 0 sphere { 0, 1 } }").find("start at meshes") !=
+          std::string::npos);
+}
+
+TEST_CASE("a shutter has its time and its moments", "[evaluate]") {
+    const Script done = run("#version 3.7; camera { shutter 0.5, 12 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.view().shutter == 0.5);
+    CHECK(done.view().moments == 12);
+    CHECK(run("#version 3.7; camera { shutter 0.5 }").view().moments == 8);
 }

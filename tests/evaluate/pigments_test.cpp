@@ -129,8 +129,7 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
           "error wrong-count: an entry of `color_map` has one colour for each number");
     CHECK(wrong("gradient x color_map { [0 <1, 2, 3>] }") ==
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
-    CHECK(wrong("quick_color rgb 1") ==
-          "warning no-effect: `quick_color` has no effect in this version");
+    CHECK(wrong("quick_color") == "error missing: `quick_color` needs a colour");
 }
 
 TEST_CASE("pigments within pigments without end are refused", "[evaluate]") {

@@ -13,6 +13,7 @@
 namespace fs = std::filesystem;
 
 TEST_CASE("each library file can be included alone and twice", "[stdlib]") {
+    constexpr auto npos = std::string::npos;
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(CANDELABRA_SOURCE_DIR "/stdlib")) {
         const std::string include = "#include \"" + entry.path().filename().string() + "\"\n";
@@ -20,7 +21,8 @@ TEST_CASE("each library file can be included alone and twice", "[stdlib]") {
         INFO(include << once.diagnostics);
         CHECK(once.diagnostics.empty());
         CHECK(once.printed.empty());
-        CHECK(once.scene.objects.empty());
+        const bool stage = include.find("stdcam") != npos || include.find("stage1") != npos;
+        CHECK(once.scene.objects.empty() != stage);
         CHECK(evaluated("#version 3.7;\n" + include + include).diagnostics.empty());
         ++count;
     }

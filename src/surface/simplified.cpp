@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/simplified.h"
+
+#include "surface/texture_map.h"
+
+Handle<Texture> simplified(const Handle<Texture>& texture, int quality) {
+    if (quality >= quality_reflection) return texture;
+    Handle<Texture> result = texture;
+    Texture& made = result.edit();
+    if (made.choice) {
+        TextureMap map = made.choice->map;
+        for (TextureStop& stop : map) stop.texture = simplified(stop.texture, quality);
+        made.choice.edit().map = std::move(map);
+    }
+    made.normal = Bump();
+    made.finish.reflection = Reflection();
+    made.finish.microfacet.coat = 0;
+    if (quality < quality_pigments && made.pigment.quick)
+        made.pigment = Pigment{*made.pigment.quick, nullptr, {}};
+    if (made.below) made.below = simplified(made.below, quality);
+    return result;
+}
