@@ -142,24 +142,6 @@ Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
 }
 
-/// A direction as a diffuse surface scatters it, in proportion to the cosine; u is in [0, 1)^2.
-Vec3 scattered(const Shading& s, Vec2 u) {
-    Vec3 normal = s.normal;
-    if (s.both_sides) {
-        if (u.x >= 0.5) normal = -normal;
-        u.x = u.x < 0.5 ? 2 * u.x : 2 * u.x - 1;
-    }
-    const auto [x, y] = perpendiculars(normal);
-    const double across = std::sqrt(u.x), angle = 2 * pi * u.y;
-    return across * (std::cos(angle) * x + std::sin(angle) * y) + std::sqrt(1 - u.x) * normal;
-}
-
-/// Probability per steradian of that direction.
-double scattered_density(const Shading& s, const Vec3& direction) {
-    const double cosine = dot(s.normal, direction);
-    return s.both_sides ? std::abs(cosine) / (2 * pi) : std::fmax(cosine, 0) / pi;
-}
-
 }  // namespace
 
 Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) const {
