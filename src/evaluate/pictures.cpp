@@ -2,6 +2,7 @@
 #include "evaluate/pictures.h"
 
 #include "formula/formula.h"
+#include "picture/gamma.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 
@@ -11,9 +12,6 @@
 namespace {
 
 using Patterns = Kinds<Pattern>;
-
-/// Of the value that `gamma srgb` stands for.
-constexpr double srgb_gamma = -1;
 
 constexpr auto file_kinds =
     std::array{"gif"_word, "tga"_word, "iff"_word,  "pot"_word,  "png"_word, "pgm"_word, "ppm"_word,

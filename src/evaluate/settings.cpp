@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/settings.h"
 
+#include "picture/gamma.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 
@@ -105,6 +106,35 @@ private:
     LightSampler& sampler_;
 };
 
+/// The fields; `assumed_gamma srgb` is the one that has a word for its value.
+class SettingsFields {
+public:
+    SettingsFields(OpenBlock& block, GlobalSettings& settings)
+        : fields_(block, GlobalSettings::vocabulary, &settings) {}
+
+    bool srgb = false;
+
+    bool waiting() const { return fields_.waiting(); }
+    bool wants() const { return fields_.wants(); }
+    bool given(std::string_view field) const { return fields_.given(field); }
+    bool take(const Element& element) {
+        const bool of_gamma = fields_.waiting() && fields_.expected() == "assumed_gamma";
+        if (!of_gamma) return fields_.take(element);
+        srgb = element.kind == Element::Kind::word && element.word == "srgb"_word;
+        if (!srgb) return fields_.take(element);
+        Element value = element;
+        value.kind = Element::Kind::value;
+        value.word = no_name;
+        value.value = Numbers::scalar(1);
+        return fields_.take(value);
+    }
+    void finish() { fields_.finish(); }
+    void add_words(WordList& words) const { fields_.add_words(words); }
+
+private:
+    ItemReader fields_;
+};
+
 /// luminaires ambient
 class LuminairesReader : public SimpleReader {
 public:
@@ -147,12 +177,13 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
         "mm_per_unit "
         "radiosity photons subsurface";
     const double gamma = settings.assumed_gamma;
-    ItemReader fields(block, *block.item, &settings);
+    SettingsFields fields(block, settings);
     SamplerBlock sampler(block, settings.light_sampler);
     LuminairesReader luminaires(block, settings.ambient_luminaires);
     block.read(element.body, luminaires, fields, sampler);
     before.noise_generator |= fields.given("noise_generator");
     if (!fields.given("assumed_gamma")) return;
+    if (fields.srgb) settings.assumed_gamma = srgb_gamma;
     if (before.gamma) {
         block.report(warning(Fault::duplicate, element.word_span,
                              "`assumed_gamma` has been given before; the first one counts"));

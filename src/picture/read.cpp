@@ -4,6 +4,7 @@
 #include "base/colour.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
+#include "picture/gamma.h"
 
 #include <algorithm>
 #include <array>
@@ -48,9 +49,8 @@ private:
             value = decoded(stored, picture_);
         else
             return stored;
-        const bool encodes = coding_.working_gamma != 1 && coding_.decode != TexelCoding::as_stored;
-        return static_cast<float>(encodes && value > 0 ? std::pow(value, 1 / coding_.working_gamma)
-                                                       : value);
+        const bool encodes = coding_.decode != TexelCoding::as_stored;
+        return static_cast<float>(encodes ? from_linear(value, coding_.working_gamma) : value);
     }
 
     const TexelCoding& coding_;

@@ -4,6 +4,7 @@
 #include "base/colour.h"
 #include "picture/file.h"
 #include "picture/formats.h"
+#include "picture/gamma.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ std::vector<Integer> integers(const Image& image, const PictureFormat& format) {
 
 /// Radiance's shared exponents have no room for negative, infinite or undefined values.
 float representable(double value, const PictureFormat& format) {
-    if (format.encoded && format.gamma != 1 && value > 0) value = std::pow(value, format.gamma);
+    if (format.encoded) value = to_linear(value, format.gamma);
     if (format.type != PictureType::hdr) return static_cast<float>(value);
     return value > 0 ? static_cast<float>(std::min(value, 1e37)) : 0.0f;
 }
@@ -94,8 +95,7 @@ std::optional<PictureType> type_of_name(std::string_view path) {
 unsigned quantised(double value, unsigned most, const PictureFormat& format) {
     if (!(value > 0)) return 0;
     double shown = std::min(value, 1.0);
-    if (format.encoded && format.gamma != 1) shown = std::pow(shown, format.gamma);
-    if (format.encoded) shown = std::min(srgb_encode(shown), 1.0);
+    if (format.encoded) shown = std::min(srgb_encode(to_linear(shown, format.gamma)), 1.0);
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
 

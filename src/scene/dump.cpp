@@ -37,10 +37,14 @@ std::string block_text(const T& item) {
 }
 
 std::string settings_text(const Scene& scene) {
-    const GlobalSettings& settings = scene.settings;
+    GlobalSettings settings = scene.settings;
+    const bool srgb = settings.assumed_gamma < 0;
+    if (srgb) settings.assumed_gamma = GlobalSettings().assumed_gamma;
     std::string text = written_fields(GlobalSettings::vocabulary, &settings);
+    if (srgb) text += message(text.empty() ? "" : " ", "assumed_gamma srgb");
     // Before version 3.7 it makes a difference that the default was given.
-    if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1)
+    if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1 &&
+        !srgb)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");
     if (settings.ambient_luminaires) text += message(text.empty() ? "" : " ", "luminaires ambient");
     const std::string sampler = item_text(settings.light_sampler);

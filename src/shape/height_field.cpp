@@ -101,7 +101,13 @@ public:
             const double probe = t + 1e-9 * (range.max - range.min);
             const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
             const int z = cell(ray_.origin.z + probe * ray_.direction.z, grid_.height);
-            const double end = std::min(range.max, leaves(x, z, probe));
+            const double over = std::min(range.max, leaves_block(x, z, probe));
+            if (passes_over(block_at(x, z), {t, over}, first)) {
+                first = false;
+                t = over;
+                continue;
+            }
+            const double end = std::min(range.max, leaves(x, z, probe, 1));
             over_cell(x, z, {t, end}, first);
             first = false;
             t = end;
@@ -113,11 +119,31 @@ private:
         return std::clamp(static_cast<int>(std::floor(at)), 0, count - 2);
     }
 
-    double leaves(int x, int z, double after) const {
+    const HeightBlock& block_at(int x, int z) const {
+        const int row = (grid_.width - 2) / height_block + 1;
+        return field_.blocks[static_cast<std::size_t>(z / height_block * row + x / height_block)];
+    }
+
+    double leaves_block(int x, int z, double after) const {
+        return leaves(x / height_block * height_block, z / height_block * height_block, after,
+                      height_block);
+    }
+
+    /// Whether the ray stays on its side of all that the block has.
+    bool passes_over(const HeightBlock& block, const Interval& range, bool first) {
+        const double a = ray_.origin.y + range.min * ray_.direction.y;
+        const double b = ray_.origin.y + range.max * ray_.direction.y;
+        const bool above = std::min(a, b) > block.high, below = std::max(a, b) < block.low;
+        if (first && (above || below)) above_ = above;
+        return above_ ? above : below;
+    }
+
+    /// Where the ray leaves a square of cells.
+    double leaves(int x, int z, double after, int size) const {
         double t = std::numeric_limits<double>::infinity();
         const auto bound = [&](double origin, double speed, int low) {
             if (speed == 0) return;
-            const double at = (low + (speed > 0 ? 1 : 0) - origin) / speed;
+            const double at = (low + (speed > 0 ? size : 0) - origin) / speed;
             if (at > after) t = std::min(t, at);
         };
         bound(ray_.origin.x, ray_.direction.x, x);
@@ -167,6 +193,21 @@ private:
     bool above_ = true;
 };
 
+std::vector<HeightBlock> blocks_of(const HeightGrid& grid) {
+    std::vector<HeightBlock> blocks;
+    for (int z = 0; z < grid.height - 1; z += height_block)
+        for (int x = 0; x < grid.width - 1; x += height_block) {
+            HeightBlock block{grid.at(x, z), grid.at(x, z)};
+            for (int v = z; v <= std::min(z + height_block, grid.height - 1); ++v)
+                for (int u = x; u <= std::min(x + height_block, grid.width - 1); ++u) {
+                    block.low = std::min(block.low, grid.at(u, v));
+                    block.high = std::max(block.high, grid.at(u, v));
+                }
+            blocks.push_back(block);
+        }
+    return blocks;
+}
+
 }  // namespace
 
 std::string problem(const HeightField& field) {
@@ -180,7 +221,8 @@ BuiltHeightField build(const HeightField& field) {
     const HeightGrid& grid = *field.grid;
     const auto [low, high] = std::ranges::minmax_element(grid.values);
     BuiltHeightField result{field.grid,     field.water_level, field.smooth,
-                            *low / 65536.0, *high / 65536.0,   {}};
+                            *low / 65536.0, *high / 65536.0,   {},
+                            blocks_of(grid)};
     if (!field.smooth) return result;
     for (int z = 0; z < grid.height; ++z)
         for (int x = 0; x < grid.width; ++x) result.normals.push_back(pixel_normal(grid, x, z));

@@ -33,12 +33,19 @@ struct HeightField {
     static const ItemInfo vocabulary;
 };
 
+/// The lowest and the highest height of some cells side by side, a square of height_block each way.
+struct HeightBlock {
+    double low, high;
+};
+inline constexpr int height_block = 16;
+
 struct BuiltHeightField {
     Handle<HeightGrid> grid;
     double water_level = 0;
     bool smooth = false;
-    double low = 0, high = 0;   ///< of all heights
-    std::vector<Vec3> normals;  ///< of the pixels, when it is smooth
+    double low = 0, high = 0;              ///< of all heights
+    std::vector<Vec3> normals;             ///< of the pixels, when it is smooth
+    std::vector<HeightBlock> blocks = {};  ///< row by row
 };
 
 /// What is wrong beyond the ranges of single fields (no heights), as a sentence; empty when nothing

@@ -60,3 +60,11 @@ TEST_CASE("wrong settings are told of once", "[evaluate]") {
           "error out-of-range: `threshold` of `light_octree` must be above 0, but it is -1");
     CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
 }
+
+TEST_CASE("assumed_gamma may be the curve of sRGB", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; global_settings { assumed_gamma srgb max_trace_level 7 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.settings.assumed_gamma < 0);
+    CHECK(done.scene.settings.max_trace_level == 7);
+}

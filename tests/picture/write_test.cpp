@@ -57,6 +57,8 @@ TEST_CASE("values are clipped, encoded as sRGB and rounded") {
 TEST_CASE("values of another gamma are made linear first, and old scenes' are left as they are") {
     PictureFormat squared;
     squared.gamma = 2;
+    PictureFormat srgb;
+    srgb.gamma = -1;
     PictureFormat plain;
     plain.gamma = 2;
     plain.encoded = false;
@@ -64,6 +66,7 @@ TEST_CASE("values of another gamma are made linear first, and old scenes' are le
         CAPTURE(value);
         CHECK(quantised(value, 255, squared) == quantised(value * value, 255));
         CHECK(quantised(value, 255, plain) == std::floor(std::min(value, 1.0) * 255 + 0.5));
+        CHECK(quantised(value, 255, srgb) == quantised(value, 255, plain));
     }
 }
 

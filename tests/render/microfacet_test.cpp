@@ -36,7 +36,8 @@ double by_response(const Shading& s, Lobes lobes) {
         for (int j = 0; j < columns; ++j) {
             const double y = (i + 0.5) / rows, turn = 2 * pi * (j + 0.5) / columns;
             const double across = std::sqrt(1 - y * y);
-            sum += facet_response(s, {across * std::cos(turn), y, across * std::sin(turn)}, lobes).x;
+            sum +=
+                facet_response(s, {across * std::cos(turn), y, across * std::sin(turn)}, lobes).x;
         }
     return sum / pi * 2 * pi / (rows * columns);
 }
@@ -48,9 +49,9 @@ double by_scattering(const Shading& s) {
     for (std::uint32_t i = 0; i < count; ++i) {
         Key key;
         key.sample = i;
-        const auto drawn = scatter(
-            s, uniform(key, Purpose::facet_choice),
-            {uniform(key, Purpose::facet_u), uniform(key, Purpose::facet_v)});
+        const auto drawn =
+            scatter(s, uniform(key, Purpose::facet_choice),
+                    {uniform(key, Purpose::facet_u), uniform(key, Purpose::facet_v)});
         if (drawn) sum += drawn->weight.x;
     }
     return sum / count;
@@ -95,8 +96,8 @@ TEST_CASE("the response is the same both ways", "[render]") {
     const Vec3 light = unit(Vec3(-0.2, 0.5, 0.8));
     back.shading.view = -light;
     const double one = facet_response(there.shading, light, Lobes::all).x / light.y;
-    const double other = facet_response(back.shading, -there.shading.view, Lobes::all).x /
-                         -there.shading.view.y;
+    const double other =
+        facet_response(back.shading, -there.shading.view, Lobes::all).x / -there.shading.view.y;
     CHECK(one == Approx(other));
     CHECK(facet_response(there.shading, -light, Lobes::all) == Vec3(0));
 }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between linear light and colours as a scene has them, which assumed_gamma says. Used where
+// pictures are read and written.
+#pragma once
+
+#include "base/colour.h"
+
+#include <cmath>
+
+/// The gamma that stands for the curve of sRGB; others are powers.
+inline constexpr double srgb_gamma = -1;
+
+inline double to_linear(double value, double gamma) {
+    if (gamma == 1 || !(value > 0)) return value;
+    return gamma < 0 ? srgb_decode(value) : std::pow(value, gamma);
+}
+
+inline double from_linear(double value, double gamma) {
+    if (gamma == 1 || !(value > 0)) return value;
+    return gamma < 0 ? srgb_encode(value) : std::pow(value, 1 / gamma);
+}
