@@ -29,9 +29,13 @@ public:
             object = element.value.handle<Object>();
         else
             return false;
-        if (object) add(std::move(object), element.word_span);
-        block_.broken |= !object && element.kind == Element::Kind::block;
-        return object || element.kind == Element::Kind::block;
+        const bool block = element.kind == Element::Kind::block;
+        if (!object) {
+            block_.broken |= block;
+            return block;
+        }
+        add(std::move(object), element.word_span);
+        return true;
     }
     void finish() {
         if (meshes_.empty() && !block_.broken)
