@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: CC0-1.0
 // The set of Mandelbrot, brighter the longer a point stays: heights for bumps.
-// The library's bumpmap_.png is this scene with +W320 +H200 +A0.1.
+// The library's pictures/bumpmap_.png is this scene with +W320 +H200 +A0.1.
 #version 3.7;
 global_settings { assumed_gamma 2.2 }
 camera { orthographic location -z direction z right 1.6*x up y }

@@ -162,6 +162,8 @@ private:
                     message("there is no folder `", harmless(path), "` to look for files in")));
             paths.push_back(std::move(path));
         }
+        // Pictures of the library stand in for others of their names only.
+        if (!console_.library.empty()) paths.push_back(console_.library + "/pictures");
         return paths;
     }
 

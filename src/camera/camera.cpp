@@ -37,13 +37,14 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         F{"variance", &T::variance, item, "greatest variance of a blurred pixel's mean",
           at_least(0)},
         F{"confidence", &T::confidence, item, "in this variance", Range{0, 1, true}},
-        F{"angle", &T::angle, item, "degrees from the left edge to the right", Range{0, 360, true}},
         F{"shutter", &T::shutter, item,
           "how far the clock runs on while the picture is taken: what it moves is blurred",
           at_least(0)},
         maybe(F{"moments", &T::moments, following,
                 "moments of that time that the picture is made of, after a comma",
-                between(1, 1000)})};
+                between(1, 1000)}),
+        F{"angle", &T::angle, item, "degrees from the left edge to the right",
+          Range{0, 360, true}}};
     Schema<T, N + common.size() + M> result{name, help, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
     to = std::copy(common.begin(), common.end(), to);

@@ -16,12 +16,34 @@ KdTree index_of(std::span<const Box> boxes) {
     return build_kdtree(boxes, {}, {}, boxes.size() > many ? 0 : 1);
 }
 
-/// Whether the ray passes a box by, rounding errors included.
-bool misses(const Box& box, const Ray& ray, const Interval& range) {
-    const Interval part = clip(ray, box, range);
-    const double slack = 1e-9 * (max_abs_component(ray.origin) + std::abs(part.min));
-    return part.min > part.max + slack;
-}
+/// Tells which boxes a ray passes by. As in clip(), what is no number does not count.
+class Slabs {
+public:
+    explicit Slabs(const Ray& ray)
+        : origin_(ray.origin),
+          inverse_(Vec3(1) / ray.direction),
+          size_(max_abs_component(ray.origin)) {}
+
+    /// Rounding errors included.
+    bool miss(const Box& box, const Interval& range) const {
+        double near = range.min, far = range.max;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.low[axis] - origin_[axis]) * inverse_[axis];
+            const double b = (box.high[axis] - origin_[axis]) * inverse_[axis];
+            const bool backward = std::signbit(inverse_[axis]);
+            const double in = backward ? b : a, out = backward ? a : b;
+            near = in > near ? in : near;
+            far = out < far ? out : far;
+        }
+        return near > far + 1e-9 * (size_ + std::abs(near));
+    }
+
+private:
+    Vec3 origin_, inverse_;
+    double size_;
+};
+
+bool equal(const Box& a, const Box& b) { return a.low == b.low && a.high == b.high; }
 
 /// The plane in the space of the whole.
 Plane moved(const Plane& plane, const Transform& transform) {
@@ -243,6 +265,8 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
 
 std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interval& range,
                                                    Wanted wanted) const {
+    const Slabs slabs(ray);
+    if (slabs.miss(bounds_, range)) return std::nullopt;
     std::optional<Meeting> nearest;
     Interval left = range;
     const auto ask = [&](std::uint32_t leaf) {
@@ -254,7 +278,7 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
         if (nearest) left.max = nearest->t;
     };
     for (const std::uint32_t leaf : apart_)
-        if (!misses(seen_[leaf], ray, left)) ask(leaf);
+        if (equal(seen_[leaf], bounds_) || !slabs.miss(seen_[leaf], left)) ask(leaf);
     tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
         for (const std::uint32_t leaf : items) ask(leaf);
         rest.max = left.max;
@@ -265,9 +289,10 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
 
 void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
                     std::vector<Meeting>& met) const {
+    const Slabs slabs(ray);
     std::vector<std::uint32_t> candidates;
     for (const std::uint32_t leaf : apart_)
-        if (!misses(seen_[leaf], ray, range)) candidates.push_back(leaf);
+        if (!slabs.miss(seen_[leaf], range)) candidates.push_back(leaf);
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
         candidates.insert(candidates.end(), items.begin(), items.end());
         return false;
