@@ -29,6 +29,16 @@ Vec3 normal_at(const Torus& torus, const Vec3& p) {
     return unit(Vec3(p.x * scale, p.y, p.z * scale));
 }
 
+/// The part of the range where the ray is between the planes that touch the tube from above and
+/// below, and a little more.
+Interval between_planes(double minor, const Ray& ray, Interval range) {
+    const double height = minor * (1 + 1e-9), y = ray.origin.y, rise = ray.direction.y;
+    if (rise == 0) return std::abs(y) > height ? Interval{1, 0} : range;
+    const double above = (height - y) / rise, below = (-height - y) / rise;
+    return {std::fmax(range.min, std::fmin(above, below)),
+            std::fmin(range.max, std::fmax(above, below))};
+}
+
 }  // namespace
 
 Box bounds(const Torus& torus) {
@@ -50,13 +60,15 @@ void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
     const double reach = torus.major + torus.minor, near2 = dot(near, near);
     if (!(near2 < reach * reach)) return;
     const double half = std::sqrt(reach * reach - near2) * (1 + 1e-9);
+    const Interval range = between_planes(torus.minor, {near, u}, {-half, half});
+    if (!(range.min < range.max)) return;
 
     const double R = torus.major, ring = from_axis(near);
     const double k = near2 + (R - torus.minor) * (R + torus.minor);
     const std::array<double, 5> quartic = {(k - 2 * R * ring) * (k + 2 * R * ring),
                                            -8 * R * R * (near.x * u.x + near.z * u.z),
                                            2 * k - 4 * R * R * (u.x * u.x + u.z * u.z), 0, 1};
-    for (const double s : sign_changes(quartic, {-half, half})) {
+    for (const double s : sign_changes(quartic, range)) {
         const Vec3 normal = normal_at(torus, near + s * u);
         found.add({(start + s) / speed, normal, dot(u, normal) < 0});
     }
