@@ -22,7 +22,7 @@ floor='plane { y, 0 pigment { checker rgb 0.9, rgb 0.35 } finish { ambient 0.1 d
 # The scene of one tile.
 scene() {
     case $1 in
-        patterns) echo "$head $eye box { -1.9, <1.9, 1.4, 0>
+        patterns) echo "$head $eye box { <-1.9, -1.4, -0.01>, <1.9, 1.4, 1>
             texture { pigment { $2 } finish { ambient 1 diffuse 0 } } }" ;;
         normals) echo "$head $eye $lamp $sky sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }
             normal { $2 } finish { specular 0.3 roughness 0.02 } }" ;;
