@@ -2,6 +2,7 @@
 #include "app/scene_run.h"
 
 #include "app/depfile.h"
+#include "app/mesh_export.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
 #include "app/memory_limit.h"
@@ -113,7 +114,8 @@ private:
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
         for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
-                                        options_.stats_file, options_.depfile}) {
+                                        options_.stats_file, options_.depfile,
+                                        options_.mesh_file}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -178,6 +180,7 @@ private:
         if (console_.files_read) console_.files_read(files_);
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
+        if (options_.task == Task::export_mesh) return export_mesh(scene);
         if (options_.task != Task::dump_world)
             review(scene, survey(scene, diagnostics_), diagnostics_);
         if (say_diagnostics()) return exit_status::scene;
@@ -193,6 +196,12 @@ private:
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
         return render_picture(world, fitting);
+    }
+
+    int export_mesh(const Scene& scene) {
+        const std::string mesh = exported_mesh(scene, diagnostics_);
+        if (!mesh.empty()) write_file(options_.mesh_file, mesh, diagnostics_);
+        return say_diagnostics() ? exit_status::file : exit_status::done;
     }
 
     /// The result of a check or a dump, and what is wrong.
@@ -216,6 +225,7 @@ private:
         options.limits = options_.limits;
         options.declares = options_.declares;
         options.facts = options_.facts;
+        options.only = options_.task == Task::export_mesh ? options_.mesh_object : "";
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;
         if (options_.diagnostics_as_json)

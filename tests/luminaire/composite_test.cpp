@@ -65,3 +65,33 @@ TEST_CASE("its size is that of its shadow", "[luminaire]") {
     CHECK(b.box.high.x < 1e-9);
     CHECK(b.radius >= 1);
 }
+
+TEST_CASE("a guide makes less noise and the same light", "[luminaire]") {
+    // A thin ring fills a small part of any cone around it.
+    CompositeBuilder builder;
+    const PartRef ring = builder.add({Torus{1, 0.05}});
+    const auto composite = make_handle<Composite>(builder.finish(ring));
+    const Luminaire guided = glowing(composite_emitter(composite, ring.index)),
+                    searched = glowing(composite_emitter(composite, ring.index, false));
+    REQUIRE(std::get<CompositeEmitter>(guided.emitter).guide);
+    Draw draw(3);
+    for (int i = 0; i < 5; ++i) {
+        const Vec3 position = draw.between(1.5, 4) * draw.direction();
+        const ShadingPoint point{position, unit(-position)};
+        CHECK(sampled_irradiance(guided, point, 300) ==
+              Approx(sampled_irradiance(searched, point, 1000)).epsilon(0.03));
+        const auto variance = [&](const Luminaire& light) {
+            double sum = 0, squares = 0;
+            constexpr int count = 4000;
+            for (int k = 0; k < count; ++k) {
+                const auto s = sample(light, position, {draw.number(), draw.number()});
+                const double given =
+                    s ? std::fmax(0, dot(s->direction, point.normal)) / s->density : 0;
+                sum += given / count;
+                squares += given * given / count;
+            }
+            return squares / (sum * sum) - 1;
+        };
+        CHECK(variance(guided) < 0.25 * variance(searched));
+    }
+}
