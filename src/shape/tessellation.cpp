@@ -194,7 +194,7 @@ Mesh triangles_of(const Torus& t, int cells) {
         return marched(
             bounds(t), [&](const Vec3& p) { return inside(t, p); }, cells);
     Mesh mesh;
-    const int around = 2 * cells, across = std::max(8, cells / 2);
+    const int around = 2 * cells, across = std::max(16, cells / 2);
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < across; ++j) {
             const double turn = 2 * pi * i / around, lift = 2 * pi * j / across;

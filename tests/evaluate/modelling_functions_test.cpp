@@ -26,7 +26,7 @@ TEST_CASE("scatter gives points of a surface with their normals", "[evaluate]") 
                   "#local Bad = 0; #for (I, 0, dimension_size(A, 1) - 1)\n"
                   "#if (abs(vlength(A[I][0] - x) - 2) > 1e-9 | "
                   "vdot(A[I][1], A[I][0] - x) < 1.999) #local Bad = Bad + 1; #end #end\n"
-                  "P(Bad) P(dimension_size(A, 2)) P(dimension_size(A, 1) > 120)") ==
+                  "P(Bad) P(dimension_size(A, 2)) P((dimension_size(A, 1) > 120))") ==
           "0.000 2.000 1.000 ");
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("what cannot be scattered or divided is told", "[evaluate]") {
     CHECK(printed("#declare A = scatter(sphere { 0, 1 }, 0);") ==
           "error: the distance must be above 0");
     CHECK(printed("#declare A = scatter(sphere { 0, 1 }, 1e-5);") ==
-          "error: so small a distance would give more than 1e+06 points");
+          "error: so small a distance would give more than 1000000 points");
     CHECK(printed("#declare A = delaunay(array[3] { 1, 2, 3 });") ==
           "error: the points are an array of vectors <x, y>");
     CHECK(printed("#declare A = delaunay(array[3] { <0, 0>, <1, 1>, <2, 2> });") ==
