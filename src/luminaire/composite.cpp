@@ -98,22 +98,20 @@ Mesh grown(Mesh mesh, double by) {
 Handle<Guide> guide_to(const CompositeEmitter& e, const Around& ball, const Survey& survey) {
     Handle<Guide> best;
     double most = 0.9;
-    for (const int cells : {16, 32, 64}) {
+    for (const int cells : {12, 24, 48}) {
         const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
         if (mesh.faces.empty()) continue;
-        for (const double share : {1 / 32.0, 1 / 8.0}) {
-            Guide guide(grown(mesh, share * 2 * ball.radius / cells));
-            const auto covered = std::ranges::count_if(survey.met, [&](const Ray& ray) {
-                return guide.density(ray.origin, ray.direction) > 0;
-            });
-            const double reached =
-                static_cast<double>(covered) / static_cast<double>(survey.met.size());
-            if (reached > most) {
-                most = reached;
-                best = make_handle<Guide>(std::move(guide));
-            }
-            if (most >= 0.995) return best;
+        Guide guide(grown(mesh, ball.radius / (6 * cells)));
+        const auto covered = std::ranges::count_if(survey.met, [&](const Ray& ray) {
+            return guide.density(ray.origin, ray.direction) > 0;
+        });
+        const double reached =
+            static_cast<double>(covered) / static_cast<double>(survey.met.size());
+        if (reached > most) {
+            most = reached;
+            best = make_handle<Guide>(std::move(guide));
         }
+        if (most >= 0.97) break;
     }
     return best;
 }

@@ -297,7 +297,9 @@ Mesh seen_tessellation(const Composite& whole, std::uint32_t number, int cells) 
     if (leaf.transform)
         for (Vec3& vertex : mesh.vertices) vertex = leaf.transform->point(vertex);
     const bool mirrored = leaf.transform && leaf.transform->determinant() < 0;
+    const bool cut = whole.leaf_count() > 1;
     std::erase_if(mesh.faces, [&](const Face& each) {
+        if (!cut) return false;
         std::array<Vec3, 3> at;
         for (std::size_t i = 0; i < 3; ++i)
             at[i] = mesh.vertices[static_cast<std::size_t>(each[i])];

@@ -356,7 +356,7 @@ private:
         leaf_materials_;
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
-    int guides_left_ = 256;
+    int guides_left_ = 64;
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;
