@@ -286,6 +286,15 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
            "tokens, tree, scene or world");
 }
 
+void store::export_mesh(Options& options, const Given& given, Diagnostics&) {
+    options.task = Task::export_mesh;
+    options.mesh_file = *given.value;
+}
+
+void store::export_object(Options& options, const Given& given, Diagnostics&) {
+    options.mesh_object = *given.value;
+}
+
 void store::help(Options& options, const Given& given, Diagnostics&) {
     options.task = Task::help;
     options.topic = given.value.value_or("");

@@ -55,6 +55,8 @@ void sampler(Options&, const Given&, Diagnostics&);
 void library(Options&, const Given&, Diagnostics&);
 void allow_read(Options&, const Given&, Diagnostics&);
 void allow_write(Options&, const Given&, Diagnostics&);
+void export_mesh(Options&, const Given&, Diagnostics&);
+void export_object(Options&, const Given&, Diagnostics&);
 void limit_steps(Options&, const Given&, Diagnostics&);
 void limit_depth(Options&, const Given&, Diagnostics&);
 void limit_memory(Options&, const Given&, Diagnostics&);

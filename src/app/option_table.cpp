@@ -195,6 +195,11 @@ constexpr auto rows = std::to_array<OptionRow>({
            "builds what rays need; =syntax: reads the scene, but does not evaluate it"),
     option("", "", "dump", value, "stage", store::dump,
            "prints what the scene is at a stage: tokens, tree, scene or world"),
+    option("", "", "export-mesh", value, "file", store::export_mesh,
+           "writes the scene's surfaces as triangles to a PLY file and renders nothing; shapes are "
+           "taken apart, intersections and differences are exact"),
+    option("", "", "export-object", value, "name", store::export_object,
+           "what --export-mesh writes: a declared object in the place of the whole scene"),
     option("", "", "progress", value, "form", store::progress,
            "auto (the default), plain lines, none; or for programs: json on the error stream, alf "
            "(of RenderMan's queues) or openjd (Open Job Description) on the standard output"),

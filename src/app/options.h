@@ -36,7 +36,8 @@ enum class Task {
     help,
     version,
     describe,
-    completion
+    completion,
+    export_mesh
 };
 
 /// A name that the scene finds declared, and its value.
@@ -57,9 +58,11 @@ struct Options {
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
     std::vector<Declaration> declares;
     AnimationSettings animation;
-    RunFacts facts;          ///< what else the scene is told; the size is that of render
-    std::string movie;       ///< what the frames become; empty: nothing more
-    double frame_rate = 25;  ///< of the movie, frames a second
+    RunFacts facts;           ///< what else the scene is told; the size is that of render
+    std::string mesh_file;    ///< of --export-mesh
+    std::string mesh_object;  ///< the declared object that it shows; empty: the whole scene
+    std::string movie;        ///< what the frames become; empty: nothing more
+    double frame_rate = 25;   ///< of the movie, frames a second
     std::optional<std::string> ini_file;  ///< where all options go
     std::vector<std::string> given;       ///< all options as lines of an INI file
     RenderSettings render;

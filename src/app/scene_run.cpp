@@ -2,6 +2,7 @@
 #include "app/scene_run.h"
 
 #include "app/depfile.h"
+#include "app/mesh_export.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
 #include "app/memory_limit.h"
@@ -113,7 +114,8 @@ private:
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
         for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
-                                        options_.stats_file, options_.depfile}) {
+                                        options_.stats_file, options_.depfile,
+                                        options_.mesh_file}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -181,6 +183,7 @@ private:
         if (console_.files_read) console_.files_read(files_);
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
+        if (options_.task == Task::export_mesh) return export_mesh(scene);
         if (options_.task != Task::dump_world)
             review(scene, survey(scene, diagnostics_), diagnostics_);
         if (say_diagnostics()) return exit_status::scene;
@@ -223,6 +226,12 @@ private:
         }
     }
 
+    int export_mesh(const Scene& scene) {
+        const std::string mesh = exported_mesh(scene, diagnostics_);
+        if (!mesh.empty()) write_file(options_.mesh_file, mesh, diagnostics_);
+        return say_diagnostics() ? exit_status::file : exit_status::done;
+    }
+
     /// The result of a check or a dump, and what is wrong.
     int say(const std::string& text) {
         console_.out(text);
@@ -246,6 +255,7 @@ private:
         options.declares = options_.declares;
         options.facts = options_.facts;
         options.facts.clock += clock_ahead;
+        options.only = options_.task == Task::export_mesh ? options_.mesh_object : "";
         options.facts.image_width = options_.render.width;
         options.facts.image_height = options_.render.height;
         if (clock_ahead > 0)

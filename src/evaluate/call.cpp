@@ -25,6 +25,7 @@ Value Evaluator::State::call(const Tree& tree, const node::Call& node, NodeId id
         return append_text(tree, id, text, node.name) ? Value(std::move(text))
                                                       : Value(Absence::broken);
     }
+    if (!found && is_function(node.name)) return call_function(tree, node, id);
     if (names.reserved(node.name)) return call_function(tree, node, id);
     if (is_function(node.name)) {
         const Value called = *found;
@@ -36,7 +37,9 @@ Value Evaluator::State::call(const Tree& tree, const node::Call& node, NodeId id
 
 bool Evaluator::State::is_function(NameId name) const {
     const Value* found = scope.find(name);
-    return found && (found->formula() || found->handle<Spline>());
+    if (found) return found->formula() || found->handle<Spline>();
+    const auto number = static_cast<std::size_t>(name);
+    return number < functions.size() && functions[number];
 }
 
 Value Evaluator::State::call_value(const Tree& tree, const Value& called, NameId name, NodeId first,

@@ -13,6 +13,7 @@
 #include "evaluate/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
+#include "text/harmless.h"
 #include "text/message.h"
 
 #include <utility>
@@ -291,5 +292,13 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
                    declared.second);
     evaluator.run(main);
     reader.finish(evaluator.version_given());
+    if (options.only.empty()) return scene;
+    const Value* only = evaluator.find(names.find(options.only));
+    ObjectHandle object = only ? only->handle<Object>() : nullptr;
+    if (!object && !diagnostics.failed())
+        diagnostics.add(error(Fault::unknown_name, {},
+                              message("no object is declared as `", harmless(options.only), "`")));
+    scene.objects.clear();
+    if (object) scene.objects.push_back(std::move(object));
     return scene;
 }

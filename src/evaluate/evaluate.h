@@ -18,6 +18,8 @@ struct EvaluateOptions {
     std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
     RunFacts facts;
     Limits limits;
+    /// The name of a declared object that is all of the scene; empty: what the scene shows.
+    std::string only;
     /// What #debug and its relatives say, as it comes; empty: nobody listens.
     std::function<void(std::string_view)> print;
 };

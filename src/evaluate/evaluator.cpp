@@ -120,8 +120,12 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
         return this->loader.load(std::string(name), {}, FileKind::data).has_value();
     };
     functions.resize(reserved_words().size());
-    for (const FunctionInfo& function : ::functions())
-        functions[static_cast<std::size_t>(names.find(function.name))] = &function;
+    for (const FunctionInfo& function : ::functions()) {
+        // Some functions are not reserved: a scene's own names go before them.
+        const auto number = static_cast<std::size_t>(names.intern(function.name));
+        functions.resize(std::max(functions.size(), number + 1));
+        functions[number] = &function;
+    }
     const auto number = [&](std::string_view name, double value) {
         scope.declare(names.intern(name), value);
     };

@@ -2,6 +2,7 @@
 #include "evaluate/functions.h"
 
 #include "evaluate/array_data.h"
+#include "evaluate/modelling_functions.h"
 #include "evaluate/number_functions.h"
 #include "evaluate/object_functions.h"
 #include "evaluate/string_functions.h"
@@ -151,6 +152,10 @@ constexpr auto table = std::array{
                  General(date_text)},
     FunctionInfo{"degrees", 1, 1, "x", "radians to degrees",
                  Unary([](double x) { return x / degree; })},
+    FunctionInfo{"delaunay", 1, 1, "points",
+                 "the triangles between points <x, y> of an array: an array of n by 3 numbers of "
+                 "points, from 0",
+                 General(delaunay)},
     FunctionInfo{"dimension_size", 2, 2, "array, n", "size in dimension n, from 1",
                  General(dimension_size)},
     FunctionInfo{"dimensions", 1, 1, "array", "number of dimensions", General(dimensions)},
@@ -179,6 +184,10 @@ constexpr auto table = std::array{
                  Unary([](double x) { return x * degree; })},
     FunctionInfo{"rand", 1, 1, "stream", "the next random number of a stream, 0 to 1",
                  General(next_random)},
+    FunctionInfo{"scatter", 2, 3, "object, distance[, seed]",
+                 "places all over a surface, no two nearer than the distance: an array of n by 2, "
+                 "a point and the normal there",
+                 General(scatter)},
     FunctionInfo{"seed", 1, 1, "n", "a new random stream", General(new_random)},
     FunctionInfo{"select", 3, 4, "v, a, b[, c]", "a if v < 0, else b; with c: b if v = 0, else c",
                  General(select)},
@@ -208,6 +217,10 @@ constexpr auto table = std::array{
     FunctionInfo{"vdot", 2, 2, "a, b", "dot product", General(dot_product)},
     FunctionInfo{"vlength", 1, 1, "v", "length", General(vector_length)},
     FunctionInfo{"vnormalize", 1, 1, "v", "v with length 1", General(normalised)},
+    FunctionInfo{"voronoi_cell", 4, 4, "points, i, low, high",
+                 "what is nearer to point i <x, y> of an array than to the others, within a "
+                 "rectangle: an array of its corners",
+                 General(voronoi)},
     FunctionInfo{"vrotate", 2, 2, "v, degrees", "v turned about x, then y, then z",
                  General(rotated)},
     FunctionInfo{"vstr", 5, 5, "n, v, separator, width, digits", "n numbers of a vector as text",

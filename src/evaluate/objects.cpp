@@ -5,6 +5,7 @@
 #include "evaluate/confines.h"
 #include "evaluate/lights.h"
 #include "evaluate/look_reader.h"
+#include "evaluate/model_reader.h"
 #include "evaluate/models.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/transforms.h"
@@ -171,9 +172,16 @@ private:
         ContentReader content(block_, draft_, ContentReader::Kind::shape);
         const auto declared = [&] { return draft_.declared != nullptr; };
         ShapeReader reader{fields, declared};
-        read_with(element_.body, content, reader);
+        const auto* triangles = std::get_if<Shared<TriangleMesh>>(&shape);
+        ModelReader model(block_, draft_, triangles != nullptr);
+        read_with(element_.body, content, reader, model);
         if (block_.broken || draft_.declared) return;
-        complete(block_, shape);
+        std::optional<Mesh> made = triangles ? model.made(**triangles) : std::nullopt;
+        if (block_.broken) return;
+        if (made)
+            shape = Shared(std::move(*made));
+        else
+            complete(block_, shape);
         if (!block_.broken) check(shape);
     }
 

@@ -258,7 +258,7 @@ struct Evaluator::State {
     Scope scope;
     Frames frames;
     FunctionWorld world;
-    std::vector<const FunctionInfo*> functions;  ///< by reserved word
+    std::vector<const FunctionInfo*> functions;  ///< by name; null: none
     const NameId concat = names.find("concat");
     const NameId str = names.find("str");
     std::deque<Tree> trees;

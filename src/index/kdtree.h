@@ -21,8 +21,8 @@
 /// ray speeds on sphereflakes of 10^4 to 10^6 spheres. Small trees win there, because memory is
 /// what rays wait for; a test much slower than a sphere's deserves a higher intersection_cost.
 struct KdTreeSettings {
-    double traversal_cost = 1;       ///< of going from a cell to its halves
-    double intersection_cost = 0.5;  ///< of testing one item
+    double traversal_cost = 1;        ///< of going from a cell to its halves
+    double intersection_cost = 0.25;  ///< of testing one item
     double empty_bonus = 0.1;  ///< fraction of the cost forgiven to planes that cut off empty space
     int max_depth = 0;  ///< 0: 8 + 1.3 log2 of the number of items; never above KdTree::depth_limit
     int leaf_size = 1;  ///< cells with so few items are not divided any more

@@ -3,6 +3,8 @@
 
 #include "base/random.h"
 #include "luminaire/glow.h"
+#include "luminaire/guide.h"
+#include "shape/tessellation.h"
 
 #include <numbers>
 
@@ -45,27 +47,85 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
     return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
 }
 
+/// Shares of the drawn directions that are looked for in the whole cone when there is a guide, and
+/// with it.
+constexpr double astray = 0.125, guided = 1 - astray;
+
+/// Of a direction that meets the leaf, which is within the ball.
+double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
+               const Vec3& direction) {
+    const double around = 1 / (2 * pi * rim(ball, length(ball.centre - from)));
+    return e.guide ? astray * around + guided * e.guide->density(from, direction) : around;
+}
+
+/// Parallel rays through the ball from all sides, and those of them that meet the leaf.
+struct Survey {
+    static constexpr std::uint32_t rays = 512;
+    std::vector<Ray> met;
+
+    Survey(const CompositeEmitter& e, const Around& ball) {
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            const auto number = [&](std::uint32_t branch, Purpose purpose) {
+                return uniform(Key{0, i, 0, branch}, purpose);
+            };
+            const Vec3 direction = in_cone(
+                Vec3(0, 0, 1), 2, {number(0, Purpose::light_u), number(0, Purpose::light_v)});
+            const auto [x, y] = perpendiculars(direction);
+            const double off = ball.radius * std::sqrt(number(1, Purpose::light_u));
+            const double angle = 2 * pi * number(1, Purpose::light_v);
+            const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
+            const Ray ray{through - 2 * ball.radius * direction, direction};
+            if (meet(e, ray, 0)) met.push_back(ray);
+        }
+    }
+};
+
+/// The mesh with its corners moved outwards: triangles between points of a round surface do not
+/// reach its rim.
+Mesh grown(Mesh mesh, double by) {
+    std::vector<Vec3> outward(mesh.vertices.size(), Vec3(0));
+    for (const Face& face : mesh.faces) {
+        const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(face[i])]; };
+        const Vec3 normal = cross(at(1) - at(0), at(2) - at(0));
+        for (const int corner : face) outward[static_cast<std::size_t>(corner)] += normal;
+    }
+    for (std::size_t i = 0; i < outward.size(); ++i) mesh.vertices[i] += by * unit(outward[i]);
+    return mesh;
+}
+
+/// Triangles that nearly all rays meet which meet the leaf, as coarse as can be. What they do not
+/// cover makes noise, what they cover beyond it costs rays.
+Handle<Guide> guide_to(const CompositeEmitter& e, const Around& ball, const Survey& survey) {
+    Handle<Guide> best;
+    double most = 0.9;
+    for (const int cells : {12, 24, 48}) {
+        const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
+        if (mesh.faces.empty()) continue;
+        Guide guide(grown(mesh, ball.radius / (6 * cells)));
+        const auto covered = std::ranges::count_if(survey.met, [&](const Ray& ray) {
+            return guide.density(ray.origin, ray.direction) > 0;
+        });
+        const double reached =
+            static_cast<double>(covered) / static_cast<double>(survey.met.size());
+        if (reached > most) {
+            most = reached;
+            best = make_handle<Guide>(std::move(guide));
+        }
+        if (most >= 0.97) break;
+    }
+    return best;
+}
+
 }  // namespace
 
-CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf) {
+CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf, bool guided) {
     CompositeEmitter e{std::move(composite), leaf, 0};
     const Around ball(e);
-    // The share of parallel rays through the ball, from all sides, that meet the leaf.
-    constexpr std::uint32_t rays = 512;
-    double met = 0;
-    for (std::uint32_t i = 0; i < rays; ++i) {
-        const auto number = [&](std::uint32_t branch, Purpose purpose) {
-            return uniform(Key{0, i, 0, branch}, purpose);
-        };
-        const Vec3 direction =
-            in_cone(Vec3(0, 0, 1), 2, {number(0, Purpose::light_u), number(0, Purpose::light_v)});
-        const auto [x, y] = perpendiculars(direction);
-        const double off = ball.radius * std::sqrt(number(1, Purpose::light_u));
-        const double angle = 2 * pi * number(1, Purpose::light_v);
-        const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
-        met += meet(e, {through - 2 * ball.radius * direction, direction}, 0).has_value();
-    }
-    e.seen_area = std::fmax(met, 0.5) / rays * pi * ball.radius * ball.radius;
+    const Survey survey(e, ball);
+    const auto met = static_cast<double>(survey.met.size());
+    e.seen_area = std::fmax(met, 0.5) / Survey::rays * pi * ball.radius * ball.radius;
+    // What nearly fills the cone is found there soon enough.
+    if (guided && met > 0 && met < 0.75 * Survey::rays) e.guide = guide_to(e, ball, survey);
     return e;
 }
 
@@ -86,22 +146,28 @@ double unoccluded(const CompositeEmitter& e, double luminance, const ShadingPoin
 
 std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, const Vec2& u) {
     const Around ball(e);
-    const Vec3 offset = ball.centre - from;
-    const double to_centre = length(offset), widest = rim(ball, to_centre);
-    const Vec3 middle = to_centre > 0 ? offset / to_centre : Vec3(0, 0, 1);
-    const Vec3 direction = unit(in_cone(middle, widest, u));
+    Vec3 direction;
+    if (e.guide && u.x >= astray) {
+        direction = unit(e.guide->point({(u.x - astray) / guided, u.y}) - from);
+        if (direction == Vec3(0)) return {};
+    } else {
+        const Vec3 offset = ball.centre - from;
+        const double to_centre = length(offset);
+        const Vec3 middle = to_centre > 0 ? offset / to_centre : Vec3(0, 0, 1);
+        const Vec2 left = e.guide ? Vec2(u.x / astray, u.y) : u;
+        direction = unit(in_cone(middle, rim(ball, to_centre), left));
+    }
     const auto distance = meet(e, {from, direction}, clearance * ball.radius);
     if (!distance) return {};
-    return LightPoint{from + *distance * direction, direction, *distance, 1 / (2 * pi * widest)};
+    return LightPoint{from + *distance * direction, direction, *distance,
+                      density(e, ball, from, direction)};
 }
 
 void meet(const CompositeEmitter& e, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& met) {
     const Around ball(e);
     const auto distance = meet(e, {point.position, direction}, clearance * ball.radius);
-    if (!distance) return;
-    const double widest = rim(ball, length(ball.centre - point.position));
-    met.push_back({*distance, 1 / (2 * pi * widest)});
+    if (distance) met.push_back({*distance, density(e, ball, point.position, direction)});
 }
 
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }

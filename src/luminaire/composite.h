@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A glowing leaf of a composite: any shape at all, whole or cut. Called through luminaire.h, which
-// states what each function promises. Its points are found by looking: rays within the cone of a
-// sphere around it, or all around from within.
+// states what each function promises. Its points are found by looking: rays towards triangles near
+// its surface, and within the cone of a sphere around it, or all around from within.
 #pragma once
 
 #include "luminaire/luminaire.h"
 
-/// The emitter, with its size as seen from far away, which is measured once by some rays.
-CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf);
+/// The emitter, with its size as seen from far away, which is measured once by some rays. With
+/// `guided` it also gets triangles to look at, if its surface can be made of some; that takes
+/// milliseconds and some hundred kilobytes.
+CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool guided = true);
 
 LightBounds bounds(const CompositeEmitter&, double luminance);
 double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);

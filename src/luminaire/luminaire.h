@@ -49,11 +49,14 @@ struct AreaEmitter {
     Handle<Transform> transform;  ///< null: none
 };
 
+class Guide;
+
 /// Any other shape, whole or cut by others.
 struct CompositeEmitter {
     Handle<Composite> composite;
-    std::uint32_t leaf = 0;  ///< of the composite: the part that glows
-    double seen_area = 0;    ///< the area of its shadow, on average over all directions
+    std::uint32_t leaf = 0;         ///< of the composite: the part that glows
+    double seen_area = 0;           ///< the area of its shadow, on average over all directions
+    Handle<Guide> guide = nullptr;  ///< where most of its points are looked for; null: all around
 };
 
 using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter>;

@@ -21,7 +21,15 @@ std::string made_solid(ExactSurface& surface) {
     return {};
 }
 
+/// A surface without faces bounds nothing.
+bool empty(const ExactSurface& surface) { return surface.number_of_faces() == 0; }
+
 bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, ExactSurface& made) {
+    if (empty(a) || empty(b)) {
+        const bool other = empty(a) && operation == SolidOperation::join;
+        if (other || operation != SolidOperation::intersect) made = other ? b : a;
+        return true;
+    }
     switch (operation) {
         case SolidOperation::join:
             return processing::corefine_and_compute_union(a, b, made);
@@ -29,31 +37,34 @@ bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, ExactS
             return processing::corefine_and_compute_intersection(a, b, made);
         case SolidOperation::subtract:
             return processing::corefine_and_compute_difference(a, b, made);
+        case SolidOperation::take:
+            break;
     }
     return false;
 }
 
 }  // namespace
 
-std::string polyhedra::combine(SolidOperation operation, std::span<const Polyhedron> parts,
-                               Polyhedron& made) {
-    ExactSurface whole;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        ExactSurface part = surface<ExactSurface>(parts[i]);
-        const std::string wrong = made_solid(part);
-        if (!wrong.empty())
-            return "surface " + std::to_string(i + 1) + " bounds no solid: " + wrong;
-        if (i == 0) {
-            whole = std::move(part);
+std::string polyhedra::combine(std::span<const SolidOperation> steps,
+                               std::span<const Polyhedron> solids, Polyhedron& made) {
+    std::vector<ExactSurface> stack;
+    std::size_t taken = 0;
+    for (const SolidOperation step : steps) {
+        if (step == SolidOperation::take) {
+            stack.push_back(surface<ExactSurface>(solids[taken++]));
+            const std::string wrong = made_solid(stack.back());
+            if (!wrong.empty())
+                return "surface " + std::to_string(taken) + " bounds no solid: " + wrong;
             continue;
         }
-        ExactSurface result;
-        if (!combined(operation, whole, part, result))
-            return "with surface " + std::to_string(i + 1) +
+        ExactSurface last = std::move(stack.back()), result;
+        stack.pop_back();
+        if (!combined(step, stack.back(), last, result))
+            return "with surface " + std::to_string(taken) +
                    " the result would touch itself in an edge or a point";
-        whole = std::move(result);
+        stack.back() = std::move(result);
     }
-    if (whole.number_of_faces() == 0) return "nothing is left";
-    made = polyhedron(whole);
+    if (empty(stack.back())) return "nothing is left";
+    made = polyhedron(stack.back());
     return {};
 }

@@ -10,6 +10,8 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <map>
+
 namespace polyhedra {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -17,25 +19,30 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 std::string read(const std::string& path, Polyhedron&);
 std::string hull(std::span<const Polyhedron::Point>, Polyhedron&);
-std::string combine(SolidOperation, std::span<const Polyhedron>, Polyhedron&);
+std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>, Polyhedron&);
 std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
 std::string triangulate(std::span<const std::array<double, 2>>, std::vector<Polyhedron::Face>&);
 
 /// The faces as a surface whose neighbours know each other; where more than two faces meet in an
-/// edge, points are doubled so that they do. Faces without area are left out.
+/// edge, points are doubled so that they do. Points at one place become one, and faces that have
+/// two corners there are left out: so a closed surface stays closed.
 template <class Mesh>
 Mesh surface(const Polyhedron& from) {
     using Point = typename Mesh::Point;
     std::vector<Point> points;
-    points.reserve(from.points.size());
-    for (const auto& [x, y, z] : from.points) points.emplace_back(x, y, z);
+    std::map<Polyhedron::Point, std::size_t> known;
+    std::vector<std::size_t> places;
+    for (const Polyhedron::Point& p : from.points) {
+        const auto [found, added] = known.try_emplace(p, points.size());
+        if (added) points.emplace_back(p[0], p[1], p[2]);
+        places.push_back(found->second);
+    }
     std::vector<std::vector<std::size_t>> faces;
-    for (const auto& [a, b, c] : from.faces)
-        if (from.points[static_cast<std::size_t>(a)] != from.points[static_cast<std::size_t>(b)] &&
-            from.points[static_cast<std::size_t>(b)] != from.points[static_cast<std::size_t>(c)] &&
-            from.points[static_cast<std::size_t>(c)] != from.points[static_cast<std::size_t>(a)])
-            faces.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b),
-                             static_cast<std::size_t>(c)});
+    for (const Polyhedron::Face& face : from.faces) {
+        std::vector<std::size_t> at;
+        for (const int corner : face) at.push_back(places[static_cast<std::size_t>(corner)]);
+        if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0]) faces.push_back(std::move(at));
+    }
     namespace processing = CGAL::Polygon_mesh_processing;
     processing::orient_polygon_soup(points, faces);
     Mesh made;

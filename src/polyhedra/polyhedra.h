@@ -20,11 +20,13 @@ struct Polyhedron {
     std::vector<Face> faces;
 };
 
-/// How solids make one.
+/// A step on the way to a solid that is made of others: each puts a solid on a stack. All but the
+/// first kind take the two uppermost from there.
 enum class SolidOperation {
-    join,       ///< inside any
-    intersect,  ///< inside all
-    subtract,   ///< inside the first and no other
+    take,       ///< the next of those that are given
+    join,       ///< inside either
+    intersect,  ///< inside both
+    subtract,   ///< inside the lower one and not the upper one
 };
 
 /// How a surface is divided and smoothed.
@@ -41,9 +43,10 @@ struct Polyhedra {
     std::string (*read)(const std::string& path, Polyhedron&);
     /// The smallest convex polyhedron around the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
-    /// Solids from closed surfaces that do not cut themselves. Exact: coordinates are rounded once,
-    /// at the end.
-    std::string (*combine)(SolidOperation, std::span<const Polyhedron>, Polyhedron&);
+    /// A solid from closed surfaces that do not cut themselves. Exact: coordinates are rounded
+    /// once, at the end. Precondition: the steps leave one solid on the stack.
+    std::string (*combine)(std::span<const SolidOperation>, std::span<const Polyhedron>,
+                           Polyhedron&);
     std::string (*subdivide)(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
     /// The Delaunay triangulation of points of a plane.
     std::string (*triangulate)(std::span<const std::array<double, 2>>,

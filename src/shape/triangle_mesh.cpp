@@ -33,11 +33,25 @@ const ItemInfo SmoothFacet::vocabulary = described<SmoothFacet>([] {
 const ItemInfo TriangleMesh::vocabulary = described<TriangleMesh>([] {
     using F = Field<TriangleMesh>;
     return schema<TriangleMesh>(
-        "mesh", "Triangles, one by one.",
+        "mesh",
+        "Triangles: one by one, from a file, or of a solid that is given as an object. Unions, "
+        "intersections and differences are then exact; convex_hull { points, objects } is the "
+        "smallest convex solid around all.",
         parts<&TriangleMesh::triangles>("triangle", "a flat triangle"),
         parts<&TriangleMesh::smooth_triangles>("smooth_triangle", "one with normals"),
         F{"inside_vector", &TriangleMesh::inside_vector, item,
-          "direction in which to count crossings to tell inside from outside"});
+          "direction in which to count crossings to tell inside from outside"},
+        F{"file", &TriangleMesh::file, item,
+          "an OBJ, PLY, STL or OFF file in the place of triangles"},
+        F{"resolution", &TriangleMesh::resolution, item,
+          "cells along the longest side of each shape of an object; half the sides of what is "
+          "round",
+          between(4, 512)},
+        F{"subdivide", &TriangleMesh::subdivide, item,
+          "steps of Loop's rule: each makes four faces of one, and the surface rounder",
+          between(0, 8)},
+        F{"smooth", &TriangleMesh::smooth, flag,
+          "shades it as if it were curved, with normals of the faces around each point"});
 });
 
 namespace {

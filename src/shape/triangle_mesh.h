@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh whose triangles are written one by one, each with its corners: POV-Ray's `mesh`. It is
-// built as the Mesh that `mesh2` describes.
+// built as the Mesh that `mesh2` describes. What is made of a file or an object is not built here:
+// whoever reads the scene does that, and puts a Mesh in its place.
 #pragma once
 
 #include "shape/mesh.h"
@@ -29,6 +30,11 @@ struct TriangleMesh {
     std::vector<FlatFacet> triangles;
     std::vector<SmoothFacet> smooth_triangles;
     std::optional<Vec3> inside_vector;
+    // Of what is made in the place of triangles.
+    std::string file;
+    int resolution = 64;
+    int subdivide = 0;
+    bool smooth = false;
 
     static const ItemInfo vocabulary;
 };

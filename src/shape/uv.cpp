@@ -119,7 +119,7 @@ std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
         const double rim = std::sqrt(top ? sor.parts.back().high2 : sor.parts.front().low2);
         const bool on_end = !sor.open && std::abs(share - (top ? 1 : 0)) < 1e-9;
         if (on_end && radius < rim * (1 - 1e-9))
-            return Vec2((1 + point.x / rim) / 2, (1 + point.z / rim) / 2);
+            return Vec2(turn_around_axis(point), top ? 1 - radius / rim : radius / rim);
     }
     return Vec2(turn_around_axis(point), share);
 }

@@ -23,13 +23,14 @@ public:
 
     bool inside(const ObjectHandle&, const Vec3& point);
 
+    /// The object as rays ask it; it lives as long as this.
+    const Composite& composite(const ObjectHandle&);
+
 private:
     struct Known {
         ObjectHandle object;  ///< kept, so that no address comes twice
         Composite composite;
     };
-    const Composite& composite(const ObjectHandle&);
-
     ShapeStore shapes_;
     std::unordered_map<const Object*, Known> known_;
     const Known* last_ = nullptr;

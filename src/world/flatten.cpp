@@ -324,7 +324,10 @@ private:
         if (faces != world_.face_textures.end()) std::ranges::for_each(faces->second, include);
     }
 
-    Emitter emitter(const Unplaced& glow) const {
+    /// Whether one more luminaire without a formula may take some time and memory.
+    bool may_guide() { return guides_left_ > 0 && guides_left_-- > 0; }
+
+    Emitter emitter(const Unplaced& glow) {
         if (glow.kind == Unplaced::sphere) {
             const SpherePrimitive& s = world_.spheres[glow.index];
             return SphereEmitter{s.centre, s.radius};
@@ -336,13 +339,14 @@ private:
         if (glow.kind == Unplaced::leaf) {
             const PlacedComposite& placed = world_.composites[world_.composite_of[glow.index]];
             const PrimitiveIndex leaf = world_.leaves_begin() + glow.index;
-            return composite_emitter(placed.composite, leaf - placed.first_leaf);
+            return composite_emitter(placed.composite, leaf - placed.first_leaf, may_guide());
         }
         const PlacedShape& placed = world_.shapes[glow.index];
         if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
         CompositeBuilder builder;
         const PartRef alone = builder.add({placed.shape, placed.transform});
-        return composite_emitter(make_handle<Composite>(builder.finish(alone)), alone.index);
+        return composite_emitter(make_handle<Composite>(builder.finish(alone)), alone.index,
+                                 may_guide());
     }
 
     World& world_;
@@ -352,6 +356,7 @@ private:
         leaf_materials_;
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
+    int guides_left_ = 64;
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;

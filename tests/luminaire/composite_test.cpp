@@ -16,6 +16,21 @@ CompositeEmitter alone(const BuiltShape& shape) {
     return composite_emitter(make_handle<Composite>(builder.finish(leaf)), leaf.index);
 }
 
+/// What draws give, and the square of their spread over that of the mean.
+struct Drawn {
+    double mean = 0, variance = 0;
+};
+Drawn drawn_irradiance(const Luminaire& light, const ShadingPoint& point, int count, Draw& draw) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < count; ++i) {
+        const auto s = sample(light, point.position, {draw.number(), draw.number()});
+        const double given = s ? std::fmax(0, dot(s->direction, point.normal)) / s->density : 0;
+        sum += given / count;
+        squares += given * given / count;
+    }
+    return {sum, squares / (sum * sum) - 1};
+}
+
 CompositeEmitter half_ball() {
     CompositeBuilder builder;
     const PartRef ball = builder.add({Sphere{o, 1}}), cut = builder.add({Plane{x, 0}});
@@ -27,11 +42,13 @@ CompositeEmitter half_ball() {
 
 TEST_CASE("any shape gives the light that it would give as an emitter of its own", "[luminaire]") {
     const Luminaire ball = glowing(SphereEmitter{o, 1}), any = glowing(alone(Sphere{o, 1}));
+    REQUIRE(std::get<CompositeEmitter>(any.emitter).guide);
     Draw draw(1);
     for (int i = 0; i < 20; ++i) {
         const ShadingPoint point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
         const double expected = sampled_irradiance(ball, point, 100);
-        CHECK(sampled_irradiance(any, point, 500) == Approx(expected).epsilon(0.02).margin(0.002));
+        CHECK(drawn_irradiance(any, point, 250'000, draw).mean ==
+              Approx(expected).epsilon(0.02).margin(0.002));
         if (expected > 1e-6) CHECK(unoccluded(any, point) > 0);
     }
 }
@@ -64,4 +81,23 @@ TEST_CASE("its size is that of its shadow", "[luminaire]") {
     CHECK(b.luminance == 3);
     CHECK(b.box.high.x < 1e-9);
     CHECK(b.radius >= 1);
+}
+
+TEST_CASE("a guide makes less noise and the same light", "[luminaire]") {
+    // A thin ring fills a small part of any cone around it.
+    CompositeBuilder builder;
+    const PartRef ring = builder.add({Torus{1, 0.05}});
+    const auto composite = make_handle<Composite>(builder.finish(ring));
+    const Luminaire guided = glowing(composite_emitter(composite, ring.index)),
+                    searched = glowing(composite_emitter(composite, ring.index, false));
+    REQUIRE(std::get<CompositeEmitter>(guided.emitter).guide);
+    Draw draw(3);
+    for (int i = 0; i < 5; ++i) {
+        const Vec3 position = draw.between(1.5, 4) * draw.direction();
+        const ShadingPoint point{position, unit(-position)};
+        const Drawn by_guide = drawn_irradiance(guided, point, 40'000, draw),
+                    by_search = drawn_irradiance(searched, point, 400'000, draw);
+        CHECK(by_guide.mean == Approx(by_search.mean).epsilon(0.03));
+        CHECK(by_guide.variance < 0.4 * by_search.variance);
+    }
 }

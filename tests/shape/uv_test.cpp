@@ -54,7 +54,9 @@ TEST_CASE("v follows the points of a lathe and the height of a sor", "[shape]") 
     sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}};
     const BuiltSor vase = build(sor);
     CHECK(close(uv(vase, Vec3(-1, 1, 0), 0), {.5, .25}));
-    CHECK(close(uv(vase, Vec3(.5, 4, 0), 0), {.75, .5}));
+    // On its lower end v goes from the middle to the rim, on the upper one back.
+    CHECK(close(uv(vase, Vec3(.25, 4, 0), 0), {0, .75}));
+    CHECK(close(uv(vase, Vec3(0, 0, .25), 0), {.25, .25}));
 }
 
 TEST_CASE("a patch lies between the u and v of its corners", "[shape]") {

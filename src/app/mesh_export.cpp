@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mesh_export.h"
+
+#include "modelling/object_mesh.h"
+#include "modelling/ply.h"
+#include "text/message.h"
+
+namespace {
+
+/// Cells along the longest side of a shape: fine enough to look round, coarse enough for scenes of
+/// many thousand spheres.
+constexpr int cells = 32;
+
+/// What a file's indices, and the memory of most machines, have room for.
+constexpr std::size_t most_faces = 100'000'000;
+
+}  // namespace
+
+std::string exported_mesh(const Scene& scene, Diagnostics& diagnostics) {
+    const Polyhedra* library = modelling_library(diagnostics, {});
+    if (!library) return {};
+    Mesh all;
+    for (const ObjectHandle& object : scene.objects) {
+        const Mesh part = surface_mesh(object, cells, library);
+        if (part.faces.empty())
+            diagnostics.add(
+                warning(Fault::degenerate, object->span,
+                        "this object is not in the mesh: it has no end, or is too thin"));
+        const int first = static_cast<int>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+        for (const Face& face : part.faces)
+            all.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+        if (all.faces.size() > most_faces) {
+            diagnostics.add(error(Fault::out_of_range, object->span,
+                                  message("the mesh would have more than ", most_faces,
+                                          " faces from this object on")));
+            return {};
+        }
+    }
+    if (!all.faces.empty()) return ply(all);
+    diagnostics.add(error(Fault::degenerate, {}, "there is no surface to write"));
+    return {};
+}

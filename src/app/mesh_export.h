@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene as one mesh in a file: --export-mesh. Called when the scene has been evaluated.
+#pragma once
+
+#include "scene/scene.h"
+#include "text/diagnostic.h"
+
+#include <string>
+
+/// The PLY file of all surfaces of the scene. Objects without any that have an end are warnings; if
+/// no surface is left, the text is empty and there is an error.
+std::string exported_mesh(const Scene&, Diagnostics&);

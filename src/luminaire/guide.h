@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles near a glowing surface that has no formula: where its points are looked for. The
+// surface itself says where they are; so the guide need not be exact, and whoever uses it also
+// looks elsewhere now and then. Called by the composite emitter.
+#pragma once
+
+#include "shape/mesh.h"
+
+class Guide {
+public:
+    /// Precondition: some face has an area.
+    explicit Guide(const Mesh&);
+
+    /// The point for u, which is uniform in [0, 1)^2: uniform over the area of the triangles.
+    Vec3 point(const Vec2& u) const;
+
+    /// Probability per steradian with which the points lie in this unit direction from there.
+    double density(const Vec3& from, const Vec3& direction) const;
+
+private:
+    BuiltMesh mesh_;
+    std::vector<double> areas_;  ///< of each face and those before it
+};

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed of the kd-tree on a mesh of a million triangles, a bumpy ball, against Embree 3 where its
+// headers are there: build time, then million rays a second. Run by hand: mesh_bench [steps], which
+// makes 4 steps^2 triangles; INTERSECTION_COST in the environment replaces the setting. Rays:
+// through a camera's pixels, cosine-distributed from what they hit, and from there to points of a
+// light above (any hit). One thread everywhere.
+#include "index/kdtree.h"
+#include "index/statistics.h"
+#include "shape/triangle.h"
+
+#if __has_include(<embree3/rtcore.h>) && !defined(NO_EMBREE)
+#define WITH_EMBREE 1
+#include <embree3/rtcore.h>
+#endif
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+#include <random>
+
+namespace {
+
+using std::numbers::pi;
+constexpr double far_away = std::numeric_limits<double>::infinity();
+
+struct Surface {
+    std::vector<Vec3> points;
+    std::vector<std::array<unsigned, 3>> faces;
+
+    std::vector<Triangle> flat;  ///< the faces, as the world keeps them
+};
+
+Surface bumpy_ball(unsigned steps) {
+    Surface made;
+    const unsigned around = 2 * steps;
+    for (unsigned i = 0; i <= steps; ++i)
+        for (unsigned j = 0; j < around; ++j) {
+            const double up = pi * i / steps, turn = 2 * pi * j / around;
+            const double radius = 1 + 0.1 * std::sin(9 * turn) * std::sin(7 * up) +
+                                  0.02 * std::sin(90 * turn + 80 * up);
+            made.points.push_back(radius * Vec3(std::sin(up) * std::cos(turn), std::cos(up),
+                                                std::sin(up) * std::sin(turn)));
+        }
+    for (unsigned i = 0; i < steps; ++i)
+        for (unsigned j = 0; j < around; ++j) {
+            const unsigned a = i * around + j, b = i * around + (j + 1) % around;
+            made.faces.push_back({a, b, b + around});
+            made.faces.push_back({a, b + around, a + around});
+        }
+    for (const auto& [a, b, c] : made.faces)
+        made.flat.push_back({made.points[a], made.points[b], made.points[c]});
+    return made;
+}
+
+struct Found {
+    double t = far_away;
+    std::uint32_t face = 0;
+};
+
+Found first_hit(const KdTree& tree, const Surface& mesh, const Ray& ray) {
+    Found found;
+    const ShearedRay sheared(ray);
+    tree.traverse(ray, {0, far_away}, [&](std::span<const std::uint32_t> items, Interval& range) {
+        for (const std::uint32_t item : items) {
+            const Triangle& f = mesh.flat[item];
+            const TriangleHit met = sheared.meet(f.corner1, f.corner2, f.corner3, range);
+            if (met.t < range.max) range.max = met.t, found = {met.t, item};
+        }
+        return false;
+    });
+    return found;
+}
+
+bool blocked(const KdTree& tree, const Surface& mesh, const Ray& ray, double distance) {
+    const ShearedRay sheared(ray);
+    return tree.traverse(
+        ray, {0, distance}, [&](std::span<const std::uint32_t> items, Interval& range) {
+            for (const std::uint32_t item : items) {
+                const Triangle& f = mesh.flat[item];
+                if (sheared.meet(f.corner1, f.corner2, f.corner3, range).t < range.max) return true;
+            }
+            return false;
+        });
+}
+
+struct Segment {
+    Ray ray;
+    double length = far_away;
+};
+struct Rays {
+    std::vector<Segment> camera, bounce, shadow;
+};
+
+Rays make_rays(const KdTree& tree, const Surface& mesh, int width) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Rays rays;
+    const Vec3 eye(0, 0, -4);
+    for (int i = 0; i < width * width; ++i) {
+        const Vec3 ahead(2.4 * (i % width + 0.5) / width - 1.2,
+                         2.4 * (i / width + 0.5) / width - 1.2, 4);
+        const Ray ray{eye, unit(ahead)};
+        rays.camera.push_back({ray});
+        const Found found = first_hit(tree, mesh, ray);
+        if (found.t == far_away) continue;
+        const Triangle face = mesh.flat[found.face];
+        Vec3 normal = triangle_normal(face.corner1, face.corner2, face.corner3);
+        if (dot(normal, ray.direction) > 0) normal = -normal;
+        const Vec3 start = ray.at(found.t) + 1e-5 * normal;
+        const double z = 2 * uniform(random) - 1, turn = 2 * pi * uniform(random);
+        const double r = std::sqrt(1 - z * z);
+        rays.bounce.push_back(
+            {{start, unit(normal + Vec3(r * std::cos(turn), r * std::sin(turn), z))}});
+        const Vec3 to = Vec3(4 * uniform(random) - 2, 3, 4 * uniform(random) - 4) - start;
+        if (dot(to, normal) > 0) rays.shadow.push_back({{start, unit(to)}, length(to)});
+    }
+    return rays;
+}
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// Million rays a second, the best of several passes: the machine may be shared.
+double speed(const std::vector<Segment>& rays, const std::function<bool(const Segment&)>& meets) {
+    double best = 0;
+    std::size_t found = 0;
+    for (int pass = 0; pass < 5; ++pass) {
+        const double start = seconds();
+        for (const Segment& ray : rays) found += meets(ray);
+        best = std::max(best, 1e-6 * static_cast<double>(rays.size()) / (seconds() - start));
+    }
+    return found > 0 ? best : 0;
+}
+
+#ifdef WITH_EMBREE
+class Embree {
+public:
+    explicit Embree(const Surface& mesh) {
+        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // watertight, as ours
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* points = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), mesh.points.size()));
+        for (const Vec3& p : mesh.points)
+            for (int axis = 0; axis < 3; ++axis) *points++ = static_cast<float>(p[axis]);
+        auto* faces = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), mesh.faces.size()));
+        for (const auto& face : mesh.faces)
+            for (const unsigned corner : face) *faces++ = corner;
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene_);
+    }
+    ~Embree() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+
+    bool meets(const Segment& s) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRayHit query{};
+        query.ray = ray(s);
+        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &query);
+        return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    bool blocks(const Segment& s) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRay query = ray(s);
+        rtcOccluded1(scene_, &context, &query);
+        return query.tfar < 0;
+    }
+
+private:
+    static RTCRay ray(const Segment& s) {
+        RTCRay r{};
+        r.org_x = static_cast<float>(s.ray.origin.x);
+        r.org_y = static_cast<float>(s.ray.origin.y);
+        r.org_z = static_cast<float>(s.ray.origin.z);
+        r.dir_x = static_cast<float>(s.ray.direction.x);
+        r.dir_y = static_cast<float>(s.ray.direction.y);
+        r.dir_z = static_cast<float>(s.ray.direction.z);
+        r.tfar = static_cast<float>(s.length);
+        r.mask = ~0u;
+        return r;
+    }
+
+    RTCDevice device_ = rtcNewDevice("threads=1");
+    RTCScene scene_ = rtcNewScene(device_);
+};
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Surface mesh = bumpy_ball(argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 500);
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) boxes.push_back(bounds(mesh.flat[i]));
+    KdTreeSettings settings;
+    if (const char* cost = std::getenv("INTERSECTION_COST"))
+        settings.intersection_cost = std::atof(cost);
+    double start = seconds();
+    const KdTree tree = build_kdtree(
+        boxes, [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
+        settings, 1);
+    const double build = seconds() - start;
+    std::printf("%zu triangles, %.1f bytes each, built in %.2f s\n", mesh.faces.size(),
+                static_cast<double>(tree.memory_bytes()) / static_cast<double>(mesh.faces.size()),
+                build);
+    const Rays rays = make_rays(tree, mesh, 512);
+    const auto meets = [&](const Segment& s) { return first_hit(tree, mesh, s.ray).t < far_away; };
+    const auto blocks = [&](const Segment& s) { return blocked(tree, mesh, s.ray, s.length); };
+    const std::array ours = {speed(rays.camera, meets), speed(rays.bounce, meets),
+                             speed(rays.shadow, blocks)};
+    std::array<double, 3> theirs{};
+#ifdef WITH_EMBREE
+    start = seconds();
+    const Embree embree(mesh);
+    std::printf("Embree: built in %.2f s\n", seconds() - start);
+    const auto embree_meets = [&](const Segment& s) { return embree.meets(s); };
+    theirs = {speed(rays.camera, embree_meets), speed(rays.bounce, embree_meets),
+              speed(rays.shadow, [&](const Segment& s) { return embree.blocks(s); })};
+#endif
+    constexpr std::array names = {"camera", "bounce", "shadow"};
+    for (std::size_t i = 0; i < 3; ++i)
+        std::printf("%s M/s %8.3f   Embree %8.3f   ratio %6.2f\n", names[i], ours[i], theirs[i],
+                    theirs[i] > 0 ? ours[i] / theirs[i] : 0);
+}

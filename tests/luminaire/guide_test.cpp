@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/guide.h"
+
+#include "shape/tessellation.h"
+#include "support/draw.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a guide's density is that of its points", "[luminaire]") {
+    const Guide guide(tessellation(built(Torus{1, 0.3}), 8));
+    Draw draw(1);
+    const Vec3 from(0.5, 2, 0.3);
+    // The mean of 1 over the density is the solid angle that the triangles fill, counted once for
+    // each pair of sides: hold it against directions that are drawn evenly.
+    double by_points = 0, by_directions = 0;
+    constexpr int count = 40000;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 p = guide.point({draw.number(), draw.number()});
+        const double density = guide.density(from, unit(p - from));
+        if (density > 0) by_points += 1 / density / count;
+        by_directions += (guide.density(from, draw.direction()) > 0) * 4 * std::numbers::pi / count;
+    }
+    CHECK(by_points == Approx(by_directions).epsilon(0.05));
+}
+
+TEST_CASE("a guide's points lie evenly on its triangles", "[luminaire]") {
+    const Guide guide(tessellation(built(Cuboid{Vec3(0), Vec3(1, 1, 3)}), 8));
+    Draw draw(2);
+    int on_ends = 0;
+    for (int i = 0; i < 14000; ++i) {
+        const Vec3 p = guide.point({draw.number(), draw.number()});
+        on_ends += p.z < 1e-9 || p.z > 3 - 1e-9;
+    }
+    CHECK(on_ends == Approx(2000).epsilon(0.1));  // 2 of 14
+}
