@@ -183,8 +183,10 @@ private:
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
+        const RenderSettings& render = options_.render;
         const World world =
-            compile(std::move(scene), {options_.render.threads, options_.render.light_sampler},
+            compile(std::move(scene),
+                    {render.threads, render.light_sampler, render.width, render.height},
                     diagnostics_);
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));

@@ -14,10 +14,12 @@ constexpr double near_radii = 2;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
 constexpr double divided_above = 20;
-/// Cells that look bigger than this to the eye (size over distance) are divided at once when their
-/// noise is above the bound: there are many hits in them, and what is seen from them differs.
-/// Smaller ones are not surveyed one by one.
-constexpr double coarse = 0.1;
+/// Cells that look bigger than so many pixels to the eye are divided at once when their noise is
+/// above the bound: there are many hits in them, and what is seen from them differs. Smaller ones
+/// are not surveyed one by one, so that the survey's rays stay a small part of all.
+constexpr double coarse_pixels = 24;
+/// The same as an angle (size over distance): bounds for large and for small pictures.
+constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
@@ -44,6 +46,14 @@ bool near(const Glow& g, const Vec3& position) {
     return dot(v, v) < near_radii * near_radii * g.radius * g.radius;
 }
 
+double estimate(const LightTree& tree, const LightCluster& c, const ShadingPoint& point) {
+    const Glow g = tree.glow(c);
+    const Falloff* falloff = tree.falloff(c);
+    const double square = irradiance(g, point);
+    return falloff ? square * against_square_law(*falloff, g.centre - point.position, g.radius)
+                   : square;
+}
+
 struct Halves {
     LightCluster first, second;
     double share;  ///< probability of the first
@@ -57,7 +67,7 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
     const auto [first, second] = tree.halves(c);
     if (tree.dark(first)) return Halves{first, second, 0};
     if (tree.dark(second)) return Halves{first, second, 1};
-    const double a = irradiance(tree.glow(first), point), b = irradiance(tree.glow(second), point);
+    const double a = estimate(tree, first, point), b = estimate(tree, second, point);
     if (!(a + b > 0)) return {};
     return Halves{first, second, a / (a + b)};
 }
@@ -100,6 +110,7 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
+    double coarse = 0;
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<std::size_t> cells = 0, bytes = 0;
@@ -117,6 +128,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;
+    state_->coarse = std::clamp(coarse_pixels * scene.pixel, least_coarse, greatest_coarse);
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
     LightBounds lights;
@@ -136,7 +148,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->box = box;
     cell->depth = parent ? parent->depth + 1 : 0;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
-    const double limit = state_->eye ? coarse * length(box.centre() - *state_->eye) : 0,
+    const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0,
                  size = length(box.size());
     const bool small = size <= limit;
     const double bound = state_->rule.noise * (state_->eye && !small ? 1 : divided_above);
@@ -154,6 +166,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
 std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const Box& box, const LightCut& cut, const LightProbe& probe) const {
     const std::vector<Receiver> receivers = receivers_in(box, probe);
+    if (state_->tree.falloff(state_->tree.root())) return survey_of_sources(cut, receivers, probe);
     const auto result = std::make_shared<Survey>(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
                Outlook(box, state_->ball, receivers, probe)});
@@ -162,6 +175,15 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    return result;
+}
+
+/// Sources are met by no ray: there is nothing to be seen of them.
+std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
+    const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
+    const auto result = std::make_shared<Survey>(
+        Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
+    state_->bytes += result->memory_bytes();
     return result;
 }
 

@@ -51,6 +51,8 @@ private:
     const Cell& cell_at(const Vec3&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
     std::shared_ptr<const Survey> survey(const Box&, const LightCut&, const LightProbe&) const;
+    std::shared_ptr<const Survey> survey_of_sources(const LightCut&, std::span<const Receiver>,
+                                                    const LightProbe&) const;
     void adopt(const Survey&, Cell&) const;
     double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,

@@ -26,10 +26,14 @@ double arriving(std::span<const Luminaire> luminaires, LightIndex light, const R
     if (!drawn) return 0;
     const double height = dot(drawn->direction, from.point.normal),
                  cosine = from.point.both_sides ? std::abs(height) : height;
-    if (!(cosine > 0)) return 0;
+    const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
+    if (!(cosine > 0) && !source) return 0;
     const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
-    if (!sight || sight->light != light) return 0;
-    return sight->luminance * cosine / drawn->density;
+    if (source) {
+        const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
+        return hidden ? 0 : unoccluded(luminaires[light], from.point);
+    }
+    return sight && sight->light == light ? sight->luminance * cosine / drawn->density : 0;
 }
 
 float cautious_share(float share, const Box& cell, const Glow& g) {

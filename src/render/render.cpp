@@ -2,7 +2,7 @@
 #include "render/render.h"
 
 #include "base/parallel.h"
-#include "render/trace.h"
+#include "render/pilot.h"
 
 #include <algorithm>
 #include <atomic>
@@ -34,7 +34,8 @@ public:
           settings_(settings),
           state_(state),
           hooks_(hooks),
-          blur_(blur_rule(world, settings)) {}
+          blur_(blur_rule(world, settings)),
+          shadow_rays_(shadow_rays_per_hit(world, settings)) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -71,7 +72,7 @@ private:
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            Tracer tracer(world_, settings_.shadow_rays);
+            Tracer tracer(world_, shadow_rays_);
             const std::uint64_t made = make_tile(tracer, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
@@ -121,20 +122,9 @@ private:
             const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
             const double u = (x + dx) / state_.film.width() - 0.5;
             const double v = 0.5 - (y + dy) / state_.film.height();
-            pixel.add(tracer.radiance(camera_ray(u, v, key), key));
+            pixel.add(tracer.radiance(camera_ray(world_, u, v, key), key));
         }
         return pixel.samples - before;
-    }
-
-    Ray camera_ray(double u, double v, const Key& key) const {
-        Ray ray = world_.camera.ray(u, v);
-        if (ray.direction == Vec3(0)) return ray;
-        if (world_.camera_normal.pattern)
-            ray.direction =
-                bumped(world_.camera_normal, ray.direction, Vec3(u, v, 0), world_.pattern_scene());
-        if (world_.camera.lens_radius == 0) return ray;
-        return world_.camera.through_lens(
-            ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
     }
 
     bool stop() {
@@ -147,6 +137,7 @@ private:
     RenderState& state_;
     const RenderHooks& hooks_;
     std::optional<BlurRule> blur_;
+    int shadow_rays_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
@@ -163,8 +154,12 @@ int samples_per_pixel(const World& world, const RenderSettings& settings) {
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
-    if (!settings.antialias) return world.luminaires.empty() ? 1 : 16;
-    return std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    // With more shadow rays each, fewer samples tell as much.
+    constexpr int least = 4, to_middle = 16;
+    const int rays = shadow_rays_per_hit(world, settings);
+    if (!settings.antialias) return world.light_is_drawn() ? std::max(least, to_middle / rays) : 1;
+    const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    return rays == 1 ? first : std::min(first, std::max(least, first / rays));
 }
 
 bool is_even(const World& world, const RenderSettings& settings) {

@@ -10,6 +10,10 @@
 #include <optional>
 #include <vector>
 
+/// Through a point of the picture (see Projection::ray) and, with a lens, a point of that: the key
+/// chooses.
+Ray camera_ray(const World&, double u, double v, const Key&);
+
 /// One for each job: it keeps scratch memory and counts rays.
 class Tracer {
 public:

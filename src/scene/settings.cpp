@@ -50,7 +50,7 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           "no such bound",
           between(0, 3)},
         F{"shadow_rays", &RenderSettings::shadow_rays, item,
-          "how often luminaires are chosen at each hit", between(1, 1e4)},
+          "how often luminaires are chosen at each hit; 0: as often as pays", between(0, 1e4)},
         F{"seed", &RenderSettings::seed, item, "another seed gives other noise",
           between(0, std::numeric_limits<int>::max())},
         F{"threads", &RenderSettings::threads, item, "threads that work; 0: one for each core",

@@ -7,6 +7,7 @@
 #include "index/kdtree.h"
 #include "lighting/sampler.h"
 #include "scene/scene.h"
+#include "world/sources.h"
 
 #include <cstdint>
 #include <memory>
@@ -128,8 +129,11 @@ public:
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const;
 
-    /// Whether a light may light an object of the material.
-    bool reaches(std::size_t light, const Material&) const;
+    /// Whether the lights of a group may light an object of the material.
+    bool reaches(std::uint32_t light_group, const Material&) const;
+
+    /// Whether it is left to chance which lights are asked at a point.
+    bool light_is_drawn() const;
 
     /// The share of a surface of this colour that is not transparent, by the scene's language
     /// version.
@@ -188,6 +192,7 @@ public:
     BuiltLightSampler sampler;
     std::vector<Light> lights;
     std::vector<LightReach> light_reach;      ///< of each light
+    std::vector<SourceSet> source_sets;       ///< all of them
     std::vector<LightGroup> light_groups{1};  ///< the first stands for what is in none
 
     Projection camera;

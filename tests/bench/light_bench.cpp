@@ -97,7 +97,7 @@ void compare(const std::string& title, const std::string& file, const Declares& 
              const std::vector<Strategy>& strategies, int size) {
     double opponent = 0;
     for (const Strategy& strategy : strategies) {
-        const World world = world_of_file(file, declares, strategy.sampler);
+        const World world = world_of_file(file, declares, strategy.sampler, size);
         const Measured found = measure(world, strategy, size);
         if (opponent == 0) opponent = found.work();
         std::printf(
@@ -135,7 +135,7 @@ void room() {
         compare("infrared room", "tests/bench/room.pov", {{"Side", side}}, usual(), 200);
     for (const Strategy& strategy : usual()) {
         const World world = world_of_file("tests/bench/room.pov", {{"Side", 29.0}, {"Same", 1.0}},
-                                          strategy.sampler);
+                                          strategy.sampler, 100);
         const Measured found = measure(world, strategy, 100);
         std::printf("isothermal room, %s: deviation %.2e\n", strategy.name.c_str(),
                     found.rmse / found.mean);
