@@ -68,6 +68,8 @@ struct Options {
     CommandSettings commands;  ///< of the shell, around pictures
     bool diagnostics_as_json = false;
     std::string stats_file;
+    bool light_report = false;
+    std::string light_layers;  ///< a file for what light cost and its noise, pixel by pixel
     std::string depfile;              ///< rule for make; empty: none
     Progress::Share share;            ///< of all pictures that the run makes
     std::string progress = "auto";    ///< or plain, json, alf, openjd, none

@@ -54,10 +54,29 @@ Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays
         if (set.drawn())
             sum += from_drawn_sources(set, s, key, rays);
         else
-            for (const std::uint32_t light : set.lights)
-                sum += source_light(world_, light, s, key, rays);
+            for (const std::uint32_t light : set.lights) sum += from_source(light, 1, s, key, rays);
     }
     return sum;
+}
+
+Vec3 DirectLight::from_source(std::uint32_t light, double weight, const Shading& s, const Key& key,
+                              RayCounts& rays) {
+    const std::uint64_t before = rays.shadow;
+    const Vec3 seen = weight * source_light(world_, light, s, key, rays);
+    if (rays.lights.empty()) return seen;
+    LightCount& own = rays.lights[world_.statement_of_light[light]];
+    own.light.add(grey(seen));
+    own.rays += rays.shadow - before;
+    return seen;
+}
+
+/// Notes light that came from a luminaire, and rays that were sent to it.
+void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3& seen,
+                                   std::uint64_t count) const {
+    if (rays.lights.empty()) return;
+    LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
+    own.light.add(grey(seen) / shadow_rays_);
+    own.rays += count;
 }
 
 /// Some of many.
@@ -82,9 +101,10 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, con
         else
             std::visit([&](const auto& b) { b.choose(point, part, picks_); }, set.sampler);
         for (const LightPick& pick : picks_)
-            sum += source_light(world_, set.lights[pick.light], s, part, rays) / pick.expected;
+            sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_), s, part,
+                               rays);
     }
-    return sum / static_cast<double>(shadow_rays_);
+    return sum;
 }
 
 /// The first thing on a ray that stops all light.
@@ -119,9 +139,10 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     ++rays.shadow;
     const Vec3 passed =
         world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
-    if (passed == Vec3(0)) return Vec3(0);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
-    return answer * sent * passed / (pi * density(*point));
+    const Vec3 seen = passed == Vec3(0) ? passed : answer * sent * passed / (pi * density(*point));
+    credit_luminaire(rays, pick.light, seen, 1);
+    return seen;
 }
 
 template <class Sampler>
@@ -166,7 +187,9 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
         const Vec3 passed = world_.transmittance(ray, s.tolerance, met.meeting.distance);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.luminaires[met.light];
-        sum += weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 seen = weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
+        credit_luminaire(rays, met.light, seen, 1);
+        sum += seen;
         const Material& material = world_.material(luminaire.primitive);
         if (!material.transparent && !material.no_shadow) break;
     }
@@ -185,11 +208,11 @@ Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights
         const auto drawn = Outlook::draw(weights.outlook, place_on_light(key));
         const Vec3 answer = answer_to(world_, s, drawn.direction, key);
         if (answer == Vec3(0)) return Vec3(0);
-        return answer / pi * seen_towards(s, drawn.direction, rays, [&](const Met& met) {
-                   const double of_point =
-                       octree.expected(point, weights, met.light) * met.meeting.density;
-                   return 1 / (by_direction * drawn.density + (1 - by_direction) * of_point);
-               });
+        return seen_towards(s, drawn.direction, rays, [&](const Met& met) {
+            const double of_point =
+                octree.expected(point, weights, met.light) * met.meeting.density;
+            return answer / pi / (by_direction * drawn.density + (1 - by_direction) * of_point);
+        });
     }
     picks_.clear();
     octree.choose(point, weights, key, (u - by_direction) / (1 - by_direction), picks_);
@@ -225,6 +248,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
     const ShadingPoint point = point_of(s);
     const Ray ray{s.position, direction};
     double from = s.tolerance;
+    bool first = true;  // no luminaire was met yet
     Vec3 sum(0);
     for (int passed = 0; passed < most_passed; ++passed) {
         Hit hit;
@@ -237,15 +261,20 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
             if (clear == Vec3(0)) break;
             meetings_.clear();
             meet(world_.luminaires[light], point, direction, meetings_);
+            Vec3 seen(0);
             for (const LightMeeting& meeting : meetings_)
                 if (std::abs(meeting.distance - distance) <= 1e-6 * distance + hit.tolerance)
-                    sum += clear * weight(Met{meeting, light}) *
-                           radiance(world_.luminaires[light], hit.position);
+                    seen += clear * weight(Met{meeting, light}) *
+                            radiance(world_.luminaires[light], hit.position);
+            credit_luminaire(rays, light, seen, first ? 1 : 0);
+            first = false;
+            sum += seen;
         }
         const Material& material = world_.material(hit.primitive);
         if (!material.transparent && !material.no_shadow) break;
         from = distance + hit.tolerance;
     }
+    if (first && !rays.lights.empty()) ++rays.lights.back().rays;
     return sum;
 }
 
@@ -284,9 +313,9 @@ Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const
     meet_along(bvh.tree(), s, direction);
     const Vec3 seen = seen_along(s, direction, rays, [&](const Met& met) {
         const double other = bvh.expected(point_of(s), key, met.light) * met.meeting.density;
-        return own / (own + other);
+        return answer / (pi * (own + other));
     });
-    return answer * seen / (pi * own);
+    return seen;
 }
 
 Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& rays) {

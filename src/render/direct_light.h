@@ -26,6 +26,8 @@ private:
     Vec3 from_sources(const Shading&, const Key&, RayCounts&);
     Vec3 from_drawn_sources(const SourceSet&, const Shading&, const Key&, RayCounts&);
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
+    Vec3 from_source(std::uint32_t light, double weight, const Shading&, const Key&, RayCounts&);
+    void credit_luminaire(RayCounts&, LightIndex, const Vec3& seen, std::uint64_t rays) const;
     template <class Sampler>
     Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);
     template <class Density>

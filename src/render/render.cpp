@@ -72,7 +72,7 @@ private:
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            Tracer tracer(world_, shadow_rays_);
+            Tracer tracer(world_, shadow_rays_, hooks_.counts_lights);
             const std::uint64_t made = make_tile(tracer, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
@@ -122,7 +122,9 @@ private:
             const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
             const double u = (x + dx) / state_.film.width() - 0.5;
             const double v = 0.5 - (y + dy) / state_.film.height();
+            const std::uint64_t before_rays = tracer.rays().shadow;
             pixel.add(tracer.radiance(camera_ray(world_, u, v, key), key));
+            pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
         }
         return pixel.samples - before;
     }

@@ -27,8 +27,9 @@ Ray camera_ray(const World& world, double u, double v, const Key& key) {
         ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
 }
 
-Tracer::Tracer(const World& world, int shadow_rays)
+Tracer::Tracer(const World& world, int shadow_rays, bool counts_lights)
     : world_(world), direct_light_(world, shadow_rays) {
+    if (counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
     if (world.any_transparent && !world.camera.parallel)
         around_camera_ = world.containing(world.camera.location);
 }

@@ -190,6 +190,10 @@ public:
     std::vector<std::uint32_t>
         luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
     BuiltLightSampler sampler;
+    /// The statements of the scene that made luminaires and lights, and which one made each of
+    /// them.
+    std::vector<Span> light_statements;
+    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
     std::vector<Light> lights;
     std::vector<LightReach> light_reach;      ///< of each light
     std::vector<SourceSet> source_sets;       ///< all of them
