@@ -31,6 +31,11 @@ constexpr double least_noise = 0.02;
 /// luminaire that nearly touches the point.
 constexpr double least_by_direction = 0.5;
 
+/// Surfaces may ask for light as they scatter it, which knows nothing of single luminaires, where
+/// none is brighter than so many times the mean of what is seen: then no ray can bring much more
+/// than others, and in a room that glows evenly all bring the same.
+constexpr double most_glare = 16;
+
 /// Around the middle of a box, as tight as spheres around the luminaires in it allow.
 LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
     LightBall ball{box.centre(), 0};
@@ -80,6 +85,7 @@ struct BuiltCutOctree::Survey {
     std::vector<float> shares;  ///< see arriving_shares()
     Outlook outlook;
     double by_direction = 0;  ///< see Weights
+    bool as_scattered = false;
 
     std::size_t memory_bytes() const {
         return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
@@ -111,6 +117,7 @@ struct BuiltCutOctree::State {
     LightBall ball;
     std::optional<Vec3> eye;
     double coarse = 0;
+    double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<std::size_t> cells = 0, bytes = 0;
@@ -137,6 +144,8 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     if (cube.empty()) cube = lights.box;
     state_->unit = std::fmax(max_component(cube.size()), 1e-100);
     state_->ball = ball_around(lights.box, scene.luminaires);
+    for (const Luminaire& luminaire : scene.luminaires)
+        state_->brightest = std::fmax(state_->brightest, luminance(luminaire.radiance));
     state_->cube = cube;
 }
 
@@ -175,6 +184,9 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    const double scattering = result->outlook.noise_of_scattering();
+    result->as_scattered = scattering <= std::fmin(outlook, choice) &&
+                           state_->brightest <= most_glare * result->outlook.mean_luminance();
     return result;
 }
 
@@ -264,6 +276,8 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.cut = &*cell.cut;
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
+    weights.as_scattered = cell.survey && cell.survey->as_scattered;
+    if (weights.as_scattered) return;
     if (!(weights.by_direction > 0)) return;
     cell.survey->outlook.weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;

@@ -18,8 +18,9 @@ public:
     /// What luminaires give at one point: for several choices and questions there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
-        Outlook::Weights outlook;  ///< when the scene was there to be asked
-        double by_direction = 0;   ///< share of the shadow rays that should be drawn from it
+        Outlook::Weights outlook;   ///< when the scene was there to be asked
+        double by_direction = 0;    ///< share of the shadow rays that should be drawn from it
+        bool as_scattered = false;  ///< all shadow rays should go where the surface scatters light
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);

@@ -202,6 +202,14 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
 /// know keeps its chance, and no ray is lost where luminaires hide each other.
 Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights, const Shading& s,
                             const Key& key, RayCounts& rays) {
+    if (weights.as_scattered) {
+        const Vec3 direction = scattered(s, place_on_light(key));
+        const Vec3 answer = answer_to(world_, s, direction, key);
+        const double density = scattered_density(s, direction);
+        if (answer == Vec3(0) || !(density > 0)) return Vec3(0);
+        return seen_towards(s, direction, rays,
+                            [&](const Met&) { return answer / (pi * density); });
+    }
     const ShadingPoint point = point_of(s);
     const double u = uniform(key, Purpose::light_choice), by_direction = weights.by_direction;
     if (u < by_direction) {
