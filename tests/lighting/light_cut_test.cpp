@@ -96,16 +96,20 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting]") {
     }
     const LightTree tree(luminaires);
     const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
-    REQUIRE(cut.entries() == 40);
+    // Cones that miss the cell need not be told apart.
+    REQUIRE(cut.entries() > 30);
     for (int i = 0; i < 100; ++i) {
         const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
         CutWeights weights;
         cut.weigh(point, weights);
         double sum = 0;
         for (const Luminaire& luminaire : luminaires) sum += unoccluded(luminaire, point);
-        for (std::size_t entry = 0; entry < 40; ++entry) {
-            const LightIndex light = tree.light(cut.cluster(entry).first);
-            const double given = unoccluded(luminaires[light], point) / sum;
+        for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
+            double given = 0;
+            const LightCluster& c = cut.cluster(entry);
+            for (std::uint32_t place = c.first; place < c.first + c.count; ++place)
+                given += unoccluded(luminaires[tree.light(place)], point) / sum;
+            if (c.count > 1) CHECK(given == 0);
             CHECK(weights.weight[entry] / weights.total == Approx(given).epsilon(0.1).margin(1e-3));
             if (given > 0) CHECK(weights.weight[entry] > 0);
         }
