@@ -195,7 +195,6 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
     const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
     const auto result = std::make_shared<Survey>(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
-    state_->bytes += result->memory_bytes();
     return result;
 }
 
