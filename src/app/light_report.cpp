@@ -5,7 +5,6 @@
 #include "text/message.h"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 namespace {
@@ -64,21 +63,4 @@ std::string light_report(const World& world, const RayCounts& counted, const Sou
         line(lights[i], message(made[i]), written(world.light_statements[i], sources));
     line(lights.back(), "", "rays that met no light");
     return text;
-}
-
-LayeredPicture light_layers(const Film& film) {
-    LayeredPicture picture{film.width(), film.height(), {}, {}};
-    const auto add = [&](const std::string& name, const auto& value) {
-        Plane plane{name, false, {}};
-        for (const PixelSum& pixel : film.pixels())
-            plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value(pixel))));
-        picture.planes.push_back(std::move(plane));
-    };
-    for (int channel = 0; channel < 3; ++channel)
-        add(std::string(1, "RGB"[channel]),
-            [&](const PixelSum& pixel) { return pixel.mean()[channel]; });
-    add("shadow_rays", [](const PixelSum& pixel) { return pixel.shadow_rays; });
-    add("variance",
-        [](const PixelSum& pixel) { return pixel.samples > 1 ? pixel.variance_of_mean() : 0.0; });
-    return picture;
 }

@@ -4,6 +4,7 @@
 #include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
+#include "app/light_layers.h"
 #include "app/light_report.h"
 #include "app/memory_limit.h"
 #include "app/output.h"
@@ -274,8 +275,7 @@ private:
     /// What light gave and cost, for those who ask.
     void show_light(const World& world, const RenderJob& job) {
         if (!options_.light_layers.empty())
-            if (const auto bytes = encode(light_layers(job.film()), diagnostics_))
-                write_file(options_.light_layers, *bytes, diagnostics_);
+            write_light_layers(job.film(), options_.light_layers, diagnostics_);
         if (options_.light_report) console_.err(light_report(world, job.rays(), sources_));
     }
 

@@ -23,13 +23,16 @@ constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
+/// What is near is seen in many ways from a cell, and so counts more than the survey says: up to
+/// so many times what all entries count together by the survey.
+constexpr double most_raised = 1;
 /// Shadow rays that tell how noisy the choice of luminaires is in a cell.
 constexpr std::uint32_t trials = 48;
 /// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
 constexpr double least_noise = 0.02;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
 /// luminaire that nearly touches the point.
-constexpr double least_by_direction = 0.5;
+constexpr double least_by_direction = 0.1;
 
 /// Surfaces may ask for light as they scatter it, which knows nothing of single luminaires, where
 /// none is brighter than so many times the mean of what is seen: then no ray can bring much more
@@ -83,13 +86,13 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 struct BuiltCutOctree::Survey {
     LightCut cut;
     std::vector<float> shares;  ///< see arriving_shares()
-    Outlook outlook;
+    std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
     double by_direction = 0;  ///< see Weights
     bool as_scattered = false;
 
     std::size_t memory_bytes() const {
         return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
-               outlook.memory_bytes();
+               (outlook ? outlook->memory_bytes() : 0);
     }
 };
 
@@ -180,17 +183,16 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
                Outlook(box, state_->ball, receivers, probe)});
     const double choice = noise_of_choice(cut, receivers, probe) + least_noise,
-                 outlook = result->outlook.noise() + least_noise;
+                 outlook = result->outlook->noise() + least_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
-    const double scattering = result->outlook.noise_of_scattering();
+    const double scattering = result->outlook->noise_of_scattering();
     result->as_scattered = scattering <= std::fmin(outlook, choice) &&
-                           state_->brightest <= most_glare * result->outlook.mean_luminance();
+                           state_->brightest <= most_glare * result->outlook->mean_luminance();
     return result;
 }
 
-/// Sources are met by no ray: there is nothing to be seen of them.
 std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
     const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
     const auto result = std::make_shared<Survey>(
@@ -200,13 +202,28 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
 
 /// Lets the entries of a cell count as the survey says of those that they are part of.
 void BuiltCutOctree::adopt(const Survey& survey, Cell& cell) const {
-    std::vector<float> shares;
-    for (std::size_t i = 0; i < cell.cut->entries(); ++i) {
+    const std::size_t count = cell.cut->entries();
+    std::vector<float> shares(count), cautious(count);
+    const Vec3 middle = cell.box.centre();
+    const double radius = 0.5 * length(cell.box.size());
+    double learned = 0, raised = 0;
+    for (std::size_t i = 0; i < count; ++i) {
         const LightCluster& cluster = cell.cut->cluster(i);
         const std::size_t entry = survey.cut.entry_of(cluster.first);
-        const float share = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
-        shares.push_back(cautious_share(share, cell.box, state_->tree.glow(cluster)));
+        const Glow g = state_->tree.glow(cluster);
+        shares[i] = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
+        cautious[i] = cautious_share(shares[i], cell.box, g);
+        const Vec3 v = g.centre - middle;
+        double given = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+        if (const Falloff* falloff = state_->tree.falloff(cluster))
+            given *= against_square_law(*falloff, v, radius + g.radius);
+        learned += given * shares[i];
+        raised += given * (cautious[i] - shares[i]);
     }
+    // However strong what is raised is: the rest keeps its chance.
+    const double kept = raised > most_raised * learned ? most_raised * learned / raised : 1;
+    for (std::size_t i = 0; i < count; ++i)
+        shares[i] += static_cast<float>(kept) * (cautious[i] - shares[i]);
     cell.cut->scale(shares);
 }
 
@@ -278,7 +295,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
     if (weights.as_scattered) return;
     if (!(weights.by_direction > 0)) return;
-    cell.survey->outlook.weigh(point, weights.outlook);
+    cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }
 

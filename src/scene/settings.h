@@ -34,7 +34,7 @@ struct RenderSettings {
     int antialias_depth = 3;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
     double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
-    int shadow_rays = 0;  ///< choices of luminaires at each hit; 0: as many as pay
+    int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay
     int seed = 0;
     int threads = 0;                            ///< 0: one per core
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's

@@ -6,8 +6,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <bit>
-
 namespace {
 
 const std::string scene = R"(#version 3.7;
@@ -52,23 +50,4 @@ TEST_CASE("lights are counted only when that is asked for", "[app]") {
     RenderSettings settings;
     settings.width = settings.height = 4;
     CHECK(render(world_of(scene), settings).rays.lights.empty());
-}
-
-TEST_CASE("layers show the shadow rays and the variance of each pixel", "[app]") {
-    Film film(2, 1);
-    film.at(0, 0).add(Vec3(0.25));
-    film.at(0, 0).add(Vec3(0.81));
-    film.at(0, 0).shadow_rays = 7;
-    const LayeredPicture picture = light_layers(film);
-    REQUIRE(picture.planes.size() == 5);
-    const auto value = [&](std::size_t plane, std::size_t pixel) {
-        return std::bit_cast<float>(picture.planes[plane].bits[pixel]);
-    };
-    CHECK(picture.planes[0].name == "R");
-    CHECK(value(0, 0) == Approx(0.53f));
-    CHECK(picture.planes[3].name == "shadow_rays");
-    CHECK(value(3, 0) == 7);
-    CHECK(picture.planes[4].name == "variance");
-    CHECK(value(4, 0) == Approx(0.04).epsilon(1e-3));
-    CHECK(value(4, 1) == 0);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What light costs: noise, CPU time and memory of the light samplers on scenes with few to a
 // million luminaires, all in one run. Run by hand; names of rows choose some:
-//   light_bench [flake] [city] [growth] [room] [sources] [horizon] [figure2] [figure5] [million]
+//   light_bench [flake] [city] [growth] [room] [sources] [sun] [horizon] [figure2] [figure5]
+//   [million]
 // Noise is that of two pictures with different seeds against each other, so no converged picture is
 // needed: half of their mean squared difference is the variance of a pixel. Figures of a row are
 // comparable with each other; times are CPU seconds of rendering in one thread.
@@ -179,6 +180,20 @@ void room() {
     }
 }
 
+/// A glaring luminaire that is seen from nowhere in the picture.
+void sun() {
+    double without = 0;
+    for (const double there : {0.0, 1.0}) {
+        const Strategy strategy{"light_octree", octree(), 16};
+        const Measured found =
+            measure(world_of_file("tests/bench/sun.pov", {{"Sun", there}}, strategy.sampler, 200),
+                    strategy, 200);
+        if (without == 0) without = found.rmse;
+        std::printf("hidden sun: %d, RMSE %.5f, %.2f times that without\n", there > 0, found.rmse,
+                    found.rmse / without);
+    }
+}
+
 /// A light that can reach a point must have a chance there: 10^7 cases, with the luminaire across
 /// the horizon. What a rule that asks for the centre would lose is counted, too.
 void horizon() {
@@ -303,9 +318,9 @@ void million() {
 
 int main(int argc, char** argv) {
     const std::vector<std::pair<std::string, void (*)()>> rows = {
-        {"flake", flake},     {"city", city},       {"growth", growth},
-        {"room", room},       {"sources", sources}, {"horizon", horizon},
-        {"figure2", figure2}, {"figure5", figure5}, {"million", million}};
+        {"flake", flake},     {"city", city},      {"growth", growth},   {"room", room},
+        {"sources", sources}, {"sun", sun},        {"horizon", horizon}, {"figure2", figure2},
+        {"figure5", figure5}, {"million", million}};
     const std::vector<std::string> wanted(argv + 1, argv + argc);
     for (const auto& [name, run] : rows)
         if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end()) run();
