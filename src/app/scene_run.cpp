@@ -4,8 +4,6 @@
 #include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
-#include "app/light_layers.h"
-#include "app/light_report.h"
 #include "app/memory_limit.h"
 #include "app/output.h"
 #include "app/region.h"
@@ -114,9 +112,8 @@ private:
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path :
-             {renders && options_.to_file ? output.path : std::string(), options_.stats_file,
-              options_.depfile, options_.light_layers}) {
+        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
+                                        options_.stats_file, options_.depfile}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -187,9 +184,10 @@ private:
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         const RenderSettings& render = options_.render;
-        const World world = compile(
-            std::move(scene), {render.threads, render.light_sampler, render.width, render.height},
-            diagnostics_);
+        const World world =
+            compile(std::move(scene),
+                    {render.threads, render.light_sampler, render.width, render.height},
+                    diagnostics_);
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_world) return say(report(world));
         if (is_check()) return finish(world);
@@ -262,7 +260,6 @@ private:
             write_picture(job.film().image(), output.path, output.format, diagnostics_);
         const bool lost = diagnostics_.failed();
         job.leave_state(shard_ || options_.keep_state || lost);
-        show_light(world, job);
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (talks(options_) && status == exit_status::done)
@@ -270,13 +267,6 @@ private:
                   message(options_.to_file ? harmless(made_path_) : "no file", ": ",
                           summary(statistics_), "\n"));
         return status;
-    }
-
-    /// What light gave and cost, for those who ask.
-    void show_light(const World& world, const RenderJob& job) {
-        if (!options_.light_layers.empty())
-            write_light_layers(job.film(), options_.light_layers, diagnostics_);
-        if (options_.light_report) console_.err(light_report(world, job.rays(), sources_));
     }
 
     JobEnd work(RenderJob& job) {
