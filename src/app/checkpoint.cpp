@@ -43,6 +43,8 @@ std::vector<Part> parts() {
                    [](PixelSum& p, std::uint32_t bits) { p.samples = bits; }});
     all.push_back({"target", [](const PixelSum& p) { return p.target; },
                    [](PixelSum& p, std::uint32_t bits) { p.target = bits; }});
+    all.push_back({"shadow_rays", [](const PixelSum& p) { return p.shadow_rays; },
+                   [](PixelSum& p, std::uint32_t bits) { p.shadow_rays = bits; }});
     for (std::size_t c = 0; c < channels.size(); ++c) {
         for (int i = 0; i < 4; ++i)
             all.push_back(

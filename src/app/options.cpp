@@ -73,6 +73,7 @@ public:
         : arguments_(arguments), diagnostics_(diagnostics), read_(read) {}
 
     Options read(const std::string& settings) {
+        options_.render.shadow_rays = 0;  // as many as pay
         if (!settings.empty()) {
             // What lies in the current folder may have come with a scene.
             may_permit_ = settings.find('/') != settings.npos;

@@ -2,15 +2,18 @@
 #include "app/scene_run.h"
 
 #include "app/depfile.h"
-#include "app/mesh_export.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
+#include "app/light_layers.h"
+#include "app/light_report.h"
 #include "app/memory_limit.h"
+#include "app/mesh_export.h"
 #include "app/output.h"
 #include "app/region.h"
 #include "app/render_job.h"
 #include "app/stats.h"
 #include "app/world_report.h"
+#include "base/deep_stack.h"
 #include "base/parallel.h"
 #include "evaluate/evaluate.h"
 #include "picture/file.h"
@@ -113,9 +116,9 @@ private:
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
-                                        options_.stats_file, options_.depfile,
-                                        options_.mesh_file}) {
+        for (const std::string& path :
+             {renders && options_.to_file ? output.path : std::string(), options_.stats_file,
+              options_.depfile, options_.mesh_file, options_.light_layers}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -190,10 +193,7 @@ private:
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         const View view = std::visit([](const View& v) { return v; }, scene.camera);
-        World world = compile(
-            std::move(scene),
-            {options_.render.threads, options_.render.light_sampler, options_.render.quality},
-            diagnostics_);
+        World world = compile(std::move(scene), compile_options(), diagnostics_);
         if (!is_check() && options_.task != Task::dump_world)
             add_moments(main, folder_of(output), view, world);
         if (say_diagnostics()) return exit_status::scene;
@@ -204,6 +204,11 @@ private:
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
         return render_picture(world, fitting);
+    }
+
+    CompileOptions compile_options() const {
+        const RenderSettings& render = options_.render;
+        return {render.threads, render.light_sampler, render.quality, render.width, render.height};
     }
 
     /// The scene as the clock runs on while the camera's shutter is open.
@@ -219,10 +224,7 @@ private:
                 if (each.severity == Severity::error) diagnostics_.add(each);
             if (problems.failed()) return;
             Diagnostics unheard;
-            world.other_moments.push_back(compile(
-                std::move(scene),
-                {options_.render.threads, options_.render.light_sampler, options_.render.quality},
-                unheard));
+            world.other_moments.push_back(compile(std::move(scene), compile_options(), unheard));
         }
     }
 
@@ -300,6 +302,7 @@ private:
             write_picture(job.film().image(), output.path, output.format, diagnostics_);
         const bool lost = diagnostics_.failed();
         job.leave_state(shard_ || options_.keep_state || lost);
+        show_light(world, job);
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (talks(options_) && status == exit_status::done)
@@ -307,6 +310,13 @@ private:
                   message(options_.to_file ? harmless(made_path_) : "no file", ": ",
                           summary(statistics_), "\n"));
         return status;
+    }
+
+    /// What light gave and cost, for those who ask.
+    void show_light(const World& world, const RenderJob& job) {
+        if (!options_.light_layers.empty())
+            write_light_layers(job.film(), options_.light_layers, diagnostics_);
+        if (options_.light_report) console_.err(light_report(world, job.rays(), sources_));
     }
 
     JobEnd work(RenderJob& job) {
@@ -383,5 +393,8 @@ private:
 }  // namespace
 
 int run_scene(const Options& options, const Console& console, Diagnostics& diagnostics) {
-    return SceneRun(options, console, diagnostics).execute();
+    int status = exit_status::scene;
+    on_deep_stack(options.limits.stack_bytes,
+                  [&](std::size_t) { status = SceneRun(options, console, diagnostics).execute(); });
+    return status;
 }

@@ -14,20 +14,30 @@ constexpr double near_radii = 2;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
 constexpr double divided_above = 20;
-/// Cells that look bigger than this to the eye (size over distance) are divided at once when their
-/// noise is above the bound: there are many hits in them, and what is seen from them differs.
-/// Smaller ones are not surveyed one by one.
-constexpr double coarse = 0.1;
+/// Cells that look bigger than so many pixels to the eye are divided at once when their noise is
+/// above the bound: there are many hits in them, and what is seen from them differs. Smaller ones
+/// are not surveyed one by one, so that the survey's rays stay a small part of all.
+constexpr double coarse_pixels = 24;
+/// The same as an angle (size over distance): bounds for large and for small pictures.
+constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
+/// What is near is seen in many ways from a cell, and so counts more than the survey says: up to
+/// so many times what all entries count together by the survey.
+constexpr double most_raised = 1;
 /// Shadow rays that tell how noisy the choice of luminaires is in a cell.
 constexpr std::uint32_t trials = 48;
 /// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
 constexpr double least_noise = 0.02;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
 /// luminaire that nearly touches the point.
-constexpr double least_by_direction = 0.5;
+constexpr double least_by_direction = 0.1;
+
+/// Surfaces may ask for light as they scatter it, which knows nothing of single luminaires, where
+/// none is brighter than so many times the mean of what is seen: then no ray can bring much more
+/// than others, and in a room that glows evenly all bring the same.
+constexpr double most_glare = 16;
 
 /// Around the middle of a box, as tight as spheres around the luminaires in it allow.
 LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
@@ -44,6 +54,14 @@ bool near(const Glow& g, const Vec3& position) {
     return dot(v, v) < near_radii * near_radii * g.radius * g.radius;
 }
 
+double estimate(const LightTree& tree, const LightCluster& c, const ShadingPoint& point) {
+    const Glow g = tree.glow(c);
+    const Falloff* falloff = tree.falloff(c);
+    const double square = irradiance(g, point);
+    return falloff ? square * against_square_law(*falloff, g.centre - point.position, g.radius)
+                   : square;
+}
+
 struct Halves {
     LightCluster first, second;
     double share;  ///< probability of the first
@@ -57,7 +75,7 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
     const auto [first, second] = tree.halves(c);
     if (tree.dark(first)) return Halves{first, second, 0};
     if (tree.dark(second)) return Halves{first, second, 1};
-    const double a = irradiance(tree.glow(first), point), b = irradiance(tree.glow(second), point);
+    const double a = estimate(tree, first, point), b = estimate(tree, second, point);
     if (!(a + b > 0)) return {};
     return Halves{first, second, a / (a + b)};
 }
@@ -68,12 +86,13 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 struct BuiltCutOctree::Survey {
     LightCut cut;
     std::vector<float> shares;  ///< see arriving_shares()
-    Outlook outlook;
+    std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
     double by_direction = 0;  ///< see Weights
+    bool as_scattered = false;
 
     std::size_t memory_bytes() const {
         return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
-               outlook.memory_bytes();
+               (outlook ? outlook->memory_bytes() : 0);
     }
 };
 
@@ -100,6 +119,8 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
+    double coarse = 0;
+    double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;
     std::atomic<std::size_t> cells = 0, bytes = 0;
@@ -117,6 +138,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;
+    state_->coarse = std::clamp(coarse_pixels * scene.pixel, least_coarse, greatest_coarse);
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
     LightBounds lights;
@@ -125,6 +147,8 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     if (cube.empty()) cube = lights.box;
     state_->unit = std::fmax(max_component(cube.size()), 1e-100);
     state_->ball = ball_around(lights.box, scene.luminaires);
+    for (const Luminaire& luminaire : scene.luminaires)
+        state_->brightest = std::fmax(state_->brightest, luminance(luminaire.radiance));
     state_->cube = cube;
 }
 
@@ -136,7 +160,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->box = box;
     cell->depth = parent ? parent->depth + 1 : 0;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
-    const double limit = state_->eye ? coarse * length(box.centre() - *state_->eye) : 0,
+    const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0,
                  size = length(box.size());
     const bool small = size <= limit;
     const double bound = state_->rule.noise * (state_->eye && !small ? 1 : divided_above);
@@ -154,26 +178,52 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
 std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const Box& box, const LightCut& cut, const LightProbe& probe) const {
     const std::vector<Receiver> receivers = receivers_in(box, probe);
+    if (state_->tree.falloff(state_->tree.root())) return survey_of_sources(cut, receivers, probe);
     const auto result = std::make_shared<Survey>(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
                Outlook(box, state_->ball, receivers, probe)});
     const double choice = noise_of_choice(cut, receivers, probe) + least_noise,
-                 outlook = result->outlook.noise() + least_noise;
+                 outlook = result->outlook->noise() + least_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    const double scattering = result->outlook->noise_of_scattering();
+    result->as_scattered = scattering <= std::fmin(outlook, choice) &&
+                           state_->brightest <= most_glare * result->outlook->mean_luminance();
+    return result;
+}
+
+std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
+    const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
+    const auto result = std::make_shared<Survey>(
+        Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
     return result;
 }
 
 /// Lets the entries of a cell count as the survey says of those that they are part of.
 void BuiltCutOctree::adopt(const Survey& survey, Cell& cell) const {
-    std::vector<float> shares;
-    for (std::size_t i = 0; i < cell.cut->entries(); ++i) {
+    const std::size_t count = cell.cut->entries();
+    std::vector<float> shares(count), cautious(count);
+    const Vec3 middle = cell.box.centre();
+    const double radius = 0.5 * length(cell.box.size());
+    double learned = 0, raised = 0;
+    for (std::size_t i = 0; i < count; ++i) {
         const LightCluster& cluster = cell.cut->cluster(i);
         const std::size_t entry = survey.cut.entry_of(cluster.first);
-        const float share = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
-        shares.push_back(cautious_share(share, cell.box, state_->tree.glow(cluster)));
+        const Glow g = state_->tree.glow(cluster);
+        shares[i] = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
+        cautious[i] = cautious_share(shares[i], cell.box, g);
+        const Vec3 v = g.centre - middle;
+        double given = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+        if (const Falloff* falloff = state_->tree.falloff(cluster))
+            given *= against_square_law(*falloff, v, radius + g.radius);
+        learned += given * shares[i];
+        raised += given * (cautious[i] - shares[i]);
     }
+    // However strong what is raised is: the rest keeps its chance.
+    const double kept = raised > most_raised * learned ? most_raised * learned / raised : 1;
+    for (std::size_t i = 0; i < count; ++i)
+        shares[i] += static_cast<float>(kept) * (cautious[i] - shares[i]);
     cell.cut->scale(shares);
 }
 
@@ -242,8 +292,10 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.cut = &*cell.cut;
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
+    weights.as_scattered = cell.survey && cell.survey->as_scattered;
+    if (weights.as_scattered) return;
     if (!(weights.by_direction > 0)) return;
-    cell.survey->outlook.weigh(point, weights.outlook);
+    cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }
 

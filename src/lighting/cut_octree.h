@@ -18,8 +18,9 @@ public:
     /// What luminaires give at one point: for several choices and questions there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
-        Outlook::Weights outlook;  ///< when the scene was there to be asked
-        double by_direction = 0;   ///< share of the shadow rays that should be drawn from it
+        Outlook::Weights outlook;   ///< when the scene was there to be asked
+        double by_direction = 0;    ///< share of the shadow rays that should be drawn from it
+        bool as_scattered = false;  ///< all shadow rays should go where the surface scatters light
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);
@@ -51,6 +52,8 @@ private:
     const Cell& cell_at(const Vec3&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
     std::shared_ptr<const Survey> survey(const Box&, const LightCut&, const LightProbe&) const;
+    std::shared_ptr<const Survey> survey_of_sources(const LightCut&, std::span<const Receiver>,
+                                                    const LightProbe&) const;
     void adopt(const Survey&, Cell&) const;
     double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,

@@ -4,6 +4,7 @@
 #include "lighting/every_machine.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace {
 
@@ -17,6 +18,9 @@ struct Columns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
     const float *half_x, *half_y, *half_z;
+};
+struct SourceColumns {
+    const float *fade_power, *per_fade_distance, *dark, *per_edge;
 };
 struct Place {
     float x, y, z, nx, ny, nz;
@@ -63,13 +67,61 @@ template <bool both_sides>
     }
 }
 
+/// x to the power p within some hundredths, for x above 0; the result stays in a wide range.
+[[gnu::always_inline]] inline float rough_power(float x, float p) {
+    const auto bits = std::bit_cast<std::int32_t>(x);
+    const float m = std::bit_cast<float>((bits & 0x7fffff) | 0x3f800000);
+    const float log =
+        static_cast<float>((bits >> 23) - 127) + ((-0.3333333f * m + 2) * m - 1.6666667f);
+    float e = p * log;
+    e = e < -60 ? -60.0f : (e > 60 ? 60.0f : e);
+    const auto towards_zero = static_cast<std::int32_t>(e);
+    const std::int32_t whole = towards_zero - (e < static_cast<float>(towards_zero) ? 1 : 0);
+    const float f = e - static_cast<float>(whole);
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(1 + f * (0.6565f + 0.3435f * f)) +
+                                whole * (1 << 23));
+}
+
+/// against_square_law(), in single precision.
 CANDELABRA_EVERY_MACHINE
-void weigh_rows(const Columns& c, std::size_t count, const Place& p, bool both_sides, float* out) {
-    if (both_sides)
+void fall_off(const Columns& c, const SourceColumns& s, std::size_t count, const Place& p,
+              float* out) {
+    constexpr auto slack = static_cast<float>(cone_slack), edge = static_cast<float>(cone_edge);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z, radius = c.radius[i];
+        const float r2 = radius * radius;
+        const float d2 = vx * vx + vy * vy + vz * vz;
+        const float outside2 = d2 > r2 ? d2 : r2;
+        const float distance = std::sqrt(outside2);
+        const float far = rough_power(distance * s.per_fade_distance[i], s.fade_power[i]);
+        const float inverse = 1 / distance, sine = radius * inverse;
+        const float cosine2 = 1 - sine * sine;
+        const float cosine = std::sqrt(cosine2 > 0 ? cosine2 : 0);
+        const float along = -(c.axis_x[i] * vx + c.axis_y[i] * vy + c.axis_z[i] * vz) * inverse;
+        const float across2 = 1 - along * along;
+        const float across = std::sqrt(across2 > 0 ? across2 : 0);
+        const float turned = along * cosine + across * sine;
+        const float nearest = along < cosine ? turned : 1;
+        const float inside = nearest + slack - s.dark[i];
+        const float t0 = inside * s.per_edge[i], t = t0 < 1 ? t0 : 1;
+        const float smooth = t * t * (3 - 2 * t), lit = smooth > edge ? smooth : edge;
+        const float share = inside > 0 ? lit : 0;
+        const float kept = d2 > r2 ? share : 1;
+        out[i] *= outside2 * kept * (2 / (1 + far));
+    }
+}
+
+struct Look {
+    bool both_sides, flat;  ///< the point is lit from both sides; some luminaires are flat
+};
+
+CANDELABRA_EVERY_MACHINE
+void weigh_rows(const Columns& c, std::size_t count, const Place& p, Look look, float* out) {
+    if (look.both_sides)
         weigh_even<true>(c, count, p, out);
     else
         weigh_even<false>(c, count, p, out);
-    if (c.axis_x) turn_to_point(c, count, p, out);
+    if (look.flat) turn_to_point(c, count, p, out);
 }
 
 /// The sums of blocks, exact but for the last bits of double precision: a faint entry behind
@@ -128,6 +180,8 @@ private:
         const double d = length(g.centre - centre_);
         Entry entry{cluster, 0, 0};
         entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
+        if (const Falloff* falloff = tree_.falloff(cluster))
+            entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
         if (cluster.count > 1) {
             // From everywhere in the cell, distance and height of the members differ by about this
             // share.
@@ -160,13 +214,15 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     for (const auto& entry : refinement.entries()) clusters_.push_back(entry.cluster);
     constexpr std::size_t block = CutWeights::block;
     rows_ = (clusters_.size() + block - 1) / block * block;
-    values_.assign(columns * rows_, 0);
+    sources_ = tree.falloff(tree.root()) != nullptr;
+    values_.assign((sources_ ? source_columns : columns) * rows_, 0);
     std::fill_n(column(radius), rows_, 1.0f);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         const LightCluster& c = clusters_[i];
         Glow g = c.count == 1 ? glow(bounds(luminaires[tree.light(c.first)])) : tree.glow(c);
         g.strength /= whole;
         fill(i, g);
+        if (sources_) fill(i, *tree.falloff(c));
     }
 }
 
@@ -192,6 +248,18 @@ void LightCut::fill(std::size_t entry, const Glow& g) {
     flat_ = flat_ || g.axis != Vec3(0);
 }
 
+void LightCut::fill(std::size_t entry, const Falloff& f) {
+    column(axis_x)[entry] = static_cast<float>(f.axis.x);
+    column(axis_y)[entry] = static_cast<float>(f.axis.y);
+    column(axis_z)[entry] = static_cast<float>(f.axis.z);
+    column(fade_power)[entry] = f.fades() ? static_cast<float>(f.fade_power) : 0;
+    const double distance = f.fades() ? std::fmax(f.fade_distance * scale_, 1e-30) : 1;
+    column(per_fade_distance)[entry] = static_cast<float>(1 / distance);
+    const double least = std::cos(f.dark), wide = std::fmax(std::cos(f.bright) - least, cone_slack);
+    column(dark)[entry] = f.all_around() ? -10 : static_cast<float>(least);
+    column(per_edge)[entry] = f.all_around() ? 1 : static_cast<float>(1 / wide);
+}
+
 std::size_t LightCut::entry_of(std::uint32_t place) const {
     const auto after = std::ranges::upper_bound(clusters_, place, {}, &LightCluster::first);
     return static_cast<std::size_t>(after - clusters_.begin()) - 1;
@@ -205,11 +273,13 @@ void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
                       static_cast<float>(point.normal.x),
                       static_cast<float>(point.normal.y),
                       static_cast<float>(point.normal.z)};
-    const Columns c{column(x),      column(y),        column(z),
-                    column(radius), column(strength), flat_ ? column(axis_x) : nullptr,
-                    column(axis_y), column(axis_z),   column(evenness),
-                    column(half_x), column(half_y),   column(half_z)};
-    weigh_rows(c, rows_, place, point.both_sides, result.weight.data());
+    const Columns c{column(x),        column(y),      column(z),      column(radius),
+                    column(strength), column(axis_x), column(axis_y), column(axis_z),
+                    column(evenness), column(half_x), column(half_y), column(half_z)};
+    weigh_rows(c, rows_, place, {point.both_sides, flat_}, result.weight.data());
+    if (sources_)
+        fall_off(c, {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)},
+                 rows_, place, result.weight.data());
     sum_blocks(result.weight.data(), rows_, result.block_sum.data());
     result.total = 0;
     for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];

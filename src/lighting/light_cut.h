@@ -58,17 +58,24 @@ private:
         axis_y,
         axis_z,
         evenness,
-        columns
+        columns,
+        /// Of light sources only, behind the others.
+        fade_power = columns,
+        per_fade_distance,
+        dark,      ///< cosine of the half angle of the cone; much below -1: there is none
+        per_edge,  ///< one over the cosine of the bright part less that
+        source_columns
     };
 
     void fill(std::size_t entry, const Glow&);
+    void fill(std::size_t entry, const Falloff&);
     float* column(Column c) { return values_.data() + c * rows_; }
     const float* column(Column c) const { return values_.data() + c * rows_; }
 
     Vec3 middle_;
     double scale_ = 1;  ///< of lengths
     std::size_t rows_ = 0;
-    bool flat_ = false;
+    bool flat_ = false, sources_ = false;
     double noise_ = 0;
     std::vector<LightCluster> clusters_;  ///< in the tree's order
     std::vector<float> values_;           ///< column by column

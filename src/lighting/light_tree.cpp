@@ -204,6 +204,27 @@ private:
         if (tree_.strengths_.total() > 0)
             tree_.unit_ = total_ / static_cast<double>(tree_.strengths_.total());
         shine(tree_.root());
+        const auto is_source = [](const Luminaire& l) {
+            return std::holds_alternative<SourceEmitter>(l.emitter);
+        };
+        if (std::ranges::none_of(luminaires_, is_source)) return;
+        tree_.falloffs_.resize(tree_.nodes_.size());
+        fall_off(tree_.root());
+    }
+
+    /// Fills in what becomes of light on its way, from the leaves up. Sources and others
+    /// are not in one tree.
+    Falloff fall_off(const LightCluster& cluster) {
+        Falloff result;
+        if (cluster.count > 1) {
+            const auto [first, second] = tree_.halves(cluster);
+            const Falloff before = fall_off(first);
+            result = join(before, fall_off(second));
+        } else if (const auto* source = std::get_if<SourceEmitter>(
+                       &luminaires_[tree_.order_[cluster.first]].emitter)) {
+            result = source->falloff;
+        }
+        return tree_.falloffs_[cluster.node] = result;
     }
 
     /// Fills in how the nodes shine, from the leaves up. (The depth is bounded: see halved_below.)
@@ -282,6 +303,7 @@ std::uint32_t LightTree::draw(const LightCluster& c, double u) const {
 }
 
 std::size_t LightTree::memory_bytes() const {
-    return nodes_.capacity() * sizeof(LightTreeNode) + order_.capacity() * sizeof(LightIndex) +
-           place_of_.capacity() * sizeof(std::uint32_t) + strengths_.memory_bytes();
+    return nodes_.capacity() * sizeof(LightTreeNode) + falloffs_.capacity() * sizeof(Falloff) +
+           order_.capacity() * sizeof(LightIndex) + place_of_.capacity() * sizeof(std::uint32_t) +
+           strengths_.memory_bytes();
 }

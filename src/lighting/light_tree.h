@@ -47,6 +47,10 @@ public:
     /// The cluster as one luminaire; a sphere around all of it.
     Glow glow(const LightCluster&) const;
     Box box(const LightCluster&) const;
+    /// Of a cluster of light sources; null where there are luminaires only.
+    const Falloff* falloff(const LightCluster& c) const {
+        return falloffs_.empty() ? nullptr : &falloffs_[c.node];
+    }
 
     /// The share of a cluster's strength that one of it has, and one drawn so; u is in [0, 1).
     /// Every luminaire that is not dark has some share. Precondition: the cluster is not dark.
@@ -67,6 +71,7 @@ private:
     std::uint64_t strength(const LightCluster&) const;
 
     std::vector<LightTreeNode> nodes_;  ///< depth first
+    std::vector<Falloff> falloffs_;     ///< of the nodes; none when nothing is a light source
     std::vector<LightIndex> order_;
     std::vector<std::uint32_t> place_of_;
     LightPlaces strengths_;  ///< in the tree's order

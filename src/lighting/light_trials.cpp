@@ -11,8 +11,12 @@ namespace {
 constexpr std::uint32_t rays = 6;
 /// Places that these rays start from.
 constexpr std::size_t most_places = 8;
-/// Greatest share of an entry as a multiple of the mean of all, and the least for what is far.
+/// Greatest share of an entry as a multiple of the mean of those of which something arrives, and
+/// the least for what is far.
 constexpr double least = 0.02, greatest = 4;
+/// What all entries of which nothing arrives may count together, as a share of what the others do:
+/// a sun behind shutters must not take all rays.
+constexpr double most_unseen = 0.1;
 
 double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key{a, b, c, 1}, Purpose::light_representative);
@@ -26,10 +30,14 @@ double arriving(std::span<const Luminaire> luminaires, LightIndex light, const R
     if (!drawn) return 0;
     const double height = dot(drawn->direction, from.point.normal),
                  cosine = from.point.both_sides ? std::abs(height) : height;
-    if (!(cosine > 0)) return 0;
+    const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
+    if (!(cosine > 0) && !source) return 0;
     const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
-    if (!sight || sight->light != light) return 0;
-    return sight->luminance * cosine / drawn->density;
+    if (source) {
+        const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
+        return hidden ? 0 : unoccluded(luminaires[light], from.point);
+    }
+    return sight && sight->light == light ? sight->luminance * cosine / drawn->density : 0;
 }
 
 float cautious_share(float share, const Box& cell, const Glow& g) {
@@ -46,7 +54,7 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     std::vector<CutWeights> weights(places);
     for (std::size_t i = 0; i < places; ++i) cut.weigh(receivers[i].point, weights[i]);
     std::vector<float> shares(cut.entries(), 0);
-    double sum = 0, all = 0;
+    double sum = 0, seen = 0, unseen = 0;
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
         double squares = 0, weight_sum = 0;
         int tried = 0;
@@ -69,11 +77,12 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
         const double share = std::sqrt(squares / tried);
         shares[entry] = static_cast<float>(share);
         sum += share * weight_sum / tried;
-        all += weight_sum / tried;
+        (share > 0 ? seen : unseen) += weight_sum / tried;
     }
     if (!(sum > 0)) return std::vector<float>(cut.entries(), 1.0f);
-    const double mean = sum / all;
+    const double mean = sum / seen;
+    const double dark = unseen > 0 ? std::fmin(least, most_unseen * seen / unseen) : least;
     for (float& share : shares)
-        share = static_cast<float>(std::clamp(share / mean, least, greatest));
+        share = static_cast<float>(share > 0 ? std::clamp(share / mean, least, greatest) : dark);
     return shares;
 }

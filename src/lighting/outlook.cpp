@@ -167,16 +167,27 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
         pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
                                 : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
     std::array<Picture, tries> seen{};
+    double cosines = 0, sum = 0, squares = 0;
     for (std::uint32_t bin = 0; bin < bins; ++bin)
         for (std::uint32_t i = 0; i < tries; ++i) {
             const Receiver& from = receivers[(tries * bin + i) * 5 % receivers.size()];
             const Cone cone = cone_at(from.point.position);
             const Vec3 direction = cone.direction(bin / sectors + number(bin, i, 10),
                                                   bin % sectors + number(bin, i, 11));
-            if (!from.point.both_sides && dot(direction, from.point.normal) <= 0) continue;
+            const double height = dot(direction, from.point.normal),
+                         cosine = from.point.both_sides ? std::abs(height) : height;
+            if (cosine <= 0) continue;
+            cosines += cosine;
             const auto sight = probe({from.point.position, direction}, from.tolerance);
-            if (sight && sight->light) seen[i][bin] = sight->luminance;
+            if (!sight || !sight->light) continue;
+            seen[i][bin] = sight->luminance;
+            sum += cosine * sight->luminance;
+            squares += cosine * sight->luminance * sight->luminance;
         }
+    if (around_ && sum > 0) {
+        mean_luminance_ = sum / cosines;
+        noise_of_scattering_ = std::fmax(squares * cosines / (sum * sum) - 1, 0);
+    }
     noise_ = INFINITY;
     double best = caution[0];
     for (const double care : caution) {

@@ -68,6 +68,11 @@ public:
     /// were tried tell.
     double noise() const { return noise_; }
 
+    /// What a surface sees of luminaires when it asks in directions as it scatters them: the mean
+    /// luminance, and the expected variance over squared mean.
+    double mean_luminance() const { return mean_luminance_; }
+    double noise_of_scattering() const { return noise_of_scattering_; }
+
     void weigh(const ShadingPoint&, Weights&) const;
     static Drawn draw(const Weights&, const Vec2& u);
     static double density(const Weights&, const Vec3& direction);
@@ -81,5 +86,6 @@ private:
     bool around_ = true;  ///< the whole sphere of directions; else those of the ball
     Vec3 pole_ = Vec3(0, 0, 1);
     double noise_ = 0;
+    double mean_luminance_ = 0, noise_of_scattering_ = INFINITY;
     std::vector<float> light_;  ///< bin by bin, ring by ring; empty: nothing is known
 };

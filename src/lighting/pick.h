@@ -24,4 +24,5 @@ struct LightScene {
         surfaces;  ///< bounds of the finite primitives: where points to be lit may be
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
     std::optional<Vec3> eye = {};        ///< where most points to be lit are seen from
+    double pixel = 0.004;                ///< angle that a pixel of the picture fills, in radians
 };

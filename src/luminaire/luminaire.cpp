@@ -4,6 +4,7 @@
 #include "base/colour.h"
 #include "luminaire/area.h"
 #include "luminaire/composite.h"
+#include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
 

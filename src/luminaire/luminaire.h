@@ -7,6 +7,7 @@
 #include "base/box.h"
 #include "base/transform.h"
 #include "base/vector.h"
+#include "luminaire/falloff.h"
 #include "shape/built_shape.h"
 #include "shape/composite.h"
 
@@ -59,14 +60,23 @@ struct CompositeEmitter {
     Handle<Guide> guide = nullptr;  ///< where most of its points are looked for; null: all around
 };
 
-using Emitter = std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter>;
+/// A light source of POV-Ray's, which has no size: all its light comes through a ball, of whose
+/// middle there is one point. The renderer asks the source itself for the light that arrives.
+struct SourceEmitter {
+    Vec3 centre;
+    double radius = 0;
+    Falloff falloff;
+};
+
+using Emitter =
+    std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, SourceEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
 struct Luminaire {
     Emitter emitter;
-    Vec3 radiance;            ///< greatest radiance anywhere on it, per channel
+    Vec3 radiance;            ///< greatest radiance anywhere on it, per channel; a source's colour
     bool varying = false;     ///< whether the radiance changes over the surface
-    std::uint32_t primitive;  ///< the world's primitive that it is
+    std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light
 };
 
 /// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate

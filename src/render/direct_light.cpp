@@ -2,9 +2,9 @@
 #include "render/direct_light.h"
 
 #include "render/microfacet.h"
+#include "render/source_light.h"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace {
@@ -14,118 +14,9 @@ using std::numbers::pi;
 /// Behind all objects.
 constexpr double far_away = 1e20;
 
-/// Light of one source at a point, with what it needs.
-class SourceLight {
-public:
-    SourceLight(const World& world, const PointLight& light, const Composite* window,
-                const Shading& s, const Key& key, RayCounts& rays)
-        : world_(world), light_(light), window_(window), s_(s), key_(key), rays_(rays) {}
-
-    Vec3 seen() {
-        const Incidence central = incidence(light_, light_.location, s_.position);
-        direction_ = central.direction;
-        const Vec3 answer =
-            light_.is_area() && light_.area_illumination ? grid_answer() : answer_to(central);
-        if (answer == Vec3(0)) return answer;
-        if (light_.shadowless) return window_ && !seen_through(central) ? Vec3(0) : answer;
-        return answer * (light_.is_area() ? grid_shadow() : passed(central));
-    }
-
-private:
-    Vec3 answer_to(const Incidence& light) const {
-        if (light.colour == Vec3(0)) return Vec3(0);
-        const double grain = s_.finish->crand == 0 ? 0 : uniform(key_, Purpose::grain);
-        const Vec3 answer = s_.finish->microfacet.on
-                                ? facet_response(s_, light.direction, Lobes::all)
-                                : response(s_, light.direction, !light_.shadowless, grain);
-        return answer * light.colour * iridescence(world_, s_, light.direction);
-    }
-
-    Vec3 grid_answer() const {
-        Vec3 sum(0);
-        for (int i = 0; i < light_.size1; ++i)
-            for (int j = 0; j < light_.size2; ++j)
-                sum +=
-                    answer_to(incidence(light_, grid_point(light_, i, j, direction_), s_.position));
-        return sum / static_cast<double>(light_.size1 * light_.size2);
-    }
-
-    Vec3 passed(const Incidence& light) {
-        if (light.distance <= 0) return Vec3(1);
-        const auto until = window_ ? seen_through(light) : std::optional(light.distance);
-        if (!until) return Vec3(0);
-        ++rays_.shadow;
-        return world_.transmittance({s_.position, light.direction}, s_.tolerance, *until);
-    }
-
-    /// The way to the window, which may not be there in this direction.
-    std::optional<double> seen_through(const Incidence& light) const {
-        const auto any = [](std::uint32_t) { return true; };
-        const auto met =
-            window_->first({s_.position, light.direction}, {s_.tolerance, light.distance}, any);
-        return met ? std::optional(met->t) : std::nullopt;
-    }
-
-    /// The share of light that arrives from the whole grid.
-    Vec3 grid_shadow() {
-        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
-        return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
-    }
-
-    struct Part {
-        int first1, first2, last1, last2;
-    };
-
-    /// The mean over a part of the grid, from its corners; divided where they differ. The parts'
-    /// weights are POV-Ray's.
-    Vec3 mean(const Part& p, int level) {
-        const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
-                                            at(p.first1, p.last2), at(p.last1, p.last2)};
-        const bool divisible = p.last1 - p.first1 > 1 || p.last2 - p.first2 > 1;
-        if (!divisible || (light_.adaptive && level >= *light_.adaptive && alike(corner)))
-            return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
-        const int low1 = (p.first1 + p.last1) / 2, high1 = (p.first1 + p.last1 + 1) / 2;
-        const int low2 = (p.first2 + p.last2) / 2, high2 = (p.first2 + p.last2 + 1) / 2;
-        return 0.25 * (mean({p.first1, p.first2, low1, low2}, level + 1) +
-                       mean({high1, p.first2, p.last1, low2}, level + 1) +
-                       mean({p.first1, high2, low1, p.last2}, level + 1) +
-                       mean({high1, high2, p.last1, p.last2}, level + 1));
-    }
-
-    bool alike(const std::array<Vec3, 4>& corner) const {
-        const auto differ = [&](const Vec3& a, const Vec3& b) {
-            const Vec3 d = glm::abs(a - b) * light_.colour;
-            return d.x + d.y + d.z > 0.1;
-        };
-        return !differ(corner[0], corner[1]) && !differ(corner[2], corner[3]) &&
-               !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
-    }
-
-    /// The share of light from one light of the grid; asked once.
-    Vec3 at(int i, int j) {
-        const int index = i * light_.size2 + j;
-        Vec3& known = corners_[static_cast<std::size_t>(index)];
-        if (known.x >= 0) return known;
-        double place1 = i, place2 = j;
-        if (light_.jitter) {
-            const Key key = key_.with_branch(static_cast<std::uint32_t>(index));
-            place1 += uniform(key, Purpose::jitter_u) - 0.5;
-            place2 += uniform(key, Purpose::jitter_v) - 0.5;
-        }
-        const Vec3 offset = grid_point(light_, place1, place2, direction_) - s_.position;
-        const double distance = length(offset);
-        return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
-    }
-
-    const World& world_;
-    const PointLight& light_;
-    const Composite* window_;  ///< null: none
-    const Shading& s_;
-    const Key key_;
-    RayCounts& rays_;
-    Vec3 direction_ = Vec3(0);
-    std::vector<Vec3> corners_;
-};
+/// Clear surfaces in a row that are looked through; a stop for rays that rounding keeps in one
+/// place.
+constexpr int most_passed = 1000;
 
 ShadingPoint point_of(const Shading& s) {
     return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
@@ -134,8 +25,7 @@ ShadingPoint point_of(const Shading& s) {
 /// What the surface sends on of light from there.
 Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, const Key& key) {
     if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::wide);
-    const double grain = s.finish->crand == 0 ? 0 : uniform(key, Purpose::grain);
-    return response(s, direction, true, grain) * iridescence(world, s, direction);
+    return answer_to_light(world, s, direction, true, key);
 }
 
 Vec2 place_on_light(const Key& key) {
@@ -144,18 +34,78 @@ Vec2 place_on_light(const Key& key) {
 
 }  // namespace
 
-Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) const {
+Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) {
     Vec3 sum(0);
-    for (std::size_t i = 0; i < world_.lights.size(); ++i) {
-        if (!world_.reaches(i, *s.material)) continue;
-        const auto number = static_cast<std::uint32_t>(i) + 1;
-        const Key own = Key{key.pixel, key.sample, key.path * 31u + 7u * number, 0};
-        const Composite* window = world_.light_reach[i].window.get();
-        sum += std::visit(
-            [&](const auto& l) { return SourceLight(world_, l, window, s, own, rays).seen(); },
-            world_.lights[i]);
+    for (const SourceSet& set : world_.source_sets) {
+        if (!world_.reaches(set.group, *s.material)) continue;
+        if (set.drawn())
+            sum += from_drawn_sources(set, s, key, rays);
+        else
+            for (const std::uint32_t light : set.lights) sum += from_source(light, 1, s, key, rays);
     }
     return sum;
+}
+
+Vec3 DirectLight::from_source(std::uint32_t light, double weight, const Shading& s, const Key& key,
+                              RayCounts& rays) {
+    const std::uint64_t before = rays.shadow;
+    const Vec3 seen = weight * source_light(world_, light, s, key, rays);
+    if (rays.lights.empty()) return seen;
+    LightCount& own = rays.lights[world_.statement_of_light[light]];
+    own.light.add(grey(seen));
+    own.rays += rays.shadow - before;
+    return seen;
+}
+
+/// Notes light that came from a luminaire, and rays that were sent to it.
+void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3& seen,
+                                   std::uint64_t count) const {
+    if (rays.lights.empty()) return;
+    LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
+    own.light.add(grey(seen) / shadow_rays_);
+    own.rays += count;
+}
+
+/// Some of many.
+Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, const Key& key,
+                                     RayCounts& rays) {
+    const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
+    const ShadingPoint point = set.asked(point_of(s));
+    const BuiltLightOctree* octree = std::get_if<BuiltLightOctree>(&set.sampler);
+    const Octree* cuts = octree ? octree->cuts() : nullptr;
+    Octree::Weights weights;
+    const auto past_clear = [&](const Ray& ray, double tolerance) {
+        return sight_past_clear(ray, tolerance);
+    };
+    if (cuts && !set.parallel) cuts->weigh(point, past_clear, weights);
+    if (cuts && set.parallel) cuts->weigh_choice(point, weights);
+    Vec3 sum(0);
+    for (int i = 0; i < shadow_rays_; ++i) {
+        const Key part = own.part(shadow_rays_, i);
+        picks_.clear();
+        if (cuts)
+            cuts->choose(point, weights, part, uniform(part, Purpose::light_choice), picks_);
+        else
+            std::visit([&](const auto& b) { b.choose(point, part, picks_); }, set.sampler);
+        for (const LightPick& pick : picks_)
+            sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_), s, part,
+                               rays);
+    }
+    return sum;
+}
+
+/// The first thing on a ray that stops all light.
+std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
+    Hit hit;
+    for (int passed = 0; passed < most_passed; ++passed) {
+        if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
+        const double distance = dot(hit.position - ray.origin, ray.direction);
+        const Material& material = world_.material(hit.primitive);
+        if (!material.transparent && !material.no_shadow)
+            return LightSight{distance, hit.normal, hit.tolerance, {}, 0};
+        tolerance = distance + hit.tolerance;
+    }
+    return {};
 }
 
 Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
@@ -176,9 +126,10 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     ++rays.shadow;
     const Vec3 passed =
         world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
-    if (passed == Vec3(0)) return Vec3(0);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
-    return answer * sent * passed / (pi * density(*point));
+    const Vec3 seen = passed == Vec3(0) ? passed : answer * sent * passed / (pi * density(*point));
+    credit_luminaire(rays, pick.light, seen, 1);
+    return seen;
 }
 
 template <class Sampler>
@@ -223,7 +174,9 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
         const Vec3 passed = world_.transmittance(ray, s.tolerance, met.meeting.distance);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.luminaires[met.light];
-        sum += weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 seen = weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
+        credit_luminaire(rays, met.light, seen, 1);
+        sum += seen;
         const Material& material = world_.material(luminaire.primitive);
         if (!material.transparent && !material.no_shadow) break;
     }
@@ -236,17 +189,25 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
 /// know keeps its chance, and no ray is lost where luminaires hide each other.
 Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights, const Shading& s,
                             const Key& key, RayCounts& rays) {
+    if (weights.as_scattered) {
+        const Vec3 direction = scattered(s, place_on_light(key));
+        const Vec3 answer = answer_to(world_, s, direction, key);
+        const double density = scattered_density(s, direction);
+        if (answer == Vec3(0) || !(density > 0)) return Vec3(0);
+        return seen_towards(s, direction, rays,
+                            [&](const Met&) { return answer / (pi * density); });
+    }
     const ShadingPoint point = point_of(s);
     const double u = uniform(key, Purpose::light_choice), by_direction = weights.by_direction;
     if (u < by_direction) {
         const auto drawn = Outlook::draw(weights.outlook, place_on_light(key));
         const Vec3 answer = answer_to(world_, s, drawn.direction, key);
         if (answer == Vec3(0)) return Vec3(0);
-        return answer / pi * seen_towards(s, drawn.direction, rays, [&](const Met& met) {
-                   const double of_point =
-                       octree.expected(point, weights, met.light) * met.meeting.density;
-                   return 1 / (by_direction * drawn.density + (1 - by_direction) * of_point);
-               });
+        return seen_towards(s, drawn.direction, rays, [&](const Met& met) {
+            const double of_point =
+                octree.expected(point, weights, met.light) * met.meeting.density;
+            return answer / pi / (by_direction * drawn.density + (1 - by_direction) * of_point);
+        });
     }
     picks_.clear();
     octree.choose(point, weights, key, (u - by_direction) / (1 - by_direction), picks_);
@@ -278,13 +239,11 @@ std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) c
 template <class Weight>
 Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCounts& rays,
                                const Weight& weight) {
-    // Clear surfaces in a row that are looked through; a stop for rays that rounding keeps in one
-    // place.
-    constexpr int most_passed = 1000;
     ++rays.shadow;
     const ShadingPoint point = point_of(s);
     const Ray ray{s.position, direction};
     double from = s.tolerance;
+    bool first = true;  // no luminaire was met yet
     Vec3 sum(0);
     for (int passed = 0; passed < most_passed; ++passed) {
         Hit hit;
@@ -297,15 +256,20 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
             if (clear == Vec3(0)) break;
             meetings_.clear();
             meet(world_.luminaires[light], point, direction, meetings_);
+            Vec3 seen(0);
             for (const LightMeeting& meeting : meetings_)
                 if (std::abs(meeting.distance - distance) <= 1e-6 * distance + hit.tolerance)
-                    sum += clear * weight(Met{meeting, light}) *
-                           radiance(world_.luminaires[light], hit.position);
+                    seen += clear * weight(Met{meeting, light}) *
+                            radiance(world_.luminaires[light], hit.position);
+            credit_luminaire(rays, light, seen, first ? 1 : 0);
+            first = false;
+            sum += seen;
         }
         const Material& material = world_.material(hit.primitive);
         if (!material.transparent && !material.no_shadow) break;
         from = distance + hit.tolerance;
     }
+    if (first && !rays.lights.empty()) ++rays.lights.back().rays;
     return sum;
 }
 
@@ -344,9 +308,9 @@ Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const
     meet_along(bvh.tree(), s, direction);
     const Vec3 seen = seen_along(s, direction, rays, [&](const Met& met) {
         const double other = bvh.expected(point_of(s), key, met.light) * met.meeting.density;
-        return own / (own + other);
+        return answer / (pi * (own + other));
     });
-    return answer * seen / (pi * own);
+    return seen;
 }
 
 Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& rays) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Direct light at a point: POV-Ray's light sources one by one, luminaires as the light sampler
-// chooses.
+// Direct light at a point: POV-Ray's light sources one by one, or some of them when they are many,
+// and luminaires, as the light sampler chooses.
 #pragma once
 
 #include "base/random.h"
@@ -23,9 +23,12 @@ private:
     };
     using Octree = BuiltCutOctree;
 
-    Vec3 from_sources(const Shading&, const Key&, RayCounts&) const;
     Vec3 from_sky(const Shading&, const Key&, RayCounts&) const;
+    Vec3 from_sources(const Shading&, const Key&, RayCounts&);
+    Vec3 from_drawn_sources(const SourceSet&, const Shading&, const Key&, RayCounts&);
     Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
+    Vec3 from_source(std::uint32_t light, double weight, const Shading&, const Key&, RayCounts&);
+    void credit_luminaire(RayCounts&, LightIndex, const Vec3& seen, std::uint64_t rays) const;
     template <class Sampler>
     Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);
     template <class Density>
@@ -34,6 +37,7 @@ private:
     Vec3 from_cuts(const Octree&, const Shading&, const Key&, RayCounts&);
     Vec3 from_cell(const Octree&, const Octree::Weights&, const Shading&, const Key&, RayCounts&);
     std::optional<LightSight> sight(const Ray&, double tolerance) const;
+    std::optional<LightSight> sight_past_clear(const Ray&, double tolerance) const;
     template <class Weight>
     Vec3 seen_towards(const Shading&, const Vec3& direction, RayCounts&, const Weight&);
     Vec3 from_pair(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);

@@ -23,6 +23,7 @@ void PixelSum::add(const PixelSum& other) {
         display_squared[i] += other.display_squared[i];
     }
     samples += other.samples;
+    shadow_rays += other.shadow_rays;
 }
 
 Vec3 PixelSum::mean() const {

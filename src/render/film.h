@@ -17,7 +17,8 @@ struct PixelSum {
     std::array<std::uint64_t, 3> display{};
     std::array<std::uint64_t, 3> display_squared{};
     std::uint32_t samples = 0;
-    std::uint32_t target = 0;  ///< samples that are wanted up to now
+    std::uint32_t target = 0;       ///< samples that are wanted up to now
+    std::uint32_t shadow_rays = 0;  ///< that its samples took, modulo 2^32
 
     void add(const Vec3& sample);
     void add(const PixelSum& other);

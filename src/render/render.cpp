@@ -2,7 +2,7 @@
 #include "render/render.h"
 
 #include "base/parallel.h"
-#include "render/trace.h"
+#include "render/pilot.h"
 
 #include <algorithm>
 #include <atomic>
@@ -34,7 +34,8 @@ public:
           settings_(settings),
           state_(state),
           hooks_(hooks),
-          blur_(blur_rule(world, settings)) {}
+          blur_(blur_rule(world, settings)),
+          shadow_rays_(shadow_rays_per_hit(world, settings)) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -85,9 +86,9 @@ private:
 
     std::vector<Tracer> tracers_of_moments() const {
         std::vector<Tracer> tracers;
-        tracers.emplace_back(world_, settings_.shadow_rays);
+        tracers.emplace_back(world_, shadow_rays_, hooks_.counts_lights);
         for (const World& moment : world_.other_moments)
-            tracers.emplace_back(moment, settings_.shadow_rays);
+            tracers.emplace_back(moment, shadow_rays_, hooks_.counts_lights);
         return tracers;
     }
 
@@ -136,20 +137,12 @@ private:
                 x, y, state_.film.width(), state_.film.height(), key.sample, u + 0.5, v + 0.5};
             const Ray ray =
                 world.camera.mesh ? world.camera.mesh->ray(at) : camera_ray(world, u, v, key);
-            pixel.add(tracers[moment].radiance(ray, key));
+            Tracer& tracer = tracers[moment];
+            const std::uint64_t before_rays = tracer.rays().shadow;
+            pixel.add(tracer.radiance(ray, key));
+            pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
         }
         return pixel.samples - before;
-    }
-
-    static Ray camera_ray(const World& world, double u, double v, const Key& key) {
-        Ray ray = world.camera.ray(u, v);
-        if (ray.direction == Vec3(0)) return ray;
-        if (world.camera_normal.pattern)
-            ray.direction =
-                bumped(world.camera_normal, ray.direction, Vec3(u, v, 0), world.pattern_scene());
-        if (world.camera.lens_radius == 0) return ray;
-        return world.camera.through_lens(
-            ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
     }
 
     bool stop() {
@@ -162,6 +155,7 @@ private:
     RenderState& state_;
     const RenderHooks& hooks_;
     std::optional<BlurRule> blur_;
+    int shadow_rays_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
@@ -180,8 +174,12 @@ int usual_samples(const World& world, const RenderSettings& settings) {
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
     if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
-    if (!settings.antialias) return world.left_to_chance() ? 16 : 1;
-    return std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    // With more shadow rays each, fewer samples tell as much.
+    constexpr int least = 4, to_middle = 16;
+    const int rays = shadow_rays_per_hit(world, settings);
+    if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
+    const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    return rays == 1 ? first : std::min(first, std::max(least, first / rays));
 }
 
 }  // namespace

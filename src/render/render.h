@@ -15,6 +15,7 @@
 struct RenderHooks {
     std::function<void(double fraction)> progress;  ///< of the whole picture
     std::function<bool()> cancelled;                ///< true: stop within a few samples
+    bool counts_lights = false;                     ///< fills RayCounts::lights
 };
 
 struct Rendering {

@@ -2,17 +2,34 @@
 // What a rendering cost, in rays.
 #pragma once
 
+#include "base/exact_sum.h"
+
 #include <cstdint>
+#include <vector>
+
+/// What lights of one statement of the scene gave and cost.
+struct LightCount {
+    ExactSum light;          ///< grey, that came from them to all hits and on to who looks at these
+    std::uint64_t rays = 0;  ///< towards them
+};
 
 struct RayCounts {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;     ///< towards luminaires and light sources
     std::uint64_t scattered = 0;  ///< reflected and refracted
+    /// For each of World::light_statements, and at the end for rays that met no luminaire. Empty
+    /// when nobody asks.
+    std::vector<LightCount> lights = {};
 
     RayCounts& operator+=(const RayCounts& other) {
         camera += other.camera;
         shadow += other.shadow;
         scattered += other.scattered;
+        if (lights.empty()) lights.resize(other.lights.size());
+        for (std::size_t i = 0; i < other.lights.size(); ++i) {
+            lights[i].light.add(other.lights[i].light);
+            lights[i].rays += other.lights[i].rays;
+        }
         return *this;
     }
 };

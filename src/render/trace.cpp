@@ -19,8 +19,20 @@ Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
 
 }  // namespace
 
-Tracer::Tracer(const World& world, int shadow_rays)
+Ray camera_ray(const World& world, double u, double v, const Key& key) {
+    Ray ray = world.camera.ray(u, v);
+    if (ray.direction == Vec3(0)) return ray;
+    if (world.camera_normal.pattern)
+        ray.direction =
+            bumped(world.camera_normal, ray.direction, Vec3(u, v, 0), world.pattern_scene());
+    if (world.camera.lens_radius == 0) return ray;
+    return world.camera.through_lens(
+        ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
+}
+
+Tracer::Tracer(const World& world, int shadow_rays, bool counts_lights)
     : world_(world), direct_light_(world, shadow_rays) {
+    if (counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
     if (world.any_transparent && !world.camera.parallel)
         around_camera_ = world.containing(world.camera.location);
 }

@@ -10,10 +10,15 @@
 #include <optional>
 #include <vector>
 
+/// Through a point of the picture (see Projection::ray) and, with a lens, a point of that: the key
+/// chooses.
+Ray camera_ray(const World&, double u, double v, const Key&);
+
 /// One for each job: it keeps scratch memory and counts rays.
 class Tracer {
 public:
-    Tracer(const World& world, int shadow_rays);
+    /// Lights are counted one by one when that is asked for.
+    Tracer(const World& world, int shadow_rays, bool counts_lights = false);
 
     /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and
     /// key.

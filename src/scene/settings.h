@@ -34,7 +34,7 @@ struct RenderSettings {
     int antialias_depth = 3;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
     double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
-    int shadow_rays = 1;  ///< choices of luminaires at each hit
+    int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay
     int quality = 9;      ///< POV-Ray's: see surface/simplified.h
     bool ambient_luminaires = false;  ///< as the global setting of that name
     int seed = 0;

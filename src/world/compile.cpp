@@ -91,6 +91,14 @@ void note_luminaires(World& world) {
         world.luminaire_of[world.luminaires[light].primitive] = light;
 }
 
+/// Between the rays through the middles of two pixels in the middle of the picture.
+double pixel_angle(const Projection& camera, const CompileOptions& options) {
+    const Vec3 middle = camera.ray(0, 0).direction;
+    const double across = length(camera.ray(1.0 / options.width, 0).direction - middle),
+                 down = length(camera.ray(0, 1.0 / options.height).direction - middle);
+    return std::sqrt(across * down);
+}
+
 /// What a flattened world still lacks.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
@@ -107,8 +115,12 @@ void build_indices(World& world, const CompileOptions& options) {
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     const std::vector<Plane> planes = world_planes(world);
     LightScene lit{world.luminaires, boxes, planes};
+    lit.pixel = pixel_angle(world.camera, options);
     if (!world.camera.parallel) lit.eye = world.camera.location;
     world.sampler = build(world.settings.light_sampler, lit, options.threads);
+    std::vector<std::uint32_t> group_of;
+    for (const LightReach& reach : world.light_reach) group_of.push_back(reach.group);
+    world.source_sets = source_sets(world.lights, group_of, world.settings.light_sampler, lit);
 }
 
 }  // namespace

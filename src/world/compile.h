@@ -12,6 +12,7 @@ struct CompileOptions {
     int threads = 0;                            ///< 0: one per core; nothing depends on it
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
     int quality = 9;                            ///< see RenderSettings
+    int width = 320, height = 240;  ///< of the picture; how fine light is looked at depends on it
 };
 
 /// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is

@@ -9,6 +9,7 @@
 #include "world/materials.h"
 
 #include <algorithm>
+#include <map>
 
 namespace {
 
@@ -59,11 +60,19 @@ public:
             place(shape, here, material, object.span);
     }
 
+    /// An object that stands in the scene itself.
+    void add_statement(const Object& object) {
+        statement_ = object.span;
+        add(object, {});
+    }
+
     /// A light source of the scene, or of a group in its place.
     void add_light(PlacedLight placed, std::uint32_t group = 0) {
         LightReach reach{group};
         if (placed.projected_through)
             reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
+        statement_ = placed.span;
+        world_.statement_of_light.push_back(statement());
         world_.lights.push_back(std::move(placed.light));
         world_.light_reach.push_back(std::move(reach));
     }
@@ -94,6 +103,7 @@ private:
         enum Kind { sphere, triangle, shape, leaf } kind;
         std::uint32_t index;
         Span span;
+        std::uint32_t statement;  ///< of World::light_statements
     };
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
@@ -289,7 +299,19 @@ private:
 
     void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
         if (materials_.glows(material))
-            glowing_.push_back({kind, static_cast<std::uint32_t>(index), span});
+            glowing_.push_back({kind, static_cast<std::uint32_t>(index), span, statement()});
+    }
+
+    /// The number of the statement that is at work; they come one after the other, mostly.
+    std::uint32_t statement() {
+        std::vector<Span>& all = world_.light_statements;
+        if (!all.empty() && all[last_statement_] == statement_) return last_statement_;
+        const std::pair<SourceId, std::uint64_t> place{
+            statement_.source, std::uint64_t{statement_.first} << 32 | statement_.last};
+        const auto [found, added] =
+            statements_.try_emplace(place, static_cast<std::uint32_t>(all.size()));
+        if (added) all.push_back(statement_);
+        return last_statement_ = found->second;
     }
 
     /// `first` is the number of the first primitive of each kind.
@@ -299,9 +321,10 @@ private:
             luminaire.emitter = emitter(glow);
             luminaire.primitive = first[glow.kind] + glow.index;
             set_radiance(luminaire);
-            if (emitting_area(luminaire.emitter) > 0)
+            if (emitting_area(luminaire.emitter) > 0) {
                 world_.luminaires.push_back(std::move(luminaire));
-            else
+                world_.statement_of_luminaire.push_back(glow.statement);
+            } else
                 diagnostics_.add(
                     warning(Fault::degenerate, glow.span,
                             "this luminaire has no area, so it gives no light")
@@ -357,6 +380,9 @@ private:
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
     int guides_left_ = 64;
+    Span statement_;  ///< that is at work
+    std::uint32_t last_statement_ = 0;
+    std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> statements_;
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;
@@ -367,6 +393,6 @@ private:
 void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what) {
     Flattener flattener(scene, world, diagnostics, what);
     for (const PlacedLight& light : scene.lights) flattener.add_light(light);
-    for (const ObjectHandle& object : scene.objects) flattener.add(*object, {});
+    for (const ObjectHandle& object : scene.objects) flattener.add_statement(*object);
     flattener.finish();
 }

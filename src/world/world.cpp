@@ -303,12 +303,16 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
     return sum;
 }
 
-bool World::reaches(std::size_t light, const Material& lit) const {
-    const std::uint32_t own = light_reach[light].group;
-    if (own == 0) return light_groups[lit.light_group].global_lights;
+bool World::reaches(std::uint32_t light_group, const Material& lit) const {
+    if (light_group == 0) return light_groups[lit.light_group].global_lights;
     std::uint32_t group = lit.light_group;
-    while (group != 0 && group != own) group = light_groups[group].outer;
-    return group == own;
+    while (group != 0 && group != light_group) group = light_groups[group].outer;
+    return group == light_group;
+}
+
+bool World::light_is_drawn() const {
+    return !luminaires.empty() ||
+           std::ranges::any_of(source_sets, [](const SourceSet& set) { return set.drawn(); });
 }
 
 Vec3 World::sky_radiance(const Vec3& direction) const {

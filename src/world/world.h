@@ -8,6 +8,7 @@
 #include "index/kdtree.h"
 #include "lighting/sampler.h"
 #include "scene/scene.h"
+#include "world/sources.h"
 
 #include <cstdint>
 #include <memory>
@@ -129,8 +130,11 @@ public:
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const;
 
-    /// Whether a light may light an object of the material.
-    bool reaches(std::size_t light, const Material&) const;
+    /// Whether the lights of a group may light an object of the material.
+    bool reaches(std::uint32_t light_group, const Material&) const;
+
+    /// Whether it is left to chance which lights are asked at a point.
+    bool light_is_drawn() const;
 
     /// The share of a surface of this colour that is not transparent, by the scene's language
     /// version.
@@ -167,7 +171,7 @@ public:
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
-        return !luminaires.empty() || !sky_light.empty() || any_scattering ||
+        return light_is_drawn() || !sky_light.empty() || any_scattering ||
                !other_moments.empty();
     }
 
@@ -194,8 +198,13 @@ public:
         luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
     BuiltLightSampler sampler;
     SkyLight sky_light;  ///< empty unless the sky is a luminaire
+    /// The statements of the scene that made luminaires and lights, and which one made each of
+    /// them.
+    std::vector<Span> light_statements;
+    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
     std::vector<Light> lights;
     std::vector<LightReach> light_reach;      ///< of each light
+    std::vector<SourceSet> source_sets;       ///< all of them
     std::vector<LightGroup> light_groups{1};  ///< the first stands for what is in none
 
     Projection camera;

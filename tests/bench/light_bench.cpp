@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What light costs: noise, CPU time and memory of the light samplers on scenes with few to a
 // million luminaires, all in one run. Run by hand; names of rows choose some:
-//   light_bench [flake] [city] [room] [figure2] [million]
+//   light_bench [flake] [city] [growth] [room] [sources] [sun] [horizon] [figure2] [figure5]
+//   [million]
 // Noise is that of two pictures with different seeds against each other, so no converged picture is
 // needed: half of their mean squared difference is the variance of a pixel. Figures of a row are
 // comparable with each other; times are CPU seconds of rendering in one thread.
 #include "evaluate/evaluate.h"
 #include "render/render.h"
-#include "support/draw.h"
+#include "support/lights.h"
 #include "support/scripts.h"
 #include "world/compile.h"
 
@@ -85,10 +86,13 @@ LightBvh pair() {
 }
 
 const std::vector<Strategy>& usual() {
-    static const std::vector<Strategy> strategies = {
-        {"light_bvh { mis }", pair()},       {"light_bvh", LightBvh{}},
-        {"light_octree { paper }", paper()}, {"light_octree { alone }", alone()},
-        {"light_octree", octree()},          {"light_octree, 4 rays", octree(), 4, 4}};
+    static const std::vector<Strategy> strategies = {{"light_bvh { mis }", pair()},
+                                                     {"light_bvh", LightBvh{}},
+                                                     {"light_octree { paper }", paper()},
+                                                     {"light_octree { alone }", alone()},
+                                                     {"light_octree", octree()},
+                                                     {"light_octree, 4 rays", octree(), 4, 4},
+                                                     {"light_octree, one hit", octree(), 1, 10}};
     return strategies;
 }
 
@@ -97,13 +101,14 @@ void compare(const std::string& title, const std::string& file, const Declares& 
              const std::vector<Strategy>& strategies, int size) {
     double opponent = 0;
     for (const Strategy& strategy : strategies) {
-        const World world = world_of_file(file, declares, strategy.sampler);
+        const World world = world_of_file(file, declares, strategy.sampler, size);
         const Measured found = measure(world, strategy, size);
         if (opponent == 0) opponent = found.work();
         std::printf(
             "%-22s %7zu  %-24s %3d x %d %8.2f s  mean %.4f  RMSE %.5f  at equal time %.3f\n",
-            title.c_str(), world.luminaires.size(), strategy.name.c_str(), strategy.samples,
-            strategy.shadow_rays, found.seconds, found.mean, found.rmse, found.work() / opponent);
+            title.c_str(), world.luminaires.size() + world.lights.size(), strategy.name.c_str(),
+            strategy.samples, strategy.shadow_rays, found.seconds, found.mean, found.rmse,
+            found.work() / opponent);
         std::fflush(stdout);
     }
 }
@@ -129,17 +134,98 @@ void city() {
         compare("city", "examples/gallery/city.pov", {{"Blocks", blocks}}, usual(), 320);
 }
 
+/// What more luminaires cost when the view stays as it is.
+void growth() {
+    double seconds = 0, noise = 0;
+    for (const double blocks : {1.0, 3.0, 10.0, 31.0, 100.0}) {
+        const Strategy strategy{"light_octree", octree()};
+        const World world =
+            world_of_file("examples/gallery/city.pov", {{"Blocks", blocks}}, strategy.sampler, 160);
+        const Measured found = measure(world, strategy, 160);
+        const double relative = found.rmse / found.mean;
+        if (seconds == 0) seconds = found.seconds, noise = relative;
+        std::printf("city %7zu luminaires: %.2f s (%.2f), RMSE over mean %.3f (%.2f)\n",
+                    world.luminaires.size(), found.seconds, found.seconds / seconds, relative,
+                    relative / noise);
+        std::fflush(stdout);
+    }
+}
+
+/// 10,000 light sources, and as many glowing spheres in their places.
+void sources() {
+    double spheres = 0;
+    for (const auto& [name, kind] :
+         {std::pair{"glowing spheres", 2.0}, {"points", 0.0}, {"spots", 1.0}}) {
+        const Strategy strategy{"light_octree", octree()};
+        const World world =
+            world_of_file("tests/bench/sources.pov", {{"Kind", kind}}, strategy.sampler, 200);
+        const Measured found = measure(world, strategy, 200);
+        if (spheres == 0) spheres = found.seconds;
+        std::printf("10000 %s: %.2f s, %.2f times the spheres', RMSE over mean %.3f\n", name,
+                    found.seconds, found.seconds / spheres, found.rmse / found.mean);
+        std::fflush(stdout);
+    }
+}
+
 /// A closed room whose walls are triangles that all glow, and 16 boxes in it.
 void room() {
     for (const double side : {29.0, 91.0})
         compare("infrared room", "tests/bench/room.pov", {{"Side", side}}, usual(), 200);
     for (const Strategy& strategy : usual()) {
         const World world = world_of_file("tests/bench/room.pov", {{"Side", 29.0}, {"Same", 1.0}},
-                                          strategy.sampler);
+                                          strategy.sampler, 100);
         const Measured found = measure(world, strategy, 100);
         std::printf("isothermal room, %s: deviation %.2e\n", strategy.name.c_str(),
                     found.rmse / found.mean);
     }
+}
+
+/// A glaring luminaire that is seen from nowhere in the picture.
+void sun() {
+    double without = 0;
+    for (const double there : {0.0, 1.0}) {
+        const Strategy strategy{"light_octree", octree(), 16};
+        const Measured found =
+            measure(world_of_file("tests/bench/sun.pov", {{"Sun", there}}, strategy.sampler, 200),
+                    strategy, 200);
+        if (without == 0) without = found.rmse;
+        std::printf("hidden sun: %d, RMSE %.5f, %.2f times that without\n", there > 0, found.rmse,
+                    found.rmse / without);
+    }
+}
+
+/// A light that can reach a point must have a chance there: 10^7 cases, with the luminaire across
+/// the horizon. What a rule that asks for the centre would lose is counted, too.
+void horizon() {
+    Draw draw(1);
+    long lit = 0, lost = 0, lost_by_centre = 0;
+    for (int round = 0; round < 100; ++round) {
+        std::vector<Luminaire> luminaires;
+        for (int i = 0; i < 30; ++i)
+            luminaires.push_back(glowing(emitter(i % emitter_kinds, draw.point(4),
+                                                 std::pow(10, draw.between(-2, 0)), draw)));
+        const Box surface{Vec3(-4), Vec3(4)};
+        LightOctree settings;
+        settings.cut = 6;
+        const auto built = build(settings, LightScene{luminaires, {&surface, 1}}, 1);
+        for (int i = 0; i < 100000; ++i) {
+            const auto light = static_cast<LightIndex>(draw.number() * 30);
+            const LightBounds b = bounds(luminaires[light]);
+            ShadingPoint point{draw.point(6), draw.direction(), i % 11 == 0};
+            if (i % 4 != 0) point.position = point_around(b.centre, b.radius, draw);
+            const auto s =
+                sample(luminaires[light], point.position, {draw.number(), draw.number()});
+            if (!s) continue;
+            const Vec3 level = cross(cross(s->direction, point.normal), s->direction);
+            point.normal = unit(unit(level) + std::pow(10, draw.between(-9, 0)) * s->direction);
+            if (!(dot(s->direction, point.normal) > 1e-12)) continue;
+            ++lit;
+            lost += !(built.expected(point, Key{}, light) > 0);
+            lost_by_centre += !point.both_sides && dot(b.centre - point.position, point.normal) < 0;
+        }
+    }
+    std::printf("horizon: %ld cases, %ld without a chance; by centres alone it would be %ld\n", lit,
+                lost, lost_by_centre);
 }
 
 void figure2() {
@@ -150,6 +236,48 @@ void figure2() {
         std::printf("figure 2, %s: relative noise %.2e\n", strategy.name.c_str(),
                     found.rmse / found.mean);
     }
+}
+
+/// The noisiest pixels after 9 samples get 30.
+void figure5() {
+    constexpr int size = 256;
+    const Strategy uniform{"light_octree", octree(), 9};
+    const World world = world_of_file("examples/paper/fig5.pov", {}, uniform.sampler, size);
+    RenderSettings settings = settings_for(uniform, size);
+    const auto refined = [&](int seed) {
+        settings.seed = seed;
+        RenderState state = begin_picture(settings);
+        RayCounts rays;
+        advance(world, settings, state, rays, {});
+        std::vector<double> variances;
+        for (const PixelSum& pixel : state.film.pixels())
+            variances.push_back(pixel.variance_of_mean());
+        std::ranges::sort(variances);
+        const double bound = variances[static_cast<std::size_t>(0.91 * size * size)];
+        for (PixelSum& pixel : state.film.pixels())
+            if (pixel.variance_of_mean() > bound) pixel.target = 30;
+        advance(world, settings, state, rays, {});
+        return state.film;
+    };
+    const Film a = refined(0), b = refined(1);
+    double squares = 0, samples = 0, more = 0;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+        const double d = grey(a.pixels()[i].mean()) - grey(b.pixels()[i].mean());
+        squares += d * d / 2;
+        samples += a.pixels()[i].samples;
+        more += a.pixels()[i].samples > 9;
+    }
+    const auto count = static_cast<double>(a.pixels().size());
+    const double rmse = std::sqrt(squares / count), mean = samples / count;
+    const auto even = [&](int n) {
+        return measure(world, {"light_octree", octree(), n}, size).rmse;
+    };
+    const int below = static_cast<int>(mean);
+    const double among = mean - below, equal = (1 - among) * even(below) + among * even(below + 1);
+    std::printf(
+        "figure 5, %zu luminaires: %.1f %% of the pixels refined, %.2f samples a pixel, "
+        "RMSE %.5f, %.2f times that of as many everywhere\n",
+        world.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
 }
 
 void million() {
@@ -189,11 +317,10 @@ void million() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::pair<std::string, void (*)()>> rows = {{"flake", flake},
-                                                                  {"city", city},
-                                                                  {"room", room},
-                                                                  {"figure2", figure2},
-                                                                  {"million", million}};
+    const std::vector<std::pair<std::string, void (*)()>> rows = {
+        {"flake", flake},     {"city", city},      {"growth", growth},   {"room", room},
+        {"sources", sources}, {"sun", sun},        {"horizon", horizon}, {"figure2", figure2},
+        {"figure5", figure5}, {"million", million}};
     const std::vector<std::string> wanted(argv + 1, argv + argc);
     for (const auto& [name, run] : rows)
         if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end()) run();

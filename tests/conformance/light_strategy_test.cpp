@@ -189,6 +189,9 @@ TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires 
 }
 
 TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", Strategies) {
+    // Cuts weigh in single precision, whose rounding another scale changes; the others in double.
+    const bool single_precision = std::is_same_v<TestType, LightOctree>;
+    const double rounding = single_precision ? 1e-4 : 1e-9;
     const Room room(60, 6);
     const auto built = build(settings<TestType>(), room.scene(), 1);
     for (const double scale : {1e-3, 1e3}) {
@@ -200,7 +203,7 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
             const auto light = static_cast<LightIndex>(draw.number() * 60);
             again.number();
             CHECK(other.expected(there, key(1, i), light) ==
-                  Approx(built.expected(point, key(1, i), light)).epsilon(1e-4).margin(1e-20));
+                  Approx(built.expected(point, key(1, i), light)).epsilon(rounding).margin(1e-20));
         }
     }
 }

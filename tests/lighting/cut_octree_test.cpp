@@ -46,17 +46,25 @@ double noise(const Street& street, const BuiltCutOctree& built, const ShadingPoi
 
 TEST_CASE("the choice from cuts is nearly as good as that from all luminaires", "[lighting]") {
     const Street street(3000);
-    const BuiltCutOctree built(LightOctree{}, street.scene());
-    Draw draw(2);
-    double sum = 0, worst = 0;
-    for (int i = 0; i < 300; ++i) {
-        const double here = noise(street, built, street.point(draw));
-        sum += here;
-        worst = std::fmax(worst, here);
+    // Where cells look small, or from where is not known, they are divided down to a bound of 20
+    // times eta, which is 0.4; where they look large, further. The bound is rough: the mean keeps
+    // well below it, and single points near a lamp may be somewhat above.
+    LightScene seen = street.scene();
+    seen.eye = Vec3(0, 5, 0);
+    seen.pixel = 1e-6;
+    for (const bool large : {false, true}) {
+        const BuiltCutOctree built(LightOctree{}, large ? seen : street.scene());
+        Draw draw(2);
+        double sum = 0, worst = 0;
+        for (int i = 0; i < 300; ++i) {
+            const double here = noise(street, built, street.point(draw));
+            sum += here;
+            worst = std::fmax(worst, here);
+        }
+        CAPTURE(large, sum / 300, worst);
+        CHECK(sum / 300 < 0.2);
+        CHECK(worst < 1);
     }
-    CAPTURE(sum / 300, worst);
-    CHECK(sum / 300 < 0.2);
-    CHECK(worst < 2);
 }
 
 TEST_CASE("all chances add up to 1", "[lighting]") {

@@ -79,6 +79,43 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     }
 }
 
+TEST_CASE("an entry of one light source weighs what it gives", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    Draw draw(3);
+    for (int i = 0; i < 40; ++i) {
+        Falloff falloff;
+        falloff.fade_distance = i % 3 == 0 ? 0 : draw.between(0.1, 10);
+        falloff.fade_power = draw.between(0.5, 4);
+        if (i % 2 == 0) {
+            falloff.axis = draw.direction();
+            falloff.dark = draw.between(0.3, 1.5);
+            falloff.bright = draw.between(0, falloff.dark);
+        }
+        luminaires.push_back(glowing(SourceEmitter{draw.point(5), 1e-5, falloff},
+                                     std::pow(10, draw.between(-2, 2))));
+    }
+    const LightTree tree(luminaires);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    // Cones that miss the cell need not be told apart.
+    REQUIRE(cut.entries() > 30);
+    for (int i = 0; i < 100; ++i) {
+        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        CutWeights weights;
+        cut.weigh(point, weights);
+        double sum = 0;
+        for (const Luminaire& luminaire : luminaires) sum += unoccluded(luminaire, point);
+        for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
+            double given = 0;
+            const LightCluster& c = cut.cluster(entry);
+            for (std::uint32_t place = c.first; place < c.first + c.count; ++place)
+                given += unoccluded(luminaires[tree.light(place)], point) / sum;
+            if (c.count > 1) CHECK(given == 0);
+            CHECK(weights.weight[entry] / weights.total == Approx(given).epsilon(0.1).margin(1e-3));
+            if (given > 0) CHECK(weights.weight[entry] > 0);
+        }
+    }
+}
+
 TEST_CASE("entries are found in proportion to their weights", "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(100);
     const LightTree tree(luminaires);

@@ -90,6 +90,19 @@ TEST_CASE("an outlook draws what shines more often than chance", "[lighting]") {
     CHECK(met > 500);
 }
 
+TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
+    const Box cell{Vec3(-1, -2, -1), Vec3(1, -1, 1)};
+    const auto even = [](const Ray& ray, double) -> std::optional<LightSight> {
+        return LightSight{3, -ray.direction, 1e-9, 0, 2.5};
+    };
+    const Outlook all(cell, ball, receivers_in(cell, even), even);
+    CHECK(all.mean_luminance() == Approx(2.5));
+    CHECK(all.noise_of_scattering() == Approx(0).margin(1e-12));
+    const Outlook some = outlook_of(cell);
+    CHECK(some.mean_luminance() < 2.5);
+    CHECK(some.noise_of_scattering() > 0.05);
+}
+
 TEST_CASE("no direction is drawn where nothing shines", "[lighting]") {
     const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
     const Box cell{Vec3(3, -2, 3), Vec3(4, -1, 4)};

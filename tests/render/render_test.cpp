@@ -136,3 +136,24 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
     }
     CHECK(sum.image().pixels == whole.film.image().pixels);
 }
+
+TEST_CASE("lights are counted by statement when that is asked for, the same by any threads",
+          "[render]") {
+    const World world = world_of(lamps + std::string("light_source { 5*y, 0.1 }"));
+    REQUIRE(world.light_statements.size() == 2);
+    RenderHooks hooks;
+    hooks.counts_lights = true;
+    const RayCounts one = render(world, small(1), hooks).rays,
+                    three = render(world, small(3), hooks).rays;
+    REQUIRE(one.lights.size() == 3);
+    std::uint64_t rays = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(one.lights[i].light == three.lights[i].light);
+        CHECK(one.lights[i].rays == three.lights[i].rays);
+        rays += one.lights[i].rays;
+    }
+    CHECK(rays == one.shadow);
+    CHECK(one.lights[world.statement_of_light[0]].light.value() > 0);
+    CHECK(one.lights[world.statement_of_luminaire[0]].light.value() > 0);
+    CHECK(render(world, small(1)).rays.lights.empty());
+}

@@ -49,7 +49,7 @@ World world_of(const std::string& script) {
 }
 
 World world_of_file(const std::string& path, const Declares& declares,
-                    const std::optional<LightSampler>& sampler) {
+                    const std::optional<LightSampler>& sampler, int size) {
     std::ifstream file(root + "/" + path);
     if (!file) throw std::runtime_error("cannot read " + path);
     std::ostringstream text;
@@ -57,5 +57,6 @@ World world_of_file(const std::string& path, const Declares& declares,
     Diagnostics diagnostics;
     CompileOptions options;
     options.light_sampler = sampler;
+    options.width = options.height = size;
     return compile(checked(evaluate_text(path, text.str(), declares)), options, diagnostics);
 }

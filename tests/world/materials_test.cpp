@@ -85,6 +85,7 @@ TEST_CASE("lights of a group light the objects of the group", "[world]") {
     for (std::size_t object = 0; object < 3; ++object)
         for (std::size_t light = 0; light < 3; ++light) {
             INFO(object << ' ' << light);
-            CHECK(world.reaches(light, world.materials[object]) == expected[object][light]);
+            const std::uint32_t group = world.light_reach[light].group;
+            CHECK(world.reaches(group, world.materials[object]) == expected[object][light]);
         }
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A light source of no size. Called through luminaire.h, which states what each function promises;
+// rays never meet one.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+LightBounds bounds(const SourceEmitter&, double luminance);
+double unoccluded(const SourceEmitter&, double luminance, const ShadingPoint&);
+std::optional<LightPoint> sample(const SourceEmitter&, const Vec3& from, const Vec2& u);
+void meet(const SourceEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+double emitting_area(const SourceEmitter&);

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "render/pilot.h"
+
+#include <algorithm>
+
+namespace {
+
+/// What a camera ray costs with shading and weighing of luminaires, in shadow rays.
+constexpr double cost_of_camera_ray = 1.2;
+constexpr int most_rays = 4;
+/// Pixels that are tried in each direction at most, and the share of all pixels that they may be.
+constexpr int most_across = 16;
+constexpr int pixels_for_each = 4;
+
+double squared(double x) { return x * x; }
+
+}  // namespace
+
+PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
+    const int columns = std::clamp(settings.width / pixels_for_each, 1, most_across),
+              rows = std::clamp(settings.height / pixels_for_each, 1, most_across);
+    Tracer tracer(world, 1);
+    PilotNoise sum;
+    for (int i = 0; i < columns * rows; ++i) {
+        const auto seen = [&](std::uint32_t place, std::uint32_t light) {
+            Key key;
+            // Not a pixel of the picture, whose samples must owe nothing to these.
+            key.pixel = mix(~static_cast<std::uint64_t>(i)) + place;
+            key.sample = light;
+            const Key where = {key.pixel, 0, 0, 0};
+            const bool spread = settings.antialias;
+            const double dx = spread ? uniform(where, Purpose::pixel_x) : 0.5,
+                         dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
+            const double x = (i % columns + 0.5) * settings.width / columns,
+                         y = (i / columns + 0.5) * settings.height / rows;
+            const double u = (std::floor(x) + dx) / settings.width - 0.5,
+                         v = 0.5 - (std::floor(y) + dy) / settings.height;
+            // What is brighter than white is cut off in pictures, and its noise with it.
+            return std::fmin(grey(tracer.radiance(camera_ray(world, u, v, where), key)), 1.0);
+        };
+        const double a = seen(0, 0), other_light = seen(0, 1), other_place = seen(1, 2);
+        sum.of_light += squared(a - other_light) / 2;
+        sum.of_camera += squared(a - other_place) / 2;
+    }
+    sum.of_camera = std::fmax(sum.of_camera - sum.of_light, 0);
+    return sum;
+}
+
+int best_shadow_rays(const PilotNoise& noise) {
+    if (!(noise.of_light > 0)) return 1;
+    const double most = most_rays;
+    const double rays = std::sqrt(cost_of_camera_ray * noise.of_light /
+                                  std::fmax(noise.of_camera, 1e-3 * noise.of_light));
+    return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));
+}
+
+int shadow_rays_per_hit(const World& world, const RenderSettings& settings) {
+    if (settings.shadow_rays > 0) return settings.shadow_rays;
+    if (!world.light_is_drawn() || world.camera.mesh) return 1;
+    return best_shadow_rays(pilot_noise(world, settings));
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the work of a pixel is divided between camera rays and shadow rays, when the run does not
+// say. Found by tracing some pixels before the picture is made; the same for every part of it.
+#pragma once
+
+#include "render/trace.h"
+#include "scene/settings.h"
+
+/// Variances of one sample of a pixel, over all pixels that were tried.
+struct PilotNoise {
+    double of_light = 0;   ///< by the shadow rays of one hit
+    double of_camera = 0;  ///< by what camera rays of one pixel meet, were its light known
+};
+PilotNoise pilot_noise(const World&, const RenderSettings&);
+
+/// Shadow rays that make the least noise in a given time: the root of (cost of a camera ray over
+/// that of a shadow ray) times (variance by light over variance by the camera), from 1 to 4. More
+/// are hardly better where camera rays make no noise at all.
+int best_shadow_rays(const PilotNoise&);
+
+/// What the settings say, or the best number. It does not depend on the number of samples, so that
+/// pictures can be continued.
+int shadow_rays_per_hit(const World&, const RenderSettings&);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a surface sends on of the light of one of POV-Ray's sources, with its shadow: as POV-Ray
+// does, for a grid of lights as well. Called by the direct light for the sources that it asks.
+#pragma once
+
+#include "base/random.h"
+#include "render/shade.h"
+#include "render/statistics.h"
+
+/// Radiance towards the viewer by a light of the world.
+Vec3 source_light(const World&, std::uint32_t light, const Shading&, const Key&, RayCounts&);
+
+/// What the surface sends on of light of colour 1 from a direction.
+Vec3 answer_to_light(const World&, const Shading&, const Vec3& direction, bool highlights,
+                     const Key&);

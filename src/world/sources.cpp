@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/sources.h"
+
+#include <algorithm>
+#include <map>
+
+namespace {
+
+/// What no size is counted as, as a share of the room that the sources take.
+constexpr double least_radius = 1e-6;
+
+bool same_direction_everywhere(const PointLight& light) {
+    return light.parallel && light.beam != parallel_beam;
+}
+
+/// Lights that take light away can be no share of the whole.
+bool can_be_chosen(const PointLight& light) {
+    return std::isfinite(light.colour.x + light.colour.y + light.colour.z) &&
+           std::min({light.colour.x, light.colour.y, light.colour.z}) >= 0;
+}
+
+Falloff falloff(const PointLight& light) {
+    Falloff result;
+    result.fade_distance = light.fade_distance;
+    result.fade_power = light.fade_power;
+    const double dark = light.falloff.value_or(45) * std::numbers::pi / 180,
+                 bright = light.radius.value_or(30) * std::numbers::pi / 180;
+    const bool turned = light.is_area() && light.area_illumination;
+    if (light.beam != cone || light.parallel || turned) return result;
+    // Without a bright part, or with one that is wider than a half space, the cone has no edge but
+    // that of the half space.
+    const bool edged = bright < std::numbers::pi / 2 && bright >= 0 && dark >= 0;
+    result.axis = unit(light.point_at - light.location);
+    result.dark = edged ? std::clamp(dark, bright, std::numbers::pi / 2) : std::numbers::pi / 2;
+    result.bright = edged ? bright : result.dark;
+    return result;
+}
+
+/// Around all points that light comes from: of a beam, around those where it leaves.
+double radius(const PointLight& light) {
+    if (light.beam == parallel_beam) return std::abs(light.falloff.value_or(1));
+    if (!light.is_area() || !light.area_illumination) return 0;
+    return length(light.area1) + length(light.area2);
+}
+
+Luminaire emitter(const PointLight& light, std::uint32_t number) {
+    SourceEmitter source{light.location, radius(light), falloff(light)};
+    // Light of one direction comes from a point of the sphere of directions.
+    if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
+    return {source, light.colour, false, number};
+}
+
+const PointLight& point_light(const Light& light) { return std::get<PointLight>(light); }
+
+class Sets {
+public:
+    Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene)
+        : lights_(lights), settings_(sampler), scene_(scene) {}
+
+    void add(std::uint32_t group, std::vector<std::uint32_t> members) {
+        if (members.size() <= most_asked_sources || std::holds_alternative<EveryLight>(settings_)) {
+            result.push_back({group, std::move(members)});
+            return;
+        }
+        std::vector<std::uint32_t> asked, placed, directed;
+        for (const std::uint32_t i : members) {
+            const PointLight& light = point_light(lights_[i]);
+            if (!can_be_chosen(light))
+                asked.push_back(i);
+            else if (light.colour != Vec3(0))
+                (same_direction_everywhere(light) ? directed : placed).push_back(i);
+        }
+        if (!asked.empty()) result.push_back({group, std::move(asked)});
+        add_drawn({group, std::move(placed)});
+        SourceSet parallel{group, std::move(directed)};
+        parallel.parallel = true;
+        add_drawn(std::move(parallel));
+    }
+
+    std::vector<SourceSet> result;
+
+private:
+    void add_drawn(SourceSet set) {
+        if (set.lights.empty()) return;
+        if (set.lights.size() > most_asked_sources) {
+            for (const std::uint32_t i : set.lights)
+                set.emitters.push_back(emitter(point_light(lights_[i]), i));
+            give_size(set.emitters);
+            LightScene scene = scene_;
+            if (set.parallel) scene = {};
+            scene.luminaires = set.emitters;
+            set.sampler = build(settings_, scene, 0);
+        }
+        result.push_back(std::move(set));
+    }
+
+    /// Without any, rounding would decide what is above a horizon.
+    static void give_size(std::vector<Luminaire>& emitters) {
+        Box all;
+        for (const Luminaire& e : emitters)
+            all = join(all, std::get<SourceEmitter>(e.emitter).centre);
+        const double least =
+            least_radius * max_component(all.size()) + 1e-12 * max_abs_component(all.centre());
+        for (Luminaire& e : emitters) {
+            double& radius = std::get<SourceEmitter>(e.emitter).radius;
+            radius = std::max({radius, least, 1e-100});
+        }
+    }
+
+    std::span<const Light> lights_;
+    const LightSampler& settings_;
+    const LightScene& scene_;
+};
+
+}  // namespace
+
+std::vector<SourceSet> source_sets(std::span<const Light> lights,
+                                   std::span<const std::uint32_t> group_of,
+                                   const LightSampler& sampler, const LightScene& scene) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+    for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
+    Sets sets(lights, sampler, scene);
+    for (auto& [group, members] : groups) sets.add(group, std::move(members));
+    return std::move(sets.result);
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light sources in the sets in which they are asked. A few are all asked at each point, as POV-Ray
+// does; of many some are chosen, by the sampler that chooses among luminaires. Made by compile().
+#pragma once
+
+#include "light/light.h"
+#include "lighting/sampler.h"
+
+#include <vector>
+
+/// Up to so many sources that light the same objects are all asked: then they make no noise, and
+/// a picture of one sample a pixel is not dearer than 16 samples of chosen ones.
+inline constexpr std::size_t most_asked_sources = 32;
+
+/// Sources that light the same objects.
+struct SourceSet {
+    std::uint32_t group = 0;            ///< of lights; 0: of all objects
+    std::vector<std::uint32_t> lights;  ///< in World::lights
+    /// One for each when some are chosen; none when all are asked.
+    std::vector<Luminaire> emitters = {};
+    bool parallel = false;  ///< light has the same direction everywhere: that is where emitters are
+    BuiltLightSampler sampler = {};
+
+    bool drawn() const { return !emitters.empty(); }
+    /// The point for which the sampler is to be asked.
+    ShadingPoint asked(const ShadingPoint& point) const {
+        return parallel ? ShadingPoint{Vec3(0), point.normal, point.both_sides} : point;
+    }
+};
+
+/// `group_of` has the group of each light. The boxes and planes of the scene are where points to be
+/// lit are.
+std::vector<SourceSet> source_sets(std::span<const Light> lights,
+                                   std::span<const std::uint32_t> group_of, const LightSampler&,
+                                   const LightScene&);

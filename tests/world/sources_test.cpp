@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/sources.h"
+
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+std::vector<Light> lights(std::size_t count, const PointLight& like = {}) {
+    std::vector<Light> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        PointLight light = like;
+        light.location = Vec3(static_cast<double>(i), 1, 0);
+        light.colour = Vec3(1);
+        result.emplace_back(light);
+    }
+    return result;
+}
+
+std::vector<SourceSet> sets(const std::vector<Light>& lights,
+                            const LightSampler& sampler = LightOctree{}) {
+    const std::vector<std::uint32_t> groups(lights.size(), 0);
+    return source_sets(lights, groups, sampler, {});
+}
+
+PointLight& light(std::vector<Light>& all, std::size_t i) { return std::get<PointLight>(all[i]); }
+
+}  // namespace
+
+TEST_CASE("few light sources are all asked, some of many", "[world]") {
+    CHECK(sets({}).empty());
+    const auto few = sets(lights(most_asked_sources));
+    REQUIRE(few.size() == 1);
+    CHECK_FALSE(few[0].drawn());
+    CHECK(few[0].lights.size() == most_asked_sources);
+    const auto many = sets(lights(most_asked_sources + 1));
+    REQUIRE(many.size() == 1);
+    CHECK(many[0].drawn());
+    CHECK(many[0].emitters.size() == most_asked_sources + 1);
+    CHECK_FALSE(sets(lights(most_asked_sources + 1), EveryLight{})[0].drawn());
+}
+
+TEST_CASE("lights that take light away are all asked, those without light never", "[world]") {
+    std::vector<Light> all = lights(100);
+    light(all, 7).colour = Vec3(1, -0.1, 1);
+    light(all, 8).colour = Vec3(0);
+    const auto found = sets(all);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].lights == std::vector<std::uint32_t>{7});
+    CHECK(found[1].lights.size() == 98);
+    CHECK(found[1].drawn());
+}
+
+TEST_CASE("light of one direction is chosen by direction", "[world]") {
+    PointLight parallel;
+    parallel.parallel = true;
+    parallel.point_at = Vec3(3.5, 0, 0);
+    const auto found = sets(lights(200, parallel));
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].parallel);
+    for (const Luminaire& each : found[0].emitters)
+        CHECK(length(std::get<SourceEmitter>(each.emitter).centre) == Approx(1));
+    const ShadingPoint asked = found[0].asked({Vec3(5), Vec3(0, 1, 0)});
+    CHECK(asked.position == Vec3(0));
+    CHECK(asked.normal == Vec3(0, 1, 0));
+}
+
+TEST_CASE("each light group has its own set", "[world]") {
+    const std::string group =
+        "light_group { #for (I, 1, 50) light_source { I*x, 1 } #end sphere { 0, 1 } }";
+    const World world = world_of("light_source { y, 1 } sphere { 3*x, 1 }" + group + group);
+    REQUIRE(world.source_sets.size() == 3);
+    CHECK_FALSE(world.source_sets[0].drawn());
+    for (const std::size_t i : {1u, 2u}) {
+        CHECK(world.source_sets[i].group == i);
+        CHECK(world.source_sets[i].lights.size() == 50);
+        CHECK(world.source_sets[i].drawn());
+    }
+    CHECK(world.light_is_drawn());
+}
