@@ -366,6 +366,14 @@ void store::verbose(Options& options, const Given& given, Diagnostics&) {
     options.verbose = given.on;
 }
 
+void store::light_report(Options& options, const Given&, Diagnostics&) {
+    options.light_report = true;
+}
+
+void store::light_layers(Options& options, const Given& given, Diagnostics&) {
+    options.light_layers = *given.value;
+}
+
 void store::stats(Options& options, const Given& given, Diagnostics&) {
     options.stats_file = *given.value;
 }

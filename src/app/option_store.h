@@ -71,6 +71,8 @@ void clock(Options&, const Given&, Diagnostics&);
 void verbose(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);
 void dump(Options&, const Given&, Diagnostics&);
+void light_report(Options&, const Given&, Diagnostics&);
+void light_layers(Options&, const Given&, Diagnostics&);
 void stats(Options&, const Given&, Diagnostics&);
 void help(Options&, const Given&, Diagnostics&);
 void version(Options&, const Given&, Diagnostics&);

@@ -92,6 +92,11 @@ constexpr auto rows = std::to_array<OptionRow>({
            "finishes the picture as it is after this time (90s, 10m, 2h); the one option that "
            "makes a picture depend on the machine"),
     setting("", "", "shadow-rays", "shadow_rays"),
+    option("", "", "light-report", nothing, "", store::light_report,
+           "says at the end what the lights of each statement gave and what they cost"),
+    option("", "", "light-layers", value, "file.exr", store::light_layers,
+           "writes an OpenEXR file with the picture and two layers more: shadow_rays, and variance "
+           "of what a display shows"),
     option(
         "SR", "Start_Row", "", value, "n", store::start_row,
         "first row that is rendered, from 1; below 1 a fraction; the picture is black elsewhere"),

@@ -65,12 +65,18 @@ struct Options {
     double frame_rate = 25;   ///< of the movie, frames a second
     std::optional<std::string> ini_file;  ///< where all options go
     std::vector<std::string> given;       ///< all options as lines of an INI file
-    RenderSettings render;
+    RenderSettings render = [] {
+        RenderSettings unsaid;
+        unsaid.shadow_rays = 0;
+        return unsaid;
+    }();
     bool verbose = true;
     StreamSettings streams;    ///< where what is said goes
     CommandSettings commands;  ///< of the shell, around pictures
     bool diagnostics_as_json = false;
     std::string stats_file;
+    bool light_report = false;
+    std::string light_layers;         ///< a file for what light cost and its noise, pixel by pixel
     std::string depfile;              ///< rule for make; empty: none
     Progress::Share share;            ///< of all pictures that the run makes
     std::string progress = "auto";    ///< or plain, json, alf, openjd, none

@@ -153,6 +153,7 @@ void RenderJob::leave_state(bool keep) {
 Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clock) {
     std::atomic<Interrupt> asked = Interrupt::none;
     RenderHooks hooks;
+    hooks.counts_lights = plan_.options.light_report;
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
         progress.update(std::max(done, spent));

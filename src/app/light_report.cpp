@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/light_report.h"
+
+#include "text/harmless.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+    return std::string(width - std::min(width, text.size()), ' ') + text;
+}
+
+std::string percent(double part, double whole) {
+    const double value = whole > 0 ? 100 * part / whole : 0;
+    return padded(message(std::round(value * 100) / 100, " %"), 9);
+}
+
+/// The place, and how the statement begins.
+std::string written(const Span& span, const SourceStore& sources) {
+    if (!span.known()) return "?";
+    constexpr std::size_t longest = 50;
+    const Place place = sources.place(span.source, span.first);
+    std::string line(sources.line(span.source, place.line));
+    line.erase(0, line.find_first_not_of(" \t"));
+    if (line.size() > longest) line = line.substr(0, longest) + "...";
+    return message(harmless(sources.name(span.source)), ":", place.line, ": ", harmless(line));
+}
+
+std::vector<std::size_t> made_by(const World& world) {
+    std::vector<std::size_t> counts(world.light_statements.size());
+    for (const auto* lights : {&world.statement_of_luminaire, &world.statement_of_light})
+        for (const std::uint32_t statement : *lights) ++counts[statement];
+    return counts;
+}
+
+}  // namespace
+
+std::string light_report(const World& world, const RayCounts& counted, const SourceStore& sources) {
+    std::vector<LightCount> lights = counted.lights;
+    lights.resize(world.light_statements.size() + 1);
+    double light = 0, rays = 0;
+    for (const LightCount& each : lights) {
+        light += each.light.value();
+        rays += static_cast<double>(each.rays);
+    }
+    const std::vector<std::size_t> made = made_by(world);
+    std::vector<std::size_t> order(made.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        return lights[a].light.value() > lights[b].light.value();
+    });
+    std::string text = "    light      rays    lights  statement\n";
+    const auto line = [&](const LightCount& count, const std::string& number,
+                          const std::string& what) {
+        text += percent(count.light.value(), light) + " " +
+                percent(static_cast<double>(count.rays), rays) + padded(number, 10) + "  " + what +
+                "\n";
+    };
+    for (const std::size_t i : order)
+        line(lights[i], message(made[i]), written(world.light_statements[i], sources));
+    line(lights.back(), "", "rays that met no light");
+    return text;
+}

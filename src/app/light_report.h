@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What light gave and cost: a table of the scene's statements that make lights. For
+// --light-report.
+#pragma once
+
+#include "render/statistics.h"
+#include "text/source.h"
+#include "world/world.h"
+
+#include <string>
+
+/// A line for each statement of the scene that made luminaires or light sources, the brightest
+/// first: its share of all light that came to hits from lights, its share of the shadow rays, how
+/// many lights it made, and its place. Rays that met no luminaire have the last line.
+std::string light_report(const World&, const RayCounts&, const SourceStore&);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/light_report.h"
+
+#include "render/render.h"
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const std::string scene = R"(#version 3.7;
+camera { location <0, 3, -5> look_at 0 }
+plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.8 } }
+#declare Lamp = sphere { 0, 0.1 pigment { rgb 1 } finish { emission 3 } }
+#for (I, 1, 9)
+    object { Lamp translate <I - 5, 1, 0> }
+#end
+light_source { <0, 5, 0>, 0.1 }
+)";
+
+Rendering counted(const World& world, int threads) {
+    RenderSettings settings;
+    settings.width = settings.height = 24;
+    settings.threads = threads;
+    RenderHooks hooks;
+    hooks.counts_lights = true;
+    return render(world, settings, hooks);
+}
+
+}  // namespace
+
+TEST_CASE("the report of light has a line for each statement that makes lights", "[app]") {
+    const World world = world_of(scene);
+    REQUIRE(world.light_statements.size() == 2);
+    SourceStore sources;
+    sources.add("scene.pov", scene);
+    const Rendering made = counted(world, 1);
+    const std::string text = light_report(world, made.rays, sources);
+    INFO(text);
+    CHECK(text.find("         9  scene.pov:6: object { Lamp translate <I - 5, 1, 0> }") !=
+          std::string::npos);
+    CHECK(text.find("         1  scene.pov:8: light_source") != std::string::npos);
+    std::uint64_t rays = 0;
+    for (const LightCount& each : made.rays.lights) rays += each.rays;
+    CHECK(rays == made.rays.shadow);
+    CHECK(light_report(world, counted(world, 3).rays, sources) == text);
+}
+
+TEST_CASE("lights are counted only when that is asked for", "[app]") {
+    RenderSettings settings;
+    settings.width = settings.height = 4;
+    CHECK(render(world_of(scene), settings).rays.lights.empty());
+}
