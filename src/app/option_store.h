@@ -57,6 +57,7 @@ void allow_read(Options&, const Given&, Diagnostics&);
 void allow_write(Options&, const Given&, Diagnostics&);
 void limit_steps(Options&, const Given&, Diagnostics&);
 void limit_depth(Options&, const Given&, Diagnostics&);
+void limit_nesting(Options&, const Given&, Diagnostics&);
 void limit_memory(Options&, const Given&, Diagnostics&);
 void limit_written(Options&, const Given&, Diagnostics&);
 void declare(Options&, const Given&, Diagnostics&);

@@ -10,6 +10,7 @@
 #include "app/render_job.h"
 #include "app/stats.h"
 #include "app/world_report.h"
+#include "base/deep_stack.h"
 #include "base/parallel.h"
 #include "evaluate/evaluate.h"
 #include "picture/file.h"
@@ -340,5 +341,8 @@ private:
 }  // namespace
 
 int run_scene(const Options& options, const Console& console, Diagnostics& diagnostics) {
-    return SceneRun(options, console, diagnostics).execute();
+    int status = exit_status::scene;
+    on_deep_stack(options.limits.stack_bytes,
+                  [&](std::size_t) { status = SceneRun(options, console, diagnostics).execute(); });
+    return status;
 }
