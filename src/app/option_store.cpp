@@ -346,11 +346,13 @@ void store::limit_steps(Options& options, const Given& given, Diagnostics& diagn
 }
 
 void store::limit_depth(Options& options, const Given& given, Diagnostics& diagnostics) {
-    const Limits usual;
-    const std::uint64_t depth = limit(given, diagnostics).value_or(usual.call_depth);
-    options.limits.call_depth = depth;
-    options.limits.stack_bytes =
-        std::max(usual.stack_bytes, usual.stack_bytes / usual.call_depth * depth);
+    options.limits.call_depth = limit(given, diagnostics).value_or(options.limits.call_depth);
+    options.limits.make_room();
+}
+
+void store::limit_nesting(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.limits.nesting = limit(given, diagnostics).value_or(options.limits.nesting);
+    options.limits.make_room();
 }
 
 void store::limit_memory(Options& options, const Given& given, Diagnostics& diagnostics) {

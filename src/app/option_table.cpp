@@ -129,6 +129,8 @@ constexpr auto rows = std::to_array<OptionRow>({
            "how many passes of loops and calls of macros a scene may take (200 million)"),
     option("", "", "limit-depth", value, "n", store::limit_depth,
            "how many calls of macros may be open inside each other (200,000)"),
+    option("", "", "limit-nesting", value, "n", store::limit_nesting,
+           "how many objects may be inside each other (10,000)"),
     option("", "", "limit-written", value, "MB", store::limit_written,
            "how much the scene may write with #write, in megabytes (1024)"),
     option("", "", "limit-memory", value, "MB", store::limit_memory,

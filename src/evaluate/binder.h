@@ -52,5 +52,5 @@ struct Binder {
     std::map<std::pair<std::string, TexelCoding>, Handle<Texels>> pictures = {};
     /// `assumed_gamma`, once the scene has said it.
     std::optional<double> working_gamma = {};
-    int nesting = 0;  ///< objects around the one that is read
+    std::size_t nesting = 0;  ///< objects around the one that is read
 };

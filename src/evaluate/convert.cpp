@@ -142,10 +142,15 @@ bool set_fitting(const ItemInfo& info, void* item, std::size_t field, const Numb
     const bool vector = wanted.type == FieldType::vector3;
     if (numbers.count > (vector ? 3 : 1) || (!vector && wanted.type != FieldType::number))
         return false;
+    const auto fits = [&](double x) { return std::isfinite(x) && wanted.range.contains(x); };
+    if (!vector) {
+        if (!fits(numbers.at[0])) return false;
+        info.set(item, field, numbers.at[0]);
+        return true;
+    }
     const Vec3 v = numbers.count == 3 ? numbers.vec3() : numbers.promoted(3).vec3();
-    for (int i = 0; i < (vector ? 3 : 1); ++i)
-        if (!std::isfinite(v[i]) || !wanted.range.contains(v[i])) return false;
-    info.set(item, field, vector ? FieldValue(v) : FieldValue(v.x));
+    if (!fits(v.x) || !fits(v.y) || !fits(v.z)) return false;
+    info.set(item, field, v);
     return true;
 }
 

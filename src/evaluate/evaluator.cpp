@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/evaluator.h"
 
-#include "evaluate/deep_stack.h"
+#include "base/deep_stack.h"
 #include "evaluate/splines.h"
 #include "evaluate/state.h"
 #include "font/system_font.h"
@@ -30,6 +30,7 @@ void Evaluator::set_meaning(Meaning meaning) {
     };
 }
 void Evaluator::set_limits(const Limits& limits) { state_->limits = limits; }
+const Limits& Evaluator::limits() const { return state_->limits; }
 void Evaluator::declare(std::string_view name, Value value) {
     state_->scope.declare(state_->names.intern(name), std::move(value));
 }
@@ -170,9 +171,12 @@ void Evaluator::State::run(SourceId main) {
 }
 
 void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& take) {
-    if (walk(tree, first, take) == Flow::broken)
+    // Apart, because objects inside each other must not set aside the room of a message each.
+    const auto report_break = [this]() __attribute__((noinline)) {
         report(error(Fault::misplaced, last_break,
                      "this #break is in no loop, #switch or macro that it could leave"));
+    };
+    if (walk(tree, first, take) == Flow::broken) report_break();
 }
 
 bool Evaluator::State::no_room(const Tree& tree, NodeId node) {

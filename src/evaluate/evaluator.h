@@ -93,6 +93,7 @@ public:
 
     /// Before run(); otherwise the default limits hold.
     void set_limits(const Limits&);
+    const Limits& limits() const;
 
     /// A global name from outside: `Declare=Depth=5`.
     void declare(std::string_view name, Value);

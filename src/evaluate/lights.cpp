@@ -25,6 +25,7 @@ public:
             return true;
         }
         ObjectHandle whole = make_handle<Object>();
+        nest(whole.edit(), *object);
         whole.edit().form.emplace<Union>().children.push_back(std::move(object));
         whole.edit().no_shadow = true;
         whole.edit().span = element.span;

@@ -3,14 +3,23 @@
 // names it, and the option that raises it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 struct Limits {
     std::size_t call_depth = 200'000;          ///< macro calls inside each other
+    std::size_t nesting = 10'000;              ///< objects inside each other
     std::size_t include_depth = 100;           ///< include files inside each other
     std::uint64_t steps = 200'000'000;         ///< passes of loops and calls of macros, in all
     std::size_t array_elements = 100'000'000;  ///< of one array
     std::uint64_t written_bytes = std::uint64_t{1} << 30;  ///< by #write, in all files together
+    /// Set aside; hardly ever is so much used.
     std::size_t stack_bytes = std::size_t{1} << 30;
+
+    /// Makes the stack big enough for the depths that are allowed.
+    void make_room() {
+        constexpr std::size_t each_call = 5'000, each_object = 10'000;
+        stack_bytes = std::max(stack_bytes, call_depth * each_call + nesting * each_object);
+    }
 };

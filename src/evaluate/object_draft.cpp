@@ -37,6 +37,7 @@ ObjectHandle with(ObjectHandle object, const Transform& transform) {
     }
     // Its confines move with it.
     ObjectHandle whole = make_handle<Object>();
+    nest(whole.edit(), *object);
     whole.edit().form.emplace<Union>().children.push_back(std::move(object));
     whole.edit().transform = make_handle<Transform>(transform);
     return whole;
@@ -102,11 +103,14 @@ ObjectHandle ObjectDraft::finished(Span span) {
     if (declared) {
         object.form = declared->form;
         object.transform = declared->transform;
+        object.depth = declared->depth;
     }
     if (movement)
         object.transform = object.transform
                                ? make_handle<Transform>(object.transform->then(*movement))
                                : std::move(movement);
+    for (const auto* objects : {&confines.clips, &confines.bounds})
+        for (const ObjectHandle& each : *objects) nest(object, *each);
     if (!confines.clips.empty() || !confines.bounds.empty())
         object.confines = make_handle<Confines>(std::move(confines));
     if (!part_textures.empty() || interior_texture)
@@ -128,6 +132,7 @@ ObjectHandle another(const ObjectHandle& declared) {
     ObjectHandle whole = make_handle<Object>();
     Union& together = whole.edit().form.emplace<Union>();
     append_lights(*declared, together.lights);
+    nest(whole.edit(), *declared);
     together.children.push_back(declared);
     whole.edit().span = declared->span;
     return whole;
@@ -137,7 +142,10 @@ ObjectHandle as_object(PlacedLight light) {
     ObjectHandle whole = make_handle<Object>();
     whole.edit().span = light.span;
     Union& together = whole.edit().form.emplace<Union>();
-    if (light.looks_like) together.children.push_back(std::move(light.looks_like));
+    if (light.looks_like) {
+        nest(whole.edit(), *light.looks_like);
+        together.children.push_back(std::move(light.looks_like));
+    }
     light.looks_like = nullptr;
     together.lights.push_back(std::move(light));
     return whole;

@@ -13,10 +13,6 @@
 
 namespace {
 
-/// Objects inside each other: deeper ones would need more stack than tracing and freeing them can
-/// have.
-constexpr int deepest_nesting = 10'000;
-
 constexpr std::string_view effectless_words =
     "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
 
@@ -99,6 +95,7 @@ private:
     void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
             append_lights(*made, together().lights);
+            nest(draft_.made.edit(), *made);
             together().children.push_back(std::move(made));
             return;
         }
@@ -132,6 +129,16 @@ private:
     Kind kind_;
 };
 
+ObjectHandle too_deep(Binder& binder, const Element& element) {
+    binder.evaluator.report(
+        error(Fault::recursion_limit, element.word_span,
+              message("objects are nested more than ", binder.evaluator.limits().nesting, " deep"))
+            .with_help("give the parts to one `union` instead of wrapping each "
+                       "in the next; --limit-nesting allows more"));
+    binder.evaluator.stop();
+    return nullptr;
+}
+
 class ObjectReader {
 public:
     ObjectReader(Binder& binder, const Element& element)
@@ -149,7 +156,10 @@ public:
         else
             read_content(combines_objects(element_.word) ? ContentReader::Kind::together
                                                          : ContentReader::Kind::object);
-        return block_.broken ? nullptr : draft_.finished(element_.span);
+        if (block_.broken) return nullptr;
+        ObjectHandle made = draft_.finished(element_.span);
+        const bool deep = made->depth > block_.binder.evaluator.limits().nesting;
+        return deep ? too_deep(block_.binder, element_) : made;
     }
 
 private:
@@ -272,28 +282,29 @@ private:
 
 /// An object of objects, unless they are nested too deeply.
 ObjectHandle read_nested(Binder& binder, const Element& element) {
-    if (binder.nesting >= deepest_nesting) {
-        binder.evaluator.report(
-            error(Fault::recursion_limit, element.word_span,
-                  message("objects are nested more than ", deepest_nesting, " deep"))
-                .with_help("give the parts to one `union` instead of wrapping each in the next"));
-        binder.evaluator.stop();
-        return nullptr;
-    }
+    if (binder.nesting > binder.evaluator.limits().nesting) return too_deep(binder, element);
     ++binder.nesting;
     ObjectHandle made = ObjectReader(binder, element).read();
     --binder.nesting;
     return made;
 }
 
+/// A block that there is a plan for.
+struct Planned {
+    Binder& binder;
+    const Element& element;
+    const ItemInfo* item;  ///< the vocabulary of its shape; null: it combines objects
+    ShapePlan& plan;
+};
+
 /// The object of a block that a plan is for, by the plan: made, or put into the row; null when that
 /// does not serve. What the block says is then in `variation`, if that is known.
-std::optional<ObjectHandle> by_plan(Binder& binder, const Element& element, ShapePlan& plan,
-                                    const RowEnd* row, std::optional<Variation>& variation) {
-    const std::size_t kind = Kinds<Shape>::find(element.word);
-    const ItemInfo* item = kind == Kinds<Shape>::count ? nullptr : Kinds<Shape>::infos[kind];
+std::optional<ObjectHandle> by_plan(const Planned& planned, const RowEnd* row,
+                                    std::optional<Variation>& variation) {
+    const auto& [binder, element, item, plan] = planned;
     binder.evaluator.begin_attempt();
-    variation = plan.variable().compute(binder.evaluator, element.body);
+    if (!plan.variable().compute(binder.evaluator, element.body, variation.emplace()))
+        variation.reset();
     const Object* model = nullptr;
     if (variation)
         model = plan.model(binder.evaluator, binder.default_texture);
@@ -309,26 +320,37 @@ std::optional<ObjectHandle> by_plan(Binder& binder, const Element& element, Shap
     return made;
 }
 
-/// As read_object_into(); without a row, there is always an object, or null.
-std::optional<ObjectHandle> read_planned(Binder& binder, const Element& element,
-                                         const RowEnd* row) {
-    const std::size_t kind = Kinds<Shape>::find(element.word);
-    const bool shape = kind != Kinds<Shape>::count;
-    ShapePlan* plan =
-        binder.plans.find(binder.evaluator, element, shape ? Kinds<Shape>::infos[kind] : nullptr);
-    if (!plan && !shape) return read_nested(binder, element);
-    if (!plan)
-        return binder.objects.made(binder.constants.number(element), binder.default_texture,
-                                   [&] { return ObjectReader(binder, element).read(); });
+/// A shape. Apart from what calls it: objects inside each other must not set aside its room on the
+/// stack again and again.
+[[gnu::noinline]] ObjectHandle read_shape(Binder& binder, const Element& element) {
+    return ObjectReader(binder, element).read();
+}
+
+/// As read_planned(), when there is a plan.
+[[gnu::noinline]] std::optional<ObjectHandle> follow_plan(const Planned& planned,
+                                                          const RowEnd* row) {
+    const auto& [binder, element, item, plan] = planned;
     std::optional<Variation> variation;
-    std::optional<ObjectHandle> made = by_plan(binder, element, *plan, row, variation);
+    std::optional<ObjectHandle> made = by_plan(planned, row, variation);
     if (!made || *made) return made;
     const Diagnostics& diagnostics = binder.evaluator.diagnostics();
     const std::size_t said = diagnostics.all().size();
-    made = shape ? ObjectReader(binder, element).read() : read_nested(binder, element);
+    made = item ? read_shape(binder, element) : read_nested(binder, element);
     if (*made && variation && diagnostics.all().size() == said)
-        plan->learn(binder.evaluator, binder.default_texture, *variation, *made);
+        plan.learn(binder.evaluator, binder.default_texture, *variation, *made);
     return made;
+}
+
+/// As read_object_into(), for a shape of that kind or what combines objects; without a row, there
+/// is always an object, or null.
+std::optional<ObjectHandle> read_planned(Binder& binder, const Element& element, std::size_t kind,
+                                         const RowEnd* row) {
+    const ItemInfo* item = kind == Kinds<Shape>::count ? nullptr : Kinds<Shape>::infos[kind];
+    if (ShapePlan* plan = binder.plans.find(binder.evaluator, element, item))
+        return follow_plan({binder, element, item, *plan}, row);
+    if (!item) return read_nested(binder, element);
+    return binder.objects.made(binder.constants.number(element), binder.default_texture,
+                               [&] { return read_shape(binder, element); });
 }
 
 }  // namespace
@@ -336,10 +358,11 @@ std::optional<ObjectHandle> read_planned(Binder& binder, const Element& element,
 std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
                                              const Handle<Texture>& texture, Binder& binder,
                                              const Element& element) {
-    const bool shape = Kinds<Shape>::find(element.word) != Kinds<Shape>::count;
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    const bool shape = kind != Kinds<Shape>::count;
     if (!shape && !combines_objects(element.word)) return read_object(binder, element);
     const RowEnd row{list, texture};
-    return read_planned(binder, element, shape ? &row : nullptr);
+    return read_planned(binder, element, kind, shape ? &row : nullptr);
 }
 
 ObjectHandle read_object(Binder& binder, const Element& element) {
@@ -347,7 +370,7 @@ ObjectHandle read_object(Binder& binder, const Element& element) {
         std::optional<PlacedLight> light = read_light(binder, element);
         return light ? as_object(std::move(*light)) : nullptr;
     }
-    const bool planned =
-        Kinds<Shape>::find(element.word) != Kinds<Shape>::count || combines_objects(element.word);
-    return planned ? *read_planned(binder, element, nullptr) : read_nested(binder, element);
+    const std::size_t kind = Kinds<Shape>::find(element.word);
+    const bool planned = kind != Kinds<Shape>::count || combines_objects(element.word);
+    return planned ? *read_planned(binder, element, kind, nullptr) : read_nested(binder, element);
 }

@@ -133,20 +133,18 @@ bool Variable::take_look(const Tree& tree, NodeId id) {
     return is_constant_but_names(tree, id, names_);
 }
 
-std::optional<Variation> Variable::compute(Evaluator& evaluator, const Body& block) const {
-    Variation result;
+bool Variable::compute(Evaluator& evaluator, const Body& block, Variation& result) const {
     Body at = block;
     for (; result.count < values_; at.first = (*block.tree)[at.first].next)
-        if (!evaluator.compute(at, result.values[result.count++])) return std::nullopt;
+        if (!evaluator.compute(at, result.values[result.count++])) return false;
     if (coloured()) {
         Numbers colour;
         if (!evaluator.compute({block.tree, colour_}, colour) || !colour.is_colour() ||
             !std::ranges::all_of(colour.at, [](double part) { return std::isfinite(part); }))
-            return std::nullopt;
+            return false;
         result.colour = colour.to_colour();
     }
-    if (moved() && !compute_movement(evaluator, *block.tree, result.movement)) return std::nullopt;
-    return result;
+    return !moved() || compute_movement(evaluator, *block.tree, result.movement);
 }
 
 bool Variable::compute_movement(Evaluator& evaluator, const Tree& tree,

@@ -35,9 +35,9 @@ public:
     /// Those on which the rest of the block depends.
     const std::vector<NameId>& names() const { return names_; }
 
-    /// What the block says now; nothing when it is anything unusual. Random numbers are drawn, so
-    /// the caller makes it an attempt of the evaluator.
-    std::optional<Variation> compute(Evaluator&, const Body& block) const;
+    /// What the block says now, put into a new Variation; false when it is anything unusual. Random
+    /// numbers are drawn, so the caller makes it an attempt of the evaluator.
+    bool compute(Evaluator&, const Body& block, Variation&) const;
 
 private:
     bool analyse(Evaluator&, const Tree&, NodeId first);

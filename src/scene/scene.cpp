@@ -8,6 +8,7 @@ ObjectHandle moved(ObjectHandle object, const Transform& transform) {
     if (object->texture || object->part_textures || object->confines) {
         ObjectHandle whole = make_handle<Object>();
         whole.edit().span = object->span;
+        nest(whole.edit(), *object);
         whole.edit().form.emplace<Union>().children.push_back(std::move(object));
         object = std::move(whole);
     }

@@ -17,6 +17,7 @@
 #include "surface/texture.h"
 #include "text/span.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -91,7 +92,14 @@ struct Object {
     bool double_illuminate = false;
     bool uv_mapping = false;  ///< textures are on u and v
     Span span;
+    std::uint32_t depth = 0;  ///< how many objects lie inside each other in it: it can be recursed
+                              ///< through so deeply
 };
+
+/// Notes that an object becomes part of another.
+inline void nest(Object& outer, const Object& inner) {
+    outer.depth = std::max(outer.depth, inner.depth + 1);
+}
 
 /// A light source after one more transformation, with all that belongs to it.
 PlacedLight moved(PlacedLight, const Transform&);

@@ -298,8 +298,7 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
         return false;
     });
     std::ranges::sort(candidates);
-    const auto repeated = std::ranges::unique(candidates);
-    candidates.erase(repeated.begin(), repeated.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     for (const std::uint32_t leaf : candidates)
         if (wanted(leaf))
             meet_leaf(leaf, ray, range, [&](const Meeting& each) { met.push_back(each); });

@@ -4,22 +4,34 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 
 namespace {
 
-bool opens(TokenKind kind) {
+constexpr bool opens(TokenKind kind) {
     using enum TokenKind;
     return kind == open_brace || kind == open_parenthesis || kind == open_bracket ||
            opens_directive(kind);
 }
 
-bool closes(TokenKind kind) {
+constexpr bool closes(TokenKind kind) {
     using enum TokenKind;
     return kind == close_brace || kind == close_parenthesis || kind == close_bracket ||
            kind == hash_end;
 }
 
-bool is_directive(TokenKind kind) {
+/// Which tokens open and close nothing: nearly all.
+constexpr auto plain = [] {
+    std::array<bool, 256> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const auto kind = static_cast<TokenKind>(i);
+        result[i] = !opens(kind) && !closes(kind) && !divides_directive(kind) &&
+                    kind != TokenKind::end_of_file;
+    }
+    return result;
+}();
+
+constexpr bool is_directive(TokenKind kind) {
     return kind >= TokenKind::hash_declare && kind <= TokenKind::hash_write;
 }
 
@@ -56,7 +68,7 @@ bool can_be_divided_by(TokenKind opener, TokenKind divider) {
 Token Brackets::next() {
     skipped_ = false;
     Token token = take();
-    if (wants_operand(last_.kind) && begins_directive(token.kind)) {
+    if (begins_directive(token.kind) && wants_operand(last_.kind)) {
         pending_.push_back(token);
         token = {TokenKind::between, 0, token.first, token.first, 0};
     }
@@ -75,6 +87,7 @@ Token Brackets::take() {
 Token Brackets::match() {
     for (;;) {
         const Token token = tokens_.next();
+        if (plain[static_cast<std::size_t>(token.kind)]) return token;
         bool fits = true;
         if (opens(token.kind)) {
             open_.push_back({token});

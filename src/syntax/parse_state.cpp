@@ -21,9 +21,9 @@ List ParseState::joined(List a, List b) {
     return {a.first, b.last, b.comma};
 }
 
-List ParseState::comma(List list, Span span) {
+List ParseState::comma(List list, Stretch place) {
     if (list.comma)
-        diagnostics.add(error(Fault::syntax, span, "two commas in a row")
+        diagnostics.add(error(Fault::syntax, span(place), "two commas in a row")
                             .with_help("leave one out, or put the missing value between them"));
     list.comma = true;
     return list;
@@ -36,84 +36,84 @@ NodeId ParseState::chain(NodeId first, NodeId node) {
     return first;
 }
 
-NodeId ParseState::negative(NodeId operand, Span span) {
+NodeId ParseState::negative(NodeId operand, Stretch place) {
     const auto* number = tree.get_if<node::Number>(operand);
     if (!number || text[tree[operand].first] == '-')
-        return add(span, node::Unary{Operator::minus, operand});
+        return add(place, node::Unary{Operator::minus, operand});
     tree.numbers[number->number] *= -1;
-    tree[operand].first = span.first;
+    tree[operand].first = place.first;
     return operand;
 }
 
-NodeId ParseState::group(List directives, List values, Span span) {
+NodeId ParseState::group(List directives, List values, Stretch place) {
     if (values.first != values.last)
-        return add(span, node::Tuple{joined(directives, values).first});
-    return add(span, node::Group{joined(directives, values).first});
+        return add(place, node::Tuple{joined(directives, values).first});
+    return add(place, node::Group{joined(directives, values).first});
 }
 
-NodeId ParseState::vector(List components, Span span) {
+NodeId ParseState::vector(List components, Stretch place) {
     // Numbers only: the same as the token that the lexer makes of the plainest form.
     std::uint32_t count = 0;
     for (NodeId id = components.first; id != no_node; id = tree[id].next, ++count)
-        if (!tree.get_if<node::Number>(id)) return add(span, node::Vector{components.first});
-    if (count < 2 || count > 5) return add(span, node::Vector{components.first});
-    return add(span, node::Literal{tree.get<node::Number>(components.first).number, count});
+        if (!tree.get_if<node::Number>(id)) return add(place, node::Vector{components.first});
+    if (count < 2 || count > 5) return add(place, node::Vector{components.first});
+    return add(place, node::Literal{tree.get<node::Number>(components.first).number, count});
 }
 
-NodeId ParseState::layered(List blocks, Span span) {
-    return blocks.first == blocks.last ? blocks.first : add(span, node::Layers{blocks.first});
+NodeId ParseState::layered(List blocks, Stretch place) {
+    return blocks.first == blocks.last ? blocks.first : add(place, node::Layers{blocks.first});
 }
 
-NodeId ParseState::declared(NodeId declare, bool local, Span span) {
+NodeId ParseState::declared(NodeId declare, bool local, Stretch place) {
     std::get_if<node::Declare>(&tree[declare].content)->local = local;
-    tree[declare].first = span.first;
+    tree[declare].first = place.first;
     return declare;
 }
 
-NodeId ParseState::with_channel(NodeId colour, NodeId channel, Span span) {
+NodeId ParseState::with_channel(NodeId colour, NodeId channel, Stretch place) {
     auto* open = colour == no_node ? nullptr : std::get_if<node::Colour>(&tree[colour].content);
-    if (!open) return add(span, node::Colour{colour, channel});
+    if (!open) return add(place, node::Colour{colour, channel});
     open->channels = open->channels == no_node ? channel : chain(open->channels, channel);
-    tree[colour].first = span.first;
-    tree[colour].last = span.last;
+    tree[colour].first = place.first;
+    tree[colour].last = place.last;
     return colour;
 }
 
-List ParseState::word_first(NameId word, Span span, List rest) {
+List ParseState::word_first(NameId word, Stretch place, List rest) {
     const auto* braces = tree.get_if<node::Braces>(rest.first);
-    if (!braces) return joined(append({}, add(span, node::Word{word})), rest);
+    if (!braces) return joined(append({}, add(place, node::Word{word})), rest);
     tree[rest.first].content = node::Block{word, braces->body};
-    tree[rest.first].first = span.first;
+    tree[rest.first].first = place.first;
     return rest;
 }
 
-List ParseState::parameter(List list, NameId name, Span span) {
+List ParseState::parameter(List list, NameId name, Stretch place) {
     // `optional` is no reserved word: a parameter of that name that another follows without a comma
     // was the word.
     if (list.first != no_node && !list.comma) {
         auto* before = std::get_if<node::Parameter>(&tree[list.last].content);
         if (!before->optional && names.spelling(before->name) == "optional") {
             *before = {name, true};
-            tree[list.last].last = span.last;
+            tree[list.last].last = place.last;
             return list;
         }
     }
-    return append(list, add(span, node::Parameter{name, false}));
+    return append(list, add(place, node::Parameter{name, false}));
 }
 
-NodeId ParseState::stray_semicolon(Span span) {
+NodeId ParseState::stray_semicolon(Stretch place) {
     // After an error it may be the end of something that was left out.
     if (diagnostics.failed()) return no_node;
-    diagnostics.add(warning(Fault::semicolon, span, "this `;` has no effect")
+    diagnostics.add(warning(Fault::semicolon, span(place), "this `;` has no effect")
                         .with_help("`;` ends a #declare of numbers and nothing else"));
     return no_node;
 }
 
-NodeId ParseState::patched_version(NameId program, Span span) {
+NodeId ParseState::patched_version(NameId program, Stretch place) {
     diagnostics.add(
-        error(Fault::out_of_range, span,
+        error(Fault::out_of_range, span(place),
               message("this scene is written for `", names.spelling(program),
                       "`, a patched POV-Ray whose additions are not known here"))
             .with_help("write `#version 3.7;`, and what only that program has will be reported"));
-    return add(span, node::Broken{});
+    return add(place, node::Broken{});
 }

@@ -7,81 +7,81 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace {
-
-using Parser = grammar::Parser;
-using Kind = Parser::symbol_kind;
 
 /// What could stand where an error is.
 class Expected {
 public:
-    explicit Expected(const Parser::context& context) {
-        count_ = static_cast<std::size_t>(
-            context.expected_tokens(kinds_.data(), static_cast<int>(kinds_.size())));
-    }
+    explicit Expected(const TokenKinds& kinds) : kinds_(kinds) {}
 
-    bool has(Parser::symbol_kind_type kind) const {
-        return std::find(kinds_.begin(), kinds_.begin() + static_cast<std::ptrdiff_t>(count_),
-                         kind) != kinds_.begin() + static_cast<std::ptrdiff_t>(count_);
-    }
+    bool has(TokenKind kind) const { return kinds_.test(static_cast<std::size_t>(kind)); }
     bool element() const {
-        return has(Kind::S_OPEN_BRACKET) && has(Kind::S_DECLARE) && has(Kind::S_COLOUR_PREFIX);
+        return has(TokenKind::open_bracket) && has(TokenKind::hash_declare) &&
+               has(TokenKind::colour_prefix);
     }
-    bool value() const { return has(Kind::S_NUMBER); }
-    bool comparison() const { return has(Kind::S_EQUAL) && has(Kind::S_GREATER); }
-    bool name() const { return has(Kind::S_NAME) && !value(); }
+    bool value() const { return has(TokenKind::number); }
+    bool comparison() const { return has(TokenKind::equal) && has(TokenKind::greater); }
+    bool name() const { return has(TokenKind::name) && !value(); }
 
     /// "`)` or a value"
     std::string list() const;
 
 private:
-    std::array<Parser::symbol_kind_type, Parser::YYNTOKENS> kinds_;
-    std::size_t count_ = 0;
+    TokenKinds kinds_;
+};
+
+struct Sign {
+    TokenKind kind;
+    const char* written;
 };
 
 std::string Expected::list() const {
+    using enum TokenKind;
+    constexpr auto closing = std::array{
+        Sign{close_parenthesis, "`)`"}, Sign{close_bracket, "`]`"}, Sign{close_brace, "`}`"},
+        Sign{hash_end, "`#end`"},       Sign{colon, "`:`"},         Sign{comma, "`,`"}};
+    constexpr auto opening = std::array{Sign{open_parenthesis, "`(`"}, Sign{open_brace, "`{`"}};
     std::vector<std::string> parts;
+    const auto add = [&](std::span<const Sign> signs) {
+        for (const Sign& sign : signs)
+            if (has(sign.kind)) parts.push_back(sign.written);
+    };
     if (value()) parts.push_back("a value");
-    if (name()) parts.push_back("a name");
-    if (has(Kind::S_TEXT) && !value()) parts.push_back("a string");
-    constexpr auto signs =
-        std::array{Kind::S_CLOSE_PARENTHESIS, Kind::S_CLOSE_BRACKET, Kind::S_CLOSE_BRACE,
-                   Kind::S_HASH_END,          Kind::S_COLON,         Kind::S_COMMA};
-    for (const auto sign : signs)
-        if (has(sign)) parts.push_back(Parser::symbol_name(sign));
-    if (has(Kind::S_GREATER) && !comparison()) parts.push_back("`>`");
-    if (has(Kind::S_EQUAL) && !comparison()) parts.push_back("`=`");
-    if (!value())
-        for (const auto sign : {Kind::S_OPEN_PARENTHESIS, Kind::S_OPEN_BRACE})
-            if (has(sign)) parts.push_back(Parser::symbol_name(sign));
+    if (this->name()) parts.push_back("a name");
+    if (has(text) && !value()) parts.push_back("a string");
+    add(closing);
+    if (has(greater) && !comparison()) parts.push_back("`>`");
+    if (has(equal) && !comparison()) parts.push_back("`=`");
+    if (!value()) add(opening);
     std::string result;
     for (std::size_t i = 0; i < parts.size(); ++i)
         result += (i == 0 ? "" : i + 1 == parts.size() ? " or " : ", ") + parts[i];
     return result;
 }
 
-std::string_view advice(Parser::symbol_kind_type found, const Expected& expected) {
+std::string_view advice(TokenKind found, const Expected& expected) {
     switch (found) {
-        case Kind::S_LESS:
-        case Kind::S_GREATER:
-        case Kind::S_LESS_EQUAL:
-        case Kind::S_GREATER_EQUAL:
-        case Kind::S_NOT_EQUAL:
-        case Kind::S_BOTH:
-        case Kind::S_EITHER:
-        case Kind::S_QUESTION:
+        case TokenKind::less:
+        case TokenKind::greater:
+        case TokenKind::less_equal:
+        case TokenKind::greater_equal:
+        case TokenKind::not_equal:
+        case TokenKind::both:
+        case TokenKind::either:
+        case TokenKind::question:
             return "comparisons and conditions are written in parentheses: (a > b)";
-        case Kind::S_EQUAL:
+        case TokenKind::equal:
             return expected.element() ? "a name gets a value by `#declare Name = value;`"
                                       : "comparisons are written in parentheses: (a = b)";
-        case Kind::S_COLOUR_PREFIX:
-        case Kind::S_COLOUR:
-        case Kind::S_CHANNEL:
+        case TokenKind::colour_prefix:
+        case TokenKind::colour:
+        case TokenKind::channel:
             if (expected.name()) return {};
             return "a colour word stands before the whole value: rgb (A + B), not A + rgb B";
-        case Kind::S_DIVIDE:
-        case Kind::S_TIMES:
+        case TokenKind::divide:
+        case TokenKind::times:
             return "an operator needs a value on both sides";
         default:
             return {};
@@ -90,14 +90,14 @@ std::string_view advice(Parser::symbol_kind_type found, const Expected& expected
 
 /// What people write who come from another language; `before` and `after` are the text around the
 /// place.
-std::string_view habit(Parser::symbol_kind_type found, const Expected& expected,
-                       std::string_view before, std::string_view after) {
+std::string_view habit(TokenKind found, const Expected& expected, std::string_view before,
+                       std::string_view after) {
     constexpr std::string_view change = "a value is changed by `#declare I = I + 1;`";
     const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
     const std::string wanted = expected.list();
     if (before.ends_with("++") || before.ends_with("--")) return change;
     if (wanted == "`(`") return "a condition stands in parentheses: (a > b)";
-    if (found == Kind::S_NUMBER && expected.name()) return "a name begins with a letter or `_`";
+    if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return change;
     if (after.starts_with('.'))
@@ -106,50 +106,46 @@ std::string_view habit(Parser::symbol_kind_type found, const Expected& expected,
     return hyphen ? "a name cannot have a `-`, but it can have a `_`" : "";
 }
 
-bool reserved_word(Parser::symbol_kind_type kind) {
-    return kind >= Kind::S_WORD && kind <= Kind::S_CHANNEL && kind != Kind::S_NAME;
+bool reserved_word(TokenKind kind) {
+    return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
 }
 
 }  // namespace
 
-void Parser::report_syntax_error(const context& context) const {
-    const Span place = context.location();
-    const symbol_kind_type found = context.token();
+void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKinds& kinds) const {
     // A token without text was put in by Brackets, which has reported what is missing.
-    const bool mended = place.first == place.last && found != Kind::S_YYEOF;
+    const bool mended = place.first == place.last && found != TokenKind::end_of_file;
     if (!mended) {
-        const Expected expected(context);
+        const Expected expected(kinds);
         const std::string what =
-            found == Kind::S_YYEOF
+            found == TokenKind::end_of_file
                 ? "the end of the file"
-                : message("`", state.text.substr(place.first, place.last - place.first), "`");
-        std::string text = message("expected ", expected.list(), ", but found ", what);
+                : message("`", text.substr(place.first, place.last - place.first), "`");
+        std::string says = message("expected ", expected.list(), ", but found ", what);
         if (expected.element() || expected.list().empty())
-            text = message(what, " does not fit here");
+            says = message(what, " does not fit here");
         if (expected.name() &&
-            (reserved_word(found) || found == Kind::S_ARRAY || found == Kind::S_COLOUR))
-            text = message(what,
+            (reserved_word(found) || found == TokenKind::array || found == TokenKind::colour))
+            says = message(what,
                            " is a word of the language and cannot be the name of something else");
-        Diagnostic problem = ::error(Fault::syntax, place, text);
-        if (expected.has(Kind::S_GREATER) && !expected.comparison())
+        Diagnostic problem = ::error(Fault::syntax, span(place), says);
+        if (expected.has(TokenKind::greater) && !expected.comparison())
             problem.with_help(
                 "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
         if (const std::string_view help = advice(found, expected); !help.empty())
             problem.with_help(std::string(help));
-        if (const std::string_view help = habit(found, expected, state.text.substr(0, place.first),
-                                                state.text.substr(place.first));
+        if (const std::string_view help =
+                habit(found, expected, text.substr(0, place.first), text.substr(place.first));
             !help.empty())
             problem.with_help(std::string(help));
-        if (const auto open = state.brackets.innermost();
+        if (const auto open = brackets.innermost();
             open && open->first != place.first && !expected.element() && !expected.name() &&
-            (expected.has(Kind::S_CLOSE_PARENTHESIS) || expected.has(Kind::S_CLOSE_BRACKET)))
+            (expected.has(TokenKind::close_parenthesis) || expected.has(TokenKind::close_bracket)))
             problem.pointing(*open, "opened here");
-        state.diagnostics.add(problem);
+        diagnostics.add(problem);
     }
-    state.brackets.recover();
+    brackets.recover();
 }
-
-void Parser::error(const Span&, const std::string&) {}
 
 /// Data files consist of plain vectors with commas between them: to the grammar, those that end in
 /// a comma are one token. Its last comma, or nothing when there is not even one of them.
@@ -162,8 +158,8 @@ static std::optional<Token> take_row(Token vector, ParseState& state, List& row)
             if (end) state.brackets.put_back(vector, *end);
             return end;
         }
-        row = state.append(row, state.add({state.tree.source, vector.first, vector.last},
-                                          node::Literal{vector.value, vector.count}));
+        row = state.append(
+            row, state.add({vector.first, vector.last}, node::Literal{vector.value, vector.count}));
         row.comma = true;
         end = comma;
         vector = state.brackets.next();
@@ -174,18 +170,18 @@ static std::optional<Token> take_row(Token vector, ParseState& state, List& row)
     }
 }
 
-int yylex(SemanticValue* value, Span* place, ParseState& state) {
+int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
     const bool may_begin_row = state.brackets.begins_item();
     const Token token = state.brackets.next();
     if (may_begin_row && token.kind == TokenKind::literal) {
         List row;
         if (const auto end = take_row(token, state, row)) {
-            *place = {state.tree.source, token.first, end->last};
+            *place = {token.first, end->last};
             value->list = row;
-            return Parser::token::ROW;
+            return TOKEN_ROW;
         }
     }
-    *place = {state.tree.source, token.first, token.last};
+    *place = {token.first, token.last};
     switch (token.kind) {
         case TokenKind::end_of_file:
             return 0;
@@ -205,23 +201,23 @@ int yylex(SemanticValue* value, Span* place, ParseState& state) {
         default:
             value->number = token.value;
     }
-    // The grammar's tokens are TokenKind's, after the end, the error token and the undefined token.
     return static_cast<int>(token.kind) + 2;
 }
 
-static_assert(Parser::token::WRITE == static_cast<int>(TokenKind::hash_write) + 2);
-static_assert(Parser::token::SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
+static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
+static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
 Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
-    // Most of a long file is numbers: about one node for twenty bytes. Not reserving more keeps
-    // small files small.
-    tree.nodes.reserve(text.size() / 20 + 16);
+    // There are at most so many nodes in most texts; very long ones are numbers, with one node for
+    // twenty bytes. What is not used of this costs nothing.
+    constexpr std::size_t long_text = 4'000'000;
+    tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
     Lexer lexer(source, sources, names, tree, diagnostics);
     Brackets brackets(lexer, source, text, diagnostics);
     ParseState state{tree, names, brackets, diagnostics, text};
-    Parser(state).parse();
+    grammar_parse(state);
     return tree;
 }

@@ -44,17 +44,6 @@ private:
 
 }  // namespace
 
-bool opens_directive(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
-           kind == hash_switch || kind == hash_macro;
-}
-
-bool divides_directive(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
-}
-
 Token TokenStream::next() {
     if (ahead_.empty()) return lexer_.next();
     const Token token = ahead_.front();

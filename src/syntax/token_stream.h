@@ -38,6 +38,14 @@ private:
     std::deque<Token> ahead_;
 };
 
-bool opens_directive(TokenKind);
+constexpr bool opens_directive(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
+           kind == hash_switch || kind == hash_macro;
+}
+
 /// Splits an open directive into parts: #else, #elseif, #case, #range.
-bool divides_directive(TokenKind);
+constexpr bool divides_directive(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
+}

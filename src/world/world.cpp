@@ -257,8 +257,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that
     // the product never depends on the tree.
     std::ranges::sort(clear);
-    const auto repeated = std::ranges::unique(clear);
-    clear.erase(repeated.begin(), repeated.end());
+    clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
     Vec3 left(1);
     std::vector<Passage> found;
     for (const std::uint32_t item : clear) {

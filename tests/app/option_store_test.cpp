@@ -32,6 +32,23 @@ TEST_CASE("letters are compared without their case, other bytes as they are") {
     CHECK_FALSE(same_letters("[", "{"));
 }
 
+TEST_CASE("limits are raised with the stack that they need") {
+    Options options;
+    Diagnostics diagnostics;
+    const std::size_t usual = options.limits.stack_bytes;
+    store::limit_nesting(options, {"--limit-nesting", true, "20000"}, diagnostics);
+    CHECK(options.limits.nesting == 20'000);
+    store::limit_nesting(options, {"--limit-nesting", true, "1e6"}, diagnostics);
+    CHECK(options.limits.nesting == 1'000'000);
+    CHECK(options.limits.stack_bytes > usual);
+    store::limit_depth(options, {"--limit-depth", true, "1e7"}, diagnostics);
+    CHECK(options.limits.call_depth == 10'000'000);
+    CHECK(options.limits.stack_bytes > 10 * usual);
+    store::limit_steps(options, {"--limit-steps", true, "0"}, diagnostics);
+    CHECK(options.limits.steps == Limits().steps);
+    CHECK(diagnostics.error_count() == 1);
+}
+
 TEST_CASE("a setting outside its range is refused and not stored") {
     Options options;
     Diagnostics diagnostics;

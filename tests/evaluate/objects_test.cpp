@@ -98,6 +98,20 @@ TEST_CASE("objects nest thousands deep, but not without end", "[evaluate]") {
     CHECK(deep.said[0].fault == Fault::recursion_limit);
 }
 
+TEST_CASE("declared objects inside each other count as well", "[evaluate]") {
+    const std::string loop = GENERATE(values<std::string>({
+        "#declare A = union { A sphere { I, 1 } }",
+        "#declare A = intersection { A sphere { I, 1 } translate x }",
+        "#declare A = sphere { I, 1 clipped_by { A } }",
+    }));
+    const std::string before = "#version 3.7; #declare A = box { 0, 1 } ";
+    INFO(loop);
+    CHECK(run(before + "#for (I, 1, 10000) " + loop + " #end A").text.empty());
+    const Script deep = run(before + "#for (I, 1, 10001) " + loop + " #end A");
+    REQUIRE(deep.said.size() == 1);
+    CHECK(deep.said[0].fault == Fault::recursion_limit);
+}
+
 TEST_CASE("the function of a julia fractal may be a power", "[evaluate]") {
     const Script done =
         run("#version 3.7; julia_fractal { <0.1, 0, 0, 0> hypercomplex pwr(1.5, 0.8) "

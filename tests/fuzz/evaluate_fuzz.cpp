@@ -12,6 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     options.limits.steps = 300;
     options.limits.array_elements = 10'000;
     options.limits.call_depth = 100;
+    options.limits.nesting = 100;
+    // The sanitizer goes over all of a stack.
+    options.limits.stack_bytes = std::size_t{1} << 24;
     Diagnostics diagnostics;
     evaluate(sources, loader, id, options, diagnostics);
     for (const Diagnostic& each : diagnostics.all()) format(each, sources, false);

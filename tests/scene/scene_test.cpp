@@ -14,6 +14,13 @@ TEST_CASE("a light takes with it what belongs to it", "[scene]") {
         CHECK(object->transform->point(Vec3(0)) == Vec3(1, 2, 3));
     CHECK(there.looks_like->no_shadow);
     CHECK_FALSE(there.projected_through->no_shadow);
+    // However often it is moved, that does not become deeper.
+    const PlacedLight further = moved(there, Transform::scaling(Vec3(2)));
+    for (const ObjectHandle& object : {further.looks_like, further.projected_through}) {
+        CHECK(object->transform->point(Vec3(0)) == Vec3(2, 4, 6));
+        CHECK(object->depth <= 1);
+    }
+    CHECK(further.looks_like->no_shadow);
 }
 
 TEST_CASE("however often a light is moved, what belongs to it is wrapped once at most", "[scene]") {

@@ -1,15 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "evaluate/deep_stack.h"
+#include "base/deep_stack.h"
+
+#include <exception>
 
 #include <pthread.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace {
 
 struct Job {
     FunctionRef<void(std::size_t)> function;
     std::size_t bytes;
+    std::exception_ptr thrown = {};
 };
+
+/// What is left of the stack of this thread, if that is not the first one.
+std::size_t room() {
+    pthread_attr_t attributes;
+    if (getpid() == gettid() || pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
+    void* lowest = nullptr;
+    std::size_t bytes = 0;
+    const bool known = pthread_attr_getstack(&attributes, &lowest, &bytes) == 0;
+    pthread_attr_destroy(&attributes);
+    const char here = 0;
+    return known ? static_cast<std::size_t>(&here - static_cast<char*>(lowest)) : 0;
+}
 
 /// The first part of a stack, which all scenes need.
 constexpr std::size_t usual = std::size_t{1} << 20;
@@ -18,7 +34,11 @@ constexpr std::size_t guard = std::size_t{1} << 16;
 bool start(Job& job, char* lowest, pthread_t& thread) {
     const auto entry = [](void* argument) -> void* {
         Job& job = *static_cast<Job*>(argument);
-        job.function(job.bytes);
+        try {
+            job.function(job.bytes);
+        } catch (...) {
+            job.thrown = std::current_exception();
+        }
         return nullptr;
     };
     pthread_attr_t attributes;
@@ -47,10 +67,13 @@ bool run(Job& job) {
 }  // namespace
 
 void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)> function) {
+    if (const std::size_t left = room(); left >= bytes / 2) return function(left);
     constexpr std::size_t least = std::size_t{4} << 20;
     for (; bytes > least; bytes /= 2) {
         Job job{function, bytes};
-        if (run(job)) return;
+        if (!run(job)) continue;
+        if (job.thrown) std::rethrow_exception(job.thrown);
+        return;
     }
     function(least);  // here: systems give the first thread at least this
 }
