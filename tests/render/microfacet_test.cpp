@@ -66,7 +66,7 @@ TEST_CASE("drawn directions reflect as much as all directions do", "[render]") {
         const double reflected = by_response(metal.shading, Lobes::all);
         CHECK(by_scattering(metal.shading) == Approx(reflected).epsilon(0.02));
         CHECK(reflected <= 1);
-        CHECK(reflected > 0.5);
+        CHECK(reflected > 0.3);
     }
     const Bench coated(0.6, 1, 1);
     Bench dull = coated;
