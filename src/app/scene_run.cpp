@@ -2,10 +2,10 @@
 #include "app/scene_run.h"
 
 #include "app/depfile.h"
-#include "app/mesh_export.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
 #include "app/memory_limit.h"
+#include "app/mesh_export.h"
 #include "app/output.h"
 #include "app/region.h"
 #include "app/render_job.h"
@@ -113,9 +113,9 @@ private:
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
-                                        options_.stats_file, options_.depfile,
-                                        options_.mesh_file}) {
+        for (const std::string& path :
+             {renders && options_.to_file ? output.path : std::string(), options_.stats_file,
+              options_.depfile, options_.mesh_file}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
