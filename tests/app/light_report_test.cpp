@@ -18,7 +18,7 @@ plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.8 } }
 light_source { <0, 5, 0>, 0.1 }
 )";
 
-Rendering counted(const World& world, int threads) {
+Rendering rendered(const World& world, int threads) {
     RenderSettings settings;
     settings.width = settings.height = 24;
     settings.threads = threads;
@@ -34,7 +34,7 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
     REQUIRE(world.light_statements.size() == 2);
     SourceStore sources;
     sources.add("scene.pov", scene);
-    const Rendering made = counted(world, 1);
+    const Rendering made = rendered(world, 1);
     const std::string text = light_report(world, made.rays, sources);
     INFO(text);
     CHECK(text.find("         9  scene.pov:6: object { Lamp translate <I - 5, 1, 0> }") !=
@@ -43,7 +43,7 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
     std::uint64_t rays = 0;
     for (const LightCount& each : made.rays.lights) rays += each.rays;
     CHECK(rays == made.rays.shadow);
-    CHECK(light_report(world, counted(world, 3).rays, sources) == text);
+    CHECK(light_report(world, rendered(world, 3).rays, sources) == text);
 }
 
 TEST_CASE("lights are counted only when that is asked for", "[app]") {
