@@ -21,7 +21,8 @@ struct Finding {
                 if (!variable) variable = Variable::find(evaluator, element.body, values);
                 if (!variable) return;
                 evaluator.begin_attempt();
-                variation = variable->compute(evaluator, element.body);
+                if (!variable->compute(evaluator, element.body, variation.emplace()))
+                    variation.reset();
                 evaluator.end_attempt(false);
             }
         };
