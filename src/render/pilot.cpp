@@ -38,11 +38,13 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
             // What is brighter than white is cut off in pictures, and its noise with it.
             return std::fmin(grey(tracer.radiance(camera_ray(world, u, v, where), key)), 1.0);
         };
-        const double a = seen(0, 0), other_light = seen(0, 1), other_place = seen(1, 2);
-        sum.of_light += squared(a - other_light) / 2;
-        sum.of_camera += squared(a - other_place) / 2;
+        // Two lights at each of two places: what differs between the places under the one light
+        // and under the other is the camera's, whatever the noise of light.
+        const double a = seen(0, 0), b = seen(0, 1), c = seen(1, 0), d = seen(1, 1);
+        sum.of_light += (squared(a - b) + squared(c - d)) / 4;
+        sum.of_camera += (a - c) * (b - d) / 2;
     }
-    sum.of_camera = std::fmax(sum.of_camera - sum.of_light, 0);
+    sum.of_camera = std::fmax(sum.of_camera, 0);
     return sum;
 }
 
