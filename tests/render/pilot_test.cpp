@@ -19,6 +19,7 @@ RenderSettings small(bool antialias) {
     RenderSettings settings;
     settings.width = settings.height = 40;
     settings.antialias = antialias;
+    settings.shadow_rays = 0;
     return settings;
 }
 
