@@ -11,7 +11,7 @@ kinds=("${@:-}")
 [ -n "${kinds[0]}" ] || kinds=(patterns normals finishes lights cameras)
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-width=160 height=120 columns=6 lettering=22  # of a tile, of a sheet, below a tile
+width=160 height=120 columns=6 lettering=31  # of a tile, of a sheet, below a tile
 
 head='#version 3.7; global_settings { assumed_gamma 1 }'
 eye='camera { location -4*z look_at 0 angle 40 right 4/3*x }'
@@ -28,7 +28,7 @@ scene() {
             normal { $2 } finish { specular 0.3 roughness 0.02 } }" ;;
         finishes) echo "$head $eye $lamp sky_sphere { pigment { gradient y
             color_map { [0 rgb <0.9, 0.9, 0.8>] [1 rgb <0.3, 0.5, 0.9>] } } }
-            object { $floor translate -1.1*y } sphere { 0, 1.1
+            object { $floor translate -y } sphere { 0, 1
             pigment { rgb <0.9, 0.55, 0.25> } finish { $2 } }" ;;
         lights) echo "$head camera { location <0, 3, -6> look_at 0.5*y angle 45 right 4/3*x }
             $floor sphere { <-0.7, 0.7, 0>, 0.7 pigment { rgb <0.9, 0.5, 0.3> } }
@@ -42,12 +42,14 @@ scene() {
 }
 
 sheet() {
-    local kind=$1 n=0 rows line
+    local kind=$1 n=0 rows line words
     : >"$work/tiles.inc"
     while IFS= read -r line; do
         scene "$kind" "$line" >"$work/tile.pov"
         "$program" "$work/tile.pov" +W$width +H$height +A0.3 +R2 -V "+O$work/$kind$n.png"
-        printf 'Tile(%d, "%s", "%s")\n' $n "$kind$n.png" "$line" >>"$work/tiles.inc"
+        mapfile -t words < <(fold -s -w 36 <<<"$line")
+        printf 'Tile(%d, "%s", "%s", "%s", "%s")\n' $n "$kind$n.png" "${words[0]}" "${words[1]:-}" \
+            "${words[2]:-}" >>"$work/tiles.inc"
         n=$((n + 1))
     done <"$here/$kind.txt"
     rows=$(((n + columns - 1) / columns))
@@ -57,17 +59,17 @@ $head
 camera { orthographic location <Columns*Wide, -$rows*High, -9>/2 right Columns*Wide*x up $rows*High*y }
 background { rgb 1 }
 #macro Line(Words, Row)
-    text { internal 1 Words, 0.1, 0 scale 9.5 translate <0, -$height - 8 - 9*Row, -1>
-        pigment { rgb 0 } finish { ambient 0 diffuse 0 } }
+    #if (strlen(Words) > 0)
+        text { internal 1 Words, 0.1, 0 scale 9.5 translate <0, -$height - 8 - 9*Row, -1>
+            pigment { rgb 0 } finish { ambient 0 diffuse 0 } }
+    #end
 #end
-#macro Tile(N, File, Words)
-    #local Half = 34;
+#macro Tile(N, File, First, Second, Third)
     union {
         box { <0, -1, 0>, <1, 0, 0.1> scale <$width, $height, 1>
             pigment { image_map { png File } translate -y scale <$width, $height, 1> }
             finish { ambient 1 diffuse 0 } }
-        Line(substr(Words, 1, min(Half, strlen(Words))), 0)
-        #if (strlen(Words) > Half) Line(substr(Words, Half + 1, strlen(Words) - Half), 1) #end
+        Line(First, 0) Line(Second, 1) Line(Third, 2)
         translate <mod(N, Columns)*Wide + 3, -div(N, Columns)*High, 0>
     }
 #end
