@@ -17,7 +17,7 @@ constexpr double divided_above = 20;
 /// Cells that look bigger than so many pixels to the eye are divided at once when their noise is
 /// above the bound: there are many hits in them, and what is seen from them differs. Smaller ones
 /// are not surveyed one by one, so that the survey's rays stay a small part of all.
-constexpr double coarse_pixels = 24;
+constexpr double coarse_pixels = 32;
 /// The same as an angle (size over distance): bounds for large and for small pictures.
 constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is

@@ -17,6 +17,15 @@ Box extent_of(const T& shape) {
 Box extent_of(const Disc& disc) {
     return widened(bounds(disc), 0.001 * glm::abs(unit(disc.normal)));
 }
+/// What only asks for a box needs no index of the faces.
+Box extent_of(const Mesh& mesh) {
+    Box box;
+    for (const Face& face : mesh.faces)
+        for (const int corner : face)
+            box = join(box, mesh.vertices[static_cast<std::size_t>(corner)]);
+    return box;
+}
+Box extent_of(const TriangleMesh& mesh) { return extent_of(as_mesh(mesh)); }
 Box extent_of(const Superellipsoid& s) { return widened(bounds(s), Vec3(0.0001)); }
 Box extent_of(const Polygon& polygon) {
     const BuiltPolygon built = build(polygon);
