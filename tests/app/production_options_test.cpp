@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/production_options.h"
 
-#include <catch2/catch.hpp>
-
-namespace {
-
-Options read(std::vector<std::string_view> words, bool good = true) {
-    Diagnostics diagnostics;
-    Options options = read_options(words, diagnostics);
-    CAPTURE(words);
-    CHECK(diagnostics.failed() == !good);
-    return options;
-}
-
-}  // namespace
+#include "app/read_words.h"
 
 TEST_CASE("times and sizes have units") {
     CHECK(read({"--time", "90"}).time == 90.0);

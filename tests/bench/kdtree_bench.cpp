@@ -8,13 +8,8 @@
 #include "index/brute.h"
 #include "index/kdtree.h"
 #include "index/statistics.h"
+#include "rays.h"
 
-#if __has_include(<embree3/rtcore.h>) && !defined(NO_EMBREE)
-#define WITH_EMBREE 1
-#include <embree3/rtcore.h>
-#endif
-
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -26,7 +21,6 @@ struct Ball {
     double radius;
 };
 
-constexpr double far_away = std::numeric_limits<double>::infinity();
 constexpr double pi = 3.14159265358979323846;
 
 /// Nine children of a third of the radius: six around the axis by which the ball hangs on its
@@ -117,15 +111,6 @@ bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray,
                           });
 }
 
-struct Segment {
-    Ray ray;
-    double length = far_away;
-};
-
-struct Rays {
-    std::vector<Segment> camera, bounce, shadow;
-};
-
 Vec3 sphere_point(std::mt19937_64& random) {
     std::uniform_real_distribution<double> uniform(0, 1);
     const double z = 2 * uniform(random) - 1;
@@ -164,31 +149,6 @@ Rays make_rays(const KdTree& tree, const std::vector<Ball>& balls, int width) {
     return rays;
 }
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-struct Speed {
-    double rays_per_second = 0;
-    double found = 0;  ///< fraction of the rays
-};
-
-/// The best of several passes: the machine may be shared.
-template <class Shoot>
-Speed measure(const std::vector<Segment>& rays, std::size_t step, Shoot shoot) {
-    Speed best;
-    for (int pass = 0; pass < (step > 1 ? 1 : 5); ++pass) {
-        std::size_t found = 0;
-        const double start = seconds();
-        for (std::size_t i = 0; i < rays.size(); i += step) found += shoot(rays[i]);
-        const double count = static_cast<double>((rays.size() + step - 1) / step);
-        best.rays_per_second = std::max(best.rays_per_second, count / (seconds() - start));
-        best.found = static_cast<double>(found) / count;
-    }
-    return best;
-}
-
 void print_speed(const char* what, const char* opponent, const Speed& ours, const Speed& theirs) {
     std::printf("%-12s %12.3f (%5.2f %% hit) %-12s %12.4f (%5.2f %% hit) %10.2f\n", what,
                 ours.rays_per_second * 1e-6, ours.found * 100, opponent,
@@ -197,71 +157,15 @@ void print_speed(const char* what, const char* opponent, const Speed& ours, cons
 }
 
 #ifdef WITH_EMBREE
-class Embree {
-public:
-    explicit Embree(const std::vector<Ball>& balls) {
-        device_ = rtcNewDevice("threads=1");
-        scene_ = rtcNewScene(device_);
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                                    4 * sizeof(float), balls.size()));
-        for (const Ball& b : balls) {
-            for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(b.centre[axis]);
-            *vertices++ = static_cast<float>(b.radius);
-        }
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
+void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), balls.size()));
+    for (const Ball& b : balls) {
+        for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(b.centre[axis]);
+        *vertices++ = static_cast<float>(b.radius);
     }
-    Embree(const Embree&) = delete;
-    Embree& operator=(const Embree&) = delete;
-    ~Embree() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    bool meets(const Segment& s) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit query{};
-        query.ray = ray(s);
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &query);
-        return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    }
-    bool blocks(const Segment& s) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay query = ray(s);
-        rtcOccluded1(scene_, &context, &query);
-        return query.tfar < 0;
-    }
-
-private:
-    static RTCRay ray(const Segment& s) {
-        RTCRay r{};
-        r.org_x = static_cast<float>(s.ray.origin.x);
-        r.org_y = static_cast<float>(s.ray.origin.y);
-        r.org_z = static_cast<float>(s.ray.origin.z);
-        r.dir_x = static_cast<float>(s.ray.direction.x);
-        r.dir_y = static_cast<float>(s.ray.direction.y);
-        r.dir_z = static_cast<float>(s.ray.direction.z);
-        r.tfar = static_cast<float>(s.length);
-        r.mask = ~0u;
-        return r;
-    }
-
-    RTCDevice device_;
-    RTCScene scene_;
-};
-#endif
-
-void read_setting(const char* name, double& value) {
-    if (const char* text = std::getenv(name)) value = std::atof(text);
 }
+#endif
 
 void run(int depth) {
     const std::vector<Ball> balls = flakes(depth);
@@ -310,7 +214,8 @@ void run(int depth) {
     }
 #ifdef WITH_EMBREE
     const double embree_start = seconds();
-    const Embree embree(balls);
+    const Embree embree(RTC_GEOMETRY_TYPE_SPHERE_POINT, RTC_SCENE_FLAG_NONE,
+                        [&](RTCGeometry geometry) { fill(geometry, balls); });
     const double embree_time = seconds() - embree_start;
     std::printf("%-12s %12.3f %13s %-12s %12.3f %13s %10.2f\n", "build s", build_time, "", "Embree",
                 embree_time, "", build_time / embree_time);

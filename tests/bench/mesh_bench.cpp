@@ -5,25 +5,18 @@
 // through a camera's pixels, cosine-distributed from what they hit, and from there to points of a
 // light above (any hit). One thread everywhere.
 #include "index/kdtree.h"
-#include "index/statistics.h"
+#include "rays.h"
 #include "shape/triangle.h"
 
-#if __has_include(<embree3/rtcore.h>) && !defined(NO_EMBREE)
-#define WITH_EMBREE 1
-#include <embree3/rtcore.h>
-#endif
-
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <numbers>
 #include <random>
 
 namespace {
 
 using std::numbers::pi;
-constexpr double far_away = std::numeric_limits<double>::infinity();
 
 struct Surface {
     std::vector<Vec3> points;
@@ -85,14 +78,6 @@ bool blocked(const KdTree& tree, const Surface& mesh, const Ray& ray, double dis
         });
 }
 
-struct Segment {
-    Ray ray;
-    double length = far_away;
-};
-struct Rays {
-    std::vector<Segment> camera, bounce, shadow;
-};
-
 Rays make_rays(const KdTree& tree, const Surface& mesh, int width) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -119,86 +104,25 @@ Rays make_rays(const KdTree& tree, const Surface& mesh, int width) {
     return rays;
 }
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-/// Million rays a second, the best of several passes: the machine may be shared.
-double speed(const std::vector<Segment>& rays, const std::function<bool(const Segment&)>& meets) {
-    double best = 0;
-    std::size_t found = 0;
-    for (int pass = 0; pass < 5; ++pass) {
-        const double start = seconds();
-        for (const Segment& ray : rays) found += meets(ray);
-        best = std::max(best, 1e-6 * static_cast<double>(rays.size()) / (seconds() - start));
-    }
-    return found > 0 ? best : 0;
+/// Million rays a second.
+template <class Shoot>
+double speed(const std::vector<Segment>& rays, Shoot shoot) {
+    return 1e-6 * measure(rays, 1, shoot).rays_per_second;
 }
 
 #ifdef WITH_EMBREE
-class Embree {
-public:
-    explicit Embree(const Surface& mesh) {
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);  // watertight, as ours
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* points = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    3 * sizeof(float), mesh.points.size()));
-        for (const Vec3& p : mesh.points)
-            for (int axis = 0; axis < 3; ++axis) *points++ = static_cast<float>(p[axis]);
-        auto* faces = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(unsigned), mesh.faces.size()));
-        for (const auto& face : mesh.faces)
-            for (const unsigned corner : face) *faces++ = corner;
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-    }
-    ~Embree() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    Embree(const Embree&) = delete;
-    Embree& operator=(const Embree&) = delete;
-
-    bool meets(const Segment& s) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit query{};
-        query.ray = ray(s);
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &query);
-        return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    }
-    bool blocks(const Segment& s) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay query = ray(s);
-        rtcOccluded1(scene_, &context, &query);
-        return query.tfar < 0;
-    }
-
-private:
-    static RTCRay ray(const Segment& s) {
-        RTCRay r{};
-        r.org_x = static_cast<float>(s.ray.origin.x);
-        r.org_y = static_cast<float>(s.ray.origin.y);
-        r.org_z = static_cast<float>(s.ray.origin.z);
-        r.dir_x = static_cast<float>(s.ray.direction.x);
-        r.dir_y = static_cast<float>(s.ray.direction.y);
-        r.dir_z = static_cast<float>(s.ray.direction.z);
-        r.tfar = static_cast<float>(s.length);
-        r.mask = ~0u;
-        return r;
-    }
-
-    RTCDevice device_ = rtcNewDevice("threads=1");
-    RTCScene scene_ = rtcNewScene(device_);
-};
+void fill(RTCGeometry geometry, const Surface& mesh) {
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               mesh.points.size()));
+    for (const Vec3& p : mesh.points)
+        for (int axis = 0; axis < 3; ++axis) *points++ = static_cast<float>(p[axis]);
+    auto* faces = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(unsigned), mesh.faces.size()));
+    for (const auto& face : mesh.faces)
+        for (const unsigned corner : face) *faces++ = corner;
+}
 #endif
 
 }  // namespace
@@ -208,8 +132,7 @@ int main(int argc, char** argv) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) boxes.push_back(bounds(mesh.flat[i]));
     KdTreeSettings settings;
-    if (const char* cost = std::getenv("INTERSECTION_COST"))
-        settings.intersection_cost = std::atof(cost);
+    read_setting("INTERSECTION_COST", settings.intersection_cost);
     double start = seconds();
     const KdTree tree = build_kdtree(
         boxes, [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
@@ -226,7 +149,8 @@ int main(int argc, char** argv) {
     std::array<double, 3> theirs{};
 #ifdef WITH_EMBREE
     start = seconds();
-    const Embree embree(mesh);
+    const Embree embree(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_SCENE_FLAG_ROBUST,  // watertight, as ours
+                        [&](RTCGeometry geometry) { fill(geometry, mesh); });
     std::printf("Embree: built in %.2f s\n", seconds() - start);
     const auto embree_meets = [&](const Segment& s) { return embree.meets(s); };
     theirs = {speed(rays.camera, embree_meets), speed(rays.bounce, embree_meets),

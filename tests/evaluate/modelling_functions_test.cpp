@@ -8,15 +8,10 @@
 namespace {
 
 std::string printed(const std::string& script) {
-    std::string text;
-    EvaluateOptions options;
-    options.print = [&](std::string_view said) { text += said; };
-    const Script done =
-        run("#version 3.7; #macro P(A) #debug concat(str(A, 0, 3), \" \") #end\n"
-            "#declare S = array[5] { <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0.5, 0.5> }\n" +
-                script,
-            {}, options);
-    return text + done.text.substr(0, done.text.find('\n'));
+    return debugged(
+        "#version 3.7; #macro P(A) #debug concat(str(A, 0, 3), \" \") #end\n"
+        "#declare S = array[5] { <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0.5, 0.5> }\n" +
+        script);
 }
 
 }  // namespace

@@ -8,15 +8,10 @@
 namespace {
 
 std::string printed(const std::string& script) {
-    std::string text;
-    EvaluateOptions options;
-    options.print = [&](std::string_view said) { text += said; };
-    const Script done =
-        run("#version 3.7; #macro V(A) #debug vstr(3, A, \",\", 0, 2) #end\n"
-            "#declare O = sphere { <1, 0, 0>, 2 }\n" +
-                script,
-            {}, options);
-    return text + done.text.substr(0, done.text.find('\n'));
+    return debugged(
+        "#version 3.7; #macro V(A) #debug vstr(3, A, \",\", 0, 2) #end\n"
+        "#declare O = sphere { <1, 0, 0>, 2 }\n" +
+        script);
 }
 
 }  // namespace

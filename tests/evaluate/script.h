@@ -51,3 +51,12 @@ inline std::string complaint(const std::string& script) {
     return std::string(only.severity == Severity::error ? "error " : "warning ") +
            std::string(name(only.fault)) + ": " + only.message;
 }
+
+/// What #debug says in the script, and behind it the first line of what is said about the script.
+inline std::string debugged(const std::string& script) {
+    std::string text;
+    EvaluateOptions options;
+    options.print = [&](std::string_view said) { text += said; };
+    const Script done = run(script, {}, options);
+    return text + done.text.substr(0, done.text.find('\n'));
+}

@@ -2,6 +2,7 @@
 #include "modelling/object_mesh.h"
 
 #include "polyhedra/shapes.h"
+#include "support/objects.h"
 
 #include <numbers>
 
@@ -9,19 +10,6 @@ namespace {
 
 using std::numbers::pi;
 const Vec3 o(0), x(1, 0, 0), y(0, 1, 0);
-
-ObjectHandle object(const Shape& shape, bool inverse = false) {
-    Object result;
-    result.form = shape;
-    result.inverse = inverse;
-    return make_handle<Object>(result);
-}
-
-ObjectHandle group(Csg csg, std::vector<ObjectHandle> children) {
-    Object result;
-    result.form = Union{std::move(children), {}, csg};
-    return make_handle<Object>(result);
-}
 
 ObjectHandle moved(ObjectHandle what, const Transform& by) {
     what.edit().transform = make_handle<Transform>(by);

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump.h"
 
+#include "support/objects.h"
 #include "surface/normal_map.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-ObjectHandle object(const Shape& shape) {
-    Object result;
-    result.form = shape;
-    return make_handle<Object>(result);
-}
-
-ObjectHandle together(std::vector<ObjectHandle> children) {
-    Object result;
-    result.form = Union{std::move(children), {}};
-    return make_handle<Object>(result);
-}
 
 const std::string head = "#version 3.7;\ncamera { perspective }\n";
 
@@ -133,7 +122,7 @@ TEST_CASE("before version 3.7 it is written that there is a gamma") {
 
 TEST_CASE("an object that occurs more than once is declared once, before its first use") {
     const ObjectHandle lamp = object(Sphere());
-    const ObjectHandle pair = together({lamp, object(Cuboid{Vec3(0), Vec3(2)}), lamp});
+    const ObjectHandle pair = group(Csg::together, {lamp, object(Cuboid{Vec3(0), Vec3(2)}), lamp});
     CHECK(body({pair, pair, lamp}) ==
           "#declare Object_1 = sphere { 0, 1 }\n"
           "#declare Object_2 = union {\n"
@@ -147,7 +136,8 @@ TEST_CASE("an object that occurs more than once is declared once, before its fir
 }
 
 TEST_CASE("a union of one object that adds nothing is that object") {
-    CHECK(body({together({together({object(Sphere())})})}) == "sphere { 0, 1 }\n");
+    CHECK(body({group(Csg::together, {group(Csg::together, {object(Sphere())})})}) ==
+          "sphere { 0, 1 }\n");
     Object hidden;
     hidden.form = Union{{object(Sphere())}, {}};
     hidden.no_shadow = true;
@@ -157,11 +147,11 @@ TEST_CASE("a union of one object that adds nothing is that object") {
 
 TEST_CASE("sharing and depth beyond all bounds give a text of a sensible size") {
     ObjectHandle doubled = object(Sphere());
-    for (int i = 0; i < 60; ++i) doubled = together({doubled, doubled});
+    for (int i = 0; i < 60; ++i) doubled = group(Csg::together, {doubled, doubled});
     CHECK(body({doubled}).size() < 10000);
 
     ObjectHandle deep = object(Sphere());
-    for (int i = 0; i < 2000; ++i) deep = together({deep, object(Sphere())});
+    for (int i = 0; i < 2000; ++i) deep = group(Csg::together, {deep, object(Sphere())});
     const std::string text = body({deep});
     CHECK(text.size() < 500000);
     CHECK(text.find(std::string(4 * 20, ' ')) == std::string::npos);

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/assemble.h"
 
+#include "support/objects.h"
+
 #include <catch2/catch.hpp>
 
 namespace {
 
 const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
-ObjectHandle object(const Shape& shape, bool inverse = false) {
-    Object result;
-    result.form = shape;
-    result.inverse = inverse;
-    return make_handle<Object>(result);
-}
-
-Object group(Csg csg, std::vector<ObjectHandle> children) {
-    Object result;
-    result.form = Union{std::move(children), {}, csg};
-    return result;
+Object combined(Csg csg, std::vector<ObjectHandle> children) {
+    return *group(csg, std::move(children));
 }
 
 Composite assembled(const Object& object) {
@@ -47,33 +40,33 @@ struct Visits {
 TEST_CASE("objects combine as their words say", "[solid]") {
     const ObjectHandle left = object(Sphere{o, 1}), right = object(Sphere{x, 1});
     const std::vector<Vec3> points = {-0.5 * x, 0.5 * x, 1.5 * x, 3.0 * x};
-    CHECK(insides(group(Csg::together, {left, right}), points) == "1110");
-    CHECK(insides(group(Csg::merge, {left, right}), points) == "1110");
-    CHECK(insides(group(Csg::intersection, {left, right}), points) == "0100");
-    CHECK(insides(group(Csg::difference, {left, right}), points) == "1000");
+    CHECK(insides(combined(Csg::together, {left, right}), points) == "1110");
+    CHECK(insides(combined(Csg::merge, {left, right}), points) == "1110");
+    CHECK(insides(combined(Csg::intersection, {left, right}), points) == "0100");
+    CHECK(insides(combined(Csg::difference, {left, right}), points) == "1000");
 }
 
 TEST_CASE("inverse turns combinations round, as De Morgan says", "[solid]") {
     const ObjectHandle left = object(Sphere{o, 1}), right = object(Sphere{x, 1});
     const std::vector<Vec3> points = {-0.5 * x, 0.5 * x, 1.5 * x, 3.0 * x};
     for (const Csg csg : {Csg::together, Csg::merge, Csg::intersection, Csg::difference}) {
-        Object whole = group(csg, {left, right});
+        Object whole = combined(csg, {left, right});
         std::string expected = insides(whole, points);
         for (char& c : expected) c = c == '0' ? '1' : '0';
         whole.inverse = true;
         CHECK(insides(whole, points) == expected);
         // And once more in another group.
-        Object outer = group(Csg::together, {make_handle<Object>(whole)});
+        Object outer = combined(Csg::together, {make_handle<Object>(whole)});
         outer.inverse = true;
-        CHECK(insides(outer, points) == insides(group(csg, {left, right}), points));
+        CHECK(insides(outer, points) == insides(combined(csg, {left, right}), points));
     }
-    CHECK(insides(group(Csg::difference, {left, object(Sphere{x, 1}, true)}), points) == "0100");
+    CHECK(insides(combined(Csg::difference, {left, object(Sphere{x, 1}, true)}), points) == "0100");
 }
 
 TEST_CASE("maps of groups and objects add up", "[solid]") {
     Object moved = *object(Sphere{o, 1});
     moved.transform = make_handle<Transform>(Transform::translation(x));
-    Object whole = group(Csg::intersection, {make_handle<Object>(moved)});
+    Object whole = combined(Csg::intersection, {make_handle<Object>(moved)});
     whole.transform = make_handle<Transform>(Transform::rotation(90.0 * z));
     CHECK(insides(whole, {o, 0.5 * y, 1.5 * y, x}) == "0110");
 }
@@ -101,10 +94,10 @@ TEST_CASE("what clips or bounds an object is in the space around it", "[solid]")
 }
 
 TEST_CASE("visitors hear of every object and of each leaf in its order", "[solid]") {
-    const Object whole =
-        group(Csg::difference,
-              {object(Sphere{o, 1}),
-               make_handle<Object>(group(Csg::together, {object(Cuboid{}), object(Plane{})}))});
+    const Object whole = combined(
+        Csg::difference,
+        {object(Sphere{o, 1}),
+         make_handle<Object>(combined(Csg::together, {object(Cuboid{}), object(Plane{})}))});
     CompositeBuilder builder;
     ShapeStore shapes;
     Visits visits;
@@ -118,10 +111,10 @@ TEST_CASE("visitors hear of every object and of each leaf in its order", "[solid
 }
 
 TEST_CASE("light sources in a group are no part of the solid", "[solid]") {
-    Object light = group(Csg::together, {});
+    Object light = combined(Csg::together, {});
     std::get<Union>(light.form).lights.push_back({});
     const Object whole =
-        group(Csg::intersection, {make_handle<Object>(light), object(Sphere{o, 1})});
+        combined(Csg::intersection, {make_handle<Object>(light), object(Sphere{o, 1})});
     CHECK(insides(whole, {o, 2.0 * x}) == "10");
-    CHECK(assembled(group(Csg::together, {})).bounds().empty());
+    CHECK(assembled(combined(Csg::together, {})).bounds().empty());
 }

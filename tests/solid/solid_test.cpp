@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/solid.h"
 
+#include "support/objects.h"
+
 #include <catch2/catch.hpp>
 
 namespace {
 
 const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-
-ObjectHandle object(const Shape& shape) {
-    Object result;
-    result.form = shape;
-    return make_handle<Object>(result);
-}
-
-ObjectHandle group(Csg csg, std::vector<ObjectHandle> children) {
-    Object result;
-    result.form = Union{std::move(children), {}, csg};
-    return make_handle<Object>(result);
-}
 
 }  // namespace
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Options from the words of a command line, for the tests of what becomes of them.
+#pragma once
+
+#include "app/options.h"
+
+#include <catch2/catch.hpp>
+
+#include <string_view>
+#include <vector>
+
+inline Options read(std::vector<std::string_view> words, bool good = true) {
+    Diagnostics diagnostics;
+    Options options = read_options(words, diagnostics);
+    CAPTURE(words);
+    CHECK(diagnostics.failed() == !good);
+    return options;
+}
