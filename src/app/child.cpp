@@ -9,6 +9,12 @@
 #include <unistd.h>
 #include <csignal>
 
+std::string shell_quoted(std::string_view text) {
+    std::string result = "'";
+    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return result + "'";
+}
+
 std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::string folders = path ? path : "";

@@ -3,7 +3,11 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
+
+/// In single quotes, so that the shell (and ffmpeg in its lists) takes any text for one word.
+std::string shell_quoted(std::string_view text);
 
 /// The program that the shell would find under this name, or "".
 std::string find_program(const std::string& name);

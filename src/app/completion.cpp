@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/completion.h"
 
+#include "app/child.h"
 #include "app/option_table.h"
 #include "text/message.h"
 
@@ -40,13 +41,6 @@ std::vector<Spelling> spellings() {
     return all;
 }
 
-/// In single quotes of a shell.
-std::string quoted(std::string_view text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return result + "'";
-}
-
 /// Up to the first semicolon or full stop: there is one line.
 std::string short_help(const std::string& help) {
     const std::size_t end = std::min(help.find_first_of(";."), help.find(" ("));
@@ -65,7 +59,7 @@ std::string for_bash() {
         "_candelabra() {\n"
         "    local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
         "    local words=",
-        quoted(words),
+        shell_quoted(words),
         "\n"
         "    COMPREPLY=()\n"
         "    case \"$before\" in\n"
@@ -108,13 +102,14 @@ std::string for_zsh() {
         const std::string_view action = each.is_path  ? ":file:_files"
                                         : each.valued ? ":value: "
                                                       : "";
-        text += message("  ",
-                        quoted(message(each.text,
-                                       each.apart    ? "="
-                                       : each.valued ? "-"
-                                                     : "",
-                                       '[', harmless_for_zsh(short_help(each.help)), ']', action)),
-                        " \\\n");
+        text += message(
+            "  ",
+            shell_quoted(message(each.text,
+                                 each.apart    ? "="
+                                 : each.valued ? "-"
+                                               : "",
+                                 '[', harmless_for_zsh(short_help(each.help)), ']', action)),
+            " \\\n");
     }
     return text + "  '*:scene:_files -g \"*.(pov|ini|state.exr)(-.)\"'\n";
 }
@@ -130,7 +125,7 @@ std::string for_fish() {
         "complete -c candelabra -n __fish_is_first_arg -a fmt -d 'lays out scene files'\n"
         "complete -c candelabra -n __fish_is_first_arg -a lsp -d 'helps an editor with scenes'\n";
     for (const Spelling& each : spellings()) {
-        const std::string help = quoted(short_help(each.help));
+        const std::string help = shell_quoted(short_help(each.help));
         if (each.text.starts_with("--"))
             text += message("complete -c candelabra -l ", each.text.substr(2),
                             each.is_path  ? " -rF"
@@ -138,7 +133,8 @@ std::string for_fish() {
                                           : "",
                             " -d ", help, '\n');
         else
-            text += message("complete -c candelabra -a ", quoted(each.text), " -d ", help, '\n');
+            text +=
+                message("complete -c candelabra -a ", shell_quoted(each.text), " -d ", help, '\n');
     }
     return text;
 }

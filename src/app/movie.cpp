@@ -25,10 +25,8 @@ std::string find_ffmpeg(Diagnostics& diagnostics) {
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate) {
     std::string text = "ffconcat version 1.0\n";
     for (const std::string& frame : frames) {
-        std::string name;
-        for (const char c : fs::absolute(frame).string())
-            name += c == '\'' ? "'\\''" : std::string(1, c);
-        text += message("file '", name, "'\nduration ", 1 / frame_rate, "\n");
+        text += message("file ", shell_quoted(fs::absolute(frame).string()), "\nduration ",
+                        1 / frame_rate, "\n");
     }
     return text;
 }

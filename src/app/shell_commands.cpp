@@ -18,9 +18,7 @@ std::string word(const std::string& text) {
                std::string_view("/._-+,=@:").find(c) != std::string_view::npos;
     };
     if (!text.empty() && std::ranges::all_of(text, plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    return shell_quoted(text);
 }
 
 std::string fact(char sign, const CommandFacts& facts) {

@@ -14,3 +14,11 @@ TEST_CASE("a program's exit status is told from its not running at all", "[app]"
     CHECK(run_program({shell, "-c", "kill -9 $$"}) == -1);
     CHECK(run_program({"/no/such/program"}) == -1);
 }
+
+TEST_CASE("any text is one word of the shell", "[app]") {
+    CHECK(shell_quoted("") == "''");
+    CHECK(shell_quoted("a b$c") == "'a b$c'");
+    const std::string odd = "it's \"a\" `b` \\";
+    CHECK(run_program({find_program("sh"), "-c", "[ " + shell_quoted(odd) + " = \"$0\" ]", odd}) ==
+          0);
+}
