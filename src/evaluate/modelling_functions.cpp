@@ -5,6 +5,7 @@
 #include "modelling/library.h"
 #include "modelling/scatter.h"
 #include "modelling/voronoi.h"
+#include "shape/mesh_area.h"
 #include "shape/tessellation.h"
 #include "text/message.h"
 
@@ -46,7 +47,7 @@ Value scatter(FunctionCall& call) {
     const Composite& surface = call.world.solids.composite(object);
     if (!finite(surface.bounds())) return call.fail(Fault::domain, 0, "this object has no end");
     const Mesh triangles = seen_tessellation(surface, cells);
-    const double size = area(triangles);
+    const double size = MeshArea(triangles).total();
     if (!(size > 0)) return call.fail(Fault::domain, 0, "no surface is found on this object");
     if (!(size / (distance * distance) <= most_places))
         return call.fail(

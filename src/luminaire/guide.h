@@ -4,7 +4,7 @@
 // looks elsewhere now and then. Called by the composite emitter.
 #pragma once
 
-#include "shape/mesh.h"
+#include "shape/mesh_area.h"
 
 class Guide {
 public:
@@ -19,5 +19,5 @@ public:
 
 private:
     BuiltMesh mesh_;
-    std::vector<double> areas_;  ///< of each face and those before it
+    MeshArea area_;
 };

@@ -103,21 +103,14 @@ private:
     std::optional<Part> of_shape(const Shape& shape, const Transform* transform) {
         if (const auto* plane = std::get_if<Plane>(&shape)) {
             Part half;
-            half.plane = *plane;
-            if (!transform) return half;
-            const Vec3 normal = unit(plane->normal), turned = unit(transform->normal(normal));
-            half.plane = Plane{turned, dot(turned, transform->point(plane->distance * normal))};
+            half.plane = transform ? moved(*plane, *transform) : *plane;
             return half;
         }
-        Mesh mesh = tessellation(built(shape), cells_);
+        Mesh mesh;
+        append(tessellation(built(shape), cells_), transform, mesh);
         if (mesh.faces.empty())
             return fail(message("its `", Kinds<Shape>::infos[shape.index()]->name,
                                 "` is no solid, has no end, or is too thin for the `resolution`"));
-        if (transform) {
-            for (Vec3& v : mesh.vertices) v = transform->point(v);
-            if (transform->determinant() < 0)
-                for (Face& face : mesh.faces) std::swap(face[1], face[2]);
-        }
         return solid(polyhedron(mesh));
     }
 
@@ -174,15 +167,6 @@ struct How {
     const Polyhedra* library;
 };
 
-void append_moved(const Mesh& part, const Transform* transform, Mesh& all) {
-    const int first = static_cast<int>(all.vertices.size());
-    for (const Vec3& v : part.vertices) all.vertices.push_back(transform ? transform->point(v) : v);
-    const bool mirrored = transform && transform->determinant() < 0;
-    for (const Face& face : part.faces)
-        all.faces.push_back(
-            {face[0] + first, face[mirrored ? 2 : 1] + first, face[mirrored ? 1 : 2] + first});
-}
-
 /// Parts of a union stay apart, as they do for rays.
 void append_surface(const ObjectHandle& object, const Handle<Transform>& outer, const How& how,
                     Mesh& all) {
@@ -196,13 +180,13 @@ void append_surface(const ObjectHandle& object, const Handle<Transform>& outer, 
     if (const auto* row = std::get_if<SphereRow>(&object->form)) {
         const Handle<Transform> transform = combined(object->transform, outer);
         for (const Sphere& sphere : row->spheres)
-            append_moved(tessellation(sphere, how.cells), transform.get(), all);
+            append(tessellation(sphere, how.cells), transform.get(), all);
         return;
     }
     const SolidMesh solid = solid_mesh(*object, how.cells, how.library);
-    if (solid.problem.empty()) return append_moved(mesh(solid.polyhedron), outer.get(), all);
+    if (solid.problem.empty()) return append(mesh(solid.polyhedron), outer.get(), all);
     Solids solids;
-    append_moved(seen_tessellation(solids.composite(object), how.cells), outer.get(), all);
+    append(seen_tessellation(solids.composite(object), how.cells), outer.get(), all);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "modelling/scatter.h"
 
 #include "base/random.h"
+#include "shape/mesh_area.h"
 #include "shape/tessellation.h"
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace {
 /// Darts for each square of the distance. Twice as many would find room for one point in a hundred
 /// more.
 constexpr double darts = 24;
-
-std::vector<double> growing_areas(const Mesh& mesh) {
-    std::vector<double> areas;
-    double sum = 0;
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        const auto [a, b, c] = face(mesh, i).corners;
-        areas.push_back(sum += 0.5 * length(cross(b - a, c - a)));
-    }
-    return areas;
-}
 
 /// Points by the cube that they are in, whose side is the distance.
 class Cubes {
@@ -55,33 +46,24 @@ private:
 
 }  // namespace
 
-double area(const Mesh& mesh) {
-    const std::vector<double> areas = growing_areas(mesh);
-    return areas.empty() ? 0 : areas.back();
-}
-
 std::vector<SurfacePoint> scattered(const Composite& surface, const Mesh& triangles,
                                     double distance, std::uint64_t seed) {
     std::vector<SurfacePoint> points;
-    const std::vector<double> areas = growing_areas(triangles);
-    if (areas.empty() || !(areas.back() > 0)) return points;
-    const double count = std::ceil(darts * areas.back() / (distance * distance)) + darts;
+    const MeshArea area(triangles);
+    if (!(area.total() > 0)) return points;
+    const double count = std::ceil(darts * area.total() / (distance * distance)) + darts;
     Cubes taken(distance);
     Key key{mix(seed)};
     for (double thrown = 0; thrown < count; ++thrown) {
         ++key.pixel;
-        const double wanted = uniform(key, Purpose::light_choice) * areas.back();
-        const auto found = std::upper_bound(areas.begin(), areas.end() - 1, wanted);
-        const auto corners =
-            face(triangles, static_cast<std::size_t>(found - areas.begin())).corners;
-        const double s = std::sqrt(uniform(key, Purpose::light_u)),
-                     t = uniform(key, Purpose::light_v);
-        const Vec3 dart = (1 - s) * corners[0] + s * (1 - t) * corners[1] + s * t * corners[2];
+        const std::size_t number = area.at(uniform(key, Purpose::light_choice)).face;
+        const auto corners = face(triangles, number).corners;
+        const Vec2 u(uniform(key, Purpose::light_u), uniform(key, Purpose::light_v));
+        const auto [dart, across] = sample_area(Triangle{corners[0], corners[1], corners[2]}, u);
         // Nothing is asked of the surface where there is no room anyway.
         if (taken.near(dart, 0.9 * distance)) continue;
         const auto met = surface_near(surface, corners, dart, [](std::uint32_t) { return true; });
         if (!met) continue;
-        const Vec3 across = triangle_normal(corners[0], corners[1], corners[2]);
         const double reach = length(corners[1] - corners[0]) + length(corners[2] - corners[0]);
         const Vec3 position = dart + (met->t - reach) * across;
         if (taken.near(position, distance)) continue;

@@ -11,10 +11,7 @@
 
 /// Points of the seen surface that are at least so far from each other, so many that hardly one
 /// more finds room (Poisson-disc sampling by throwing darts); with unit normals as rays meet them.
-/// They lie on the surface itself. `triangles` are near it: see seen_tessellation(). The same for
-/// the same seed.
+/// They lie on the surface itself; 0.9 times the area over distance^2 is a bound of their number.
+/// `triangles` are near it: see seen_tessellation(). The same for the same seed.
 std::vector<SurfacePoint> scattered(const Composite&, const Mesh& triangles, double distance,
                                     std::uint64_t seed);
-
-/// Area of all triangles; times 0.9 / distance^2 a bound of how many points there will be.
-double area(const Mesh&);

@@ -290,13 +290,20 @@ std::optional<Composite::Meeting> surface_near(const Composite& whole,
     return whole.first(Ray{point - reach * normal, normal}, Interval{0, 2 * reach}, wanted);
 }
 
+void append(const Mesh& part, const Transform* map, Mesh& all) {
+    const int first = static_cast<int>(all.vertices.size());
+    for (const Vec3& v : part.vertices) all.vertices.push_back(map ? map->point(v) : v);
+    const bool mirrored = map && map->determinant() < 0;
+    for (const Face& face : part.faces)
+        all.faces.push_back(
+            {face[0] + first, face[mirrored ? 2 : 1] + first, face[mirrored ? 1 : 2] + first});
+}
+
 Mesh seen_tessellation(const Composite& whole, std::uint32_t number, int cells) {
     const CompositeLeaf& leaf = whole.leaf(number);
     if (whole.leaf_bounds(number).empty()) return {};
-    Mesh mesh = tessellation(leaf.shape, cells);
-    if (leaf.transform)
-        for (Vec3& vertex : mesh.vertices) vertex = leaf.transform->point(vertex);
-    const bool mirrored = leaf.transform && leaf.transform->determinant() < 0;
+    Mesh mesh;
+    append(tessellation(leaf.shape, cells), leaf.transform.get(), mesh);
     const bool cut = whole.leaf_count() > 1;
     std::erase_if(mesh.faces, [&](const Face& each) {
         if (!cut) return false;
@@ -306,19 +313,14 @@ Mesh seen_tessellation(const Composite& whole, std::uint32_t number, int cells) 
         return !surface_near(whole, at, (at[0] + at[1] + at[2]) / 3.0,
                              [&](std::uint32_t other) { return other == number; });
     });
-    if (mirrored != leaf.inverse)
+    if (leaf.inverse)
         for (Face& each : mesh.faces) std::swap(each[1], each[2]);
     return mesh;
 }
 
 Mesh seen_tessellation(const Composite& whole, int cells) {
     Mesh all;
-    for (std::uint32_t leaf = 0; leaf < whole.leaf_count(); ++leaf) {
-        const Mesh part = seen_tessellation(whole, leaf, cells);
-        const int first = static_cast<int>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
-        for (const Face& each : part.faces)
-            all.faces.push_back({each[0] + first, each[1] + first, each[2] + first});
-    }
+    for (std::uint32_t leaf = 0; leaf < whole.leaf_count(); ++leaf)
+        append(seen_tessellation(whole, leaf, cells), nullptr, all);
     return all;
 }

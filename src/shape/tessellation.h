@@ -20,6 +20,10 @@ Mesh tessellation(const BuiltShape&, int cells);
 /// tetrahedra. Closed, and no edge has more than two triangles.
 Mesh marched(const Box&, FunctionRef<bool(const Vec3&)> inside, int cells);
 
+/// Adds the triangles of another mesh, under a map (null: where they are). A map that mirrors keeps
+/// their outside outside.
+void append(const Mesh& part, const Transform*, Mesh& all);
+
 /// The triangles of one leaf of a composite, in the space of the whole, as far as its surface is
 /// seen there: a triangle that is cut is in as a whole or left out.
 Mesh seen_tessellation(const Composite&, std::uint32_t leaf, int cells);

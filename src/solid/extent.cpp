@@ -2,6 +2,7 @@
 #include "solid/extent.h"
 
 #include "shape/built_shape.h"
+#include "solid/assemble.h"
 
 namespace {
 
@@ -57,10 +58,7 @@ Box cutting(const Object& object, bool inverse) {
     const Plane* plane = shape ? std::get_if<Plane>(shape) : nullptr;
     if (!plane) return inverse != object.inverse ? everywhere() : extent(object);
     Plane placed = *plane;
-    if (object.transform) {
-        const Vec3 normal = unit(plane->normal), turned = unit(object.transform->normal(normal));
-        placed = {turned, dot(turned, object.transform->point(plane->distance * normal))};
-    }
+    if (object.transform) placed = moved(*plane, *object.transform);
     if (inverse != object.inverse) placed = {-placed.normal, -placed.distance};
     return inside_bounds(placed);
 }

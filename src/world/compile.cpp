@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"
 
@@ -47,13 +48,8 @@ std::vector<Plane> world_planes(const World& world) {
             world.shapes[primitive - world.spheres.size() - world.triangles.size()];
         const Plane* plane = std::get_if<Plane>(&placed.shape);
         if (!plane) continue;
-        const Vec3 normal = unit(plane->normal), point = plane->distance * normal;
-        if (!placed.transform)
-            planes.push_back({normal, plane->distance});
-        else {
-            const Vec3 turned = unit(placed.transform->normal(normal));
-            planes.push_back({turned, dot(turned, placed.transform->point(point))});
-        }
+        planes.push_back(placed.transform ? moved(*plane, *placed.transform)
+                                          : Plane{unit(plane->normal), plane->distance});
     }
     return planes;
 }

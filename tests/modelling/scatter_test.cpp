@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/scatter.h"
 
+#include "shape/mesh_area.h"
 #include "shape/tessellation.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +21,7 @@ TEST_CASE("scattered points keep their distance and leave no gap", "[modelling]"
     const Mesh triangles = seen_tessellation(ball, 32);
     constexpr double distance = 0.5;
     const auto points = scattered(ball, triangles, distance, 1);
-    const double squares = area(triangles) / (distance * distance);
+    const double squares = MeshArea(triangles).total() / (distance * distance);
     CHECK(points.size() > 0.58 * squares);
     CHECK(points.size() < 0.9 * squares);
     double nearest = 1e9;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The area of a mesh, face after face: for points that are spread evenly over it. Called for the
+// guides of luminaires and where the language scatters points.
+#pragma once
+
+#include "shape/mesh.h"
+
+class MeshArea {
+public:
+    explicit MeshArea(const Mesh&);
+
+    double total() const { return sums_.empty() ? 0 : sums_.back(); }
+
+    struct Place {
+        std::size_t face;
+        double part;  ///< of the face's own area, 0 to 1
+    };
+    /// Where so much of the area, 0 to 1, lies behind. Precondition: the area is above 0.
+    Place at(double share) const;
+
+private:
+    std::vector<double> sums_;  ///< of each face and those before it
+};
