@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/library.h"
 
+#include "base/loaded_library.h"
 #include "text/harmless.h"
 #include "text/message.h"
-
-#include <dlfcn.h>
 
 #include <map>
 
 namespace {
-
-struct Opened {
-    const Polyhedra* polyhedra = nullptr;
-    std::string problem;
-};
-
-Opened open_library() {
-    // Found beside the program or where it was installed: the program's run path says.
-    void* const library = dlopen(polyhedra_library, RTLD_NOW | RTLD_LOCAL);
-    void* const entry = library ? dlsym(library, polyhedra_function) : nullptr;
-    if (!entry) return {nullptr, dlerror()};
-    return {reinterpret_cast<const Polyhedra* (*)()>(entry)(), {}};
-}
 
 Vec3 vector(const Polyhedron::Point& p) { return {p[0], p[1], p[2]}; }
 
@@ -34,12 +20,16 @@ double angle(const Vec3& corner, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 const Polyhedra* modelling_library(Diagnostics& diagnostics, Span asked_at) {
-    static const Opened opened = open_library();
-    if (!opened.polyhedra)
+    static const LoadedFunction library = load_function(polyhedra_library, polyhedra_function);
+    if (!library.address) {
         diagnostics.add(
             error(Fault::io, asked_at,
-                  message("the library of polyhedra cannot be opened: ", opened.problem)));
-    return opened.polyhedra;
+                  message("the library of polyhedra cannot be opened: ", library.problem)));
+        return nullptr;
+    }
+    static const Polyhedra* const polyhedra =
+        reinterpret_cast<const Polyhedra* (*)()>(library.address)();
+    return polyhedra;
 }
 
 Polyhedron polyhedron(const Mesh& mesh) {

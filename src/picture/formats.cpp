@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/formats.h"
 
+#include "base/loaded_library.h"
 #include "text/harmless.h"
 #include "text/message.h"
 
-#include <dlfcn.h>
-
-namespace {
-
-struct Opened {
-    const Formats* formats = nullptr;
-    std::string problem;
-};
-
-Opened open_library() {
-    // Found beside the program or where it was installed: the program's run path says.
-    void* const library = dlopen(formats_library, RTLD_NOW | RTLD_LOCAL);
-    void* const entry = library ? dlsym(library, formats_function) : nullptr;
-    if (!entry) return {nullptr, dlerror()};
-    return {reinterpret_cast<const Formats* (*)()>(entry)(), {}};
-}
-
-}  // namespace
-
 const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
-    static const Opened opened = open_library();
-    if (!opened.formats)
+    static const LoadedFunction library = load_function(formats_library, formats_function);
+    if (!library.address) {
         diagnostics.add(
             error(Fault::io, asked_at,
-                  message("the library of picture formats cannot be opened: ", opened.problem)));
-    return opened.formats;
+                  message("the library of picture formats cannot be opened: ", library.problem)));
+        return nullptr;
+    }
+    static const Formats* const formats = reinterpret_cast<const Formats* (*)()>(library.address)();
+    return formats;
 }
 
 std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& diagnostics,
