@@ -4,7 +4,7 @@
 #include <dlfcn.h>
 
 LoadedFunction load_function(const char* library, const char* function) {
-    void* const opened = dlopen(library, RTLD_NOW | RTLD_LOCAL);
+    void* const opened = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
     void* const address = opened ? dlsym(opened, function) : nullptr;
     return {address, address ? std::string() : std::string(dlerror())};
 }

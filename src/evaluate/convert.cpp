@@ -3,6 +3,7 @@
 
 #include "text/message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -152,6 +153,19 @@ bool set_fitting(const ItemInfo& info, void* item, std::size_t field, const Numb
     if (!fits(v.x) || !fits(v.y) || !fits(v.z)) return false;
     info.set(item, field, v);
     return true;
+}
+
+bool colour_alone(Body body) {
+    return body.tree->get_if<node::Prefixed>(body.first) &&
+           (*body.tree)[body.first].next == no_node;
+}
+
+std::optional<Colour> computed_colour(Evaluator& evaluator, Body body) {
+    Numbers colour;
+    if (!evaluator.compute(body, colour) || !colour.is_colour() ||
+        !std::ranges::all_of(colour.at, [](double part) { return std::isfinite(part); }))
+        return std::nullopt;
+    return colour.to_colour();
 }
 
 std::optional<Colour> plain_colour(OpenBlock& block, const Element& element) {

@@ -24,6 +24,12 @@ bool set_fitting(const ItemInfo&, void* item, std::size_t field, const Numbers&)
 /// A colour that must be said to be one: `rgb <1, 0, 0>`, `Red`, not <1, 0, 0>.
 std::optional<Colour> plain_colour(OpenBlock&, const Element&);
 
+/// Whether a body is nothing but `rgb ...`, as that of most pigments.
+bool colour_alone(Body);
+/// Its colour when it can be computed without saying anything; nothing has happened otherwise.
+/// Precondition: colour_alone().
+std::optional<Colour> computed_colour(Evaluator&, Body);
+
 /// What a value of the type is called: "a whole number".
 std::string_view kind_name(FieldType);
 

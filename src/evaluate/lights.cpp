@@ -24,13 +24,8 @@ public:
             placed_.projected_through = std::move(object);
             return true;
         }
-        ObjectHandle whole = make_handle<Object>();
-        nest(whole.edit(), *object);
-        whole.edit().form.emplace<Union>().children.push_back(std::move(object));
-        whole.edit().no_shadow = true;
-        whole.edit().span = element.span;
-        whole.edit().transform = make_handle<Transform>(Transform::translation(location()));
-        placed_.looks_like = std::move(whole);
+        placed_.looks_like = moved(std::move(object), Transform::translation(location()));
+        placed_.looks_like.edit().no_shadow = true;
         return true;
     }
 

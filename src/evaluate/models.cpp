@@ -18,9 +18,7 @@ bool set_values(void* shape, const ItemInfo& item, const Variation& variation) {
 bool alike(const Object& row, const Object& model, const Handle<Texture>& texture) {
     return row.texture == texture && row.transform == model.transform &&
            row.interior == model.interior && row.part_textures == model.part_textures &&
-           row.no_shadow == model.no_shadow && row.no_image == model.no_image &&
-           row.no_reflection == model.no_reflection && row.hollow == model.hollow &&
-           row.double_illuminate == model.double_illuminate && row.uv_mapping == model.uv_mapping;
+           row.switches() == model.switches();
 }
 
 void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span) {

@@ -3,22 +3,6 @@
 
 #include "vocabulary/schema.h"
 
-#include "evaluate/lights.h"
-
-const ItemInfo Switches::vocabulary = described<Switches>([] {
-    using F = Field<Switches>;
-    return schema<Switches>(
-        "object", "What can be switched on an object.",
-        F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
-        F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
-        F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
-        F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
-        F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
-        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"},
-        F{"uv_mapping", &Switches::uv_mapping, flag,
-          "textures are wrapped around the shape and do not move with it"});
-});
-
 const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
     return schema<GroupSettings>(
         "light_group", "Lights and objects: the lights light these objects only.",
@@ -26,28 +10,8 @@ const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
                              "lights outside of the group light its objects as well"});
 });
 
-namespace {
-
-/// The object under one more map.
-ObjectHandle with(ObjectHandle object, const Transform& transform) {
-    if (!object->confines) {
-        Handle<Transform>& own = object.edit().transform;
-        own = make_handle<Transform>(own ? own->then(transform) : transform);
-        return object;
-    }
-    // Its confines move with it.
-    ObjectHandle whole = make_handle<Object>();
-    nest(whole.edit(), *object);
-    whole.edit().form.emplace<Union>().children.push_back(std::move(object));
-    whole.edit().transform = make_handle<Transform>(transform);
-    return whole;
-}
-
-}  // namespace
-
 void ObjectDraft::take(const Object& from) {
-    switches = {from.no_shadow, from.no_image,          from.no_reflection, from.hollow,
-                from.inverse,   from.double_illuminate, from.uv_mapping};
+    switches = from.switches();
     declared_switches = switches;
     if (from.texture) texture.replace(from.texture);
     textured = from.texture != nullptr;
@@ -71,7 +35,7 @@ void ObjectDraft::move(const Movement& next) {
     constant_movement = constant_movement && next.constant;
     modified = true;
     for (auto* objects : {&confines.clips, &confines.bounds})
-        for (ObjectHandle& each : *objects) each = with(each, next.transform);
+        for (ObjectHandle& each : *objects) each = ::moved(std::move(each), next.transform);
     if (switches.uv_mapping) return;
     for (Handle<Texture>& each : part_textures)
         if (TextureDraft(each).movable())
@@ -117,13 +81,7 @@ ObjectHandle ObjectDraft::finished(Span span) {
         object.part_textures = make_handle<PartTextures>(
             PartTextures{std::move(part_textures), std::move(interior_texture)});
     if (textured) object.texture = texture.shared(binder.textures);
-    object.no_shadow = switches.no_shadow;
-    object.no_image = switches.no_image;
-    object.no_reflection = switches.no_reflection;
-    object.hollow = switches.hollow;
-    object.inverse = switches.inverse;
-    object.double_illuminate = switches.double_illuminate;
-    object.uv_mapping = switches.uv_mapping;
+    object.switches() = switches;
     return std::move(made);
 }
 

@@ -7,20 +7,6 @@
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
 
-/// What can be switched on an object.
-struct Switches {
-    bool no_shadow = false;
-    bool no_image = false;
-    bool no_reflection = false;
-    bool hollow = false;
-    bool inverse = false;
-    bool double_illuminate = false;
-    bool uv_mapping = false;
-
-    static const ItemInfo vocabulary;
-    friend bool operator==(const Switches&, const Switches&) = default;
-};
-
 /// What light_group { } says beside its lights and objects.
 struct GroupSettings {
     bool global_lights = false;

@@ -64,7 +64,7 @@ Texels sampled(const Formula& function) {
 PictureReader::PictureReader(OpenBlock& block, Pattern& pattern)
     : block_(block),
       pattern_(pattern),
-      map_(const_cast<PictureMap&>(*picture_of(pattern))),
+      map_(*picture_of(pattern)),
       fields_(block, *Patterns::infos[pattern.index()], Patterns::address(pattern)) {
     block.item = Patterns::infos[pattern.index()];
 }

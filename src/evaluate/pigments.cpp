@@ -8,8 +8,6 @@
 #include "surface/pigment_map.h"
 #include "text/message.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace {
@@ -252,18 +250,6 @@ void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first
     if (quick.colour) pigment.quick = make_handle<Colour>(*quick.colour);
 }
 
-/// The commonest pigment by far, nothing but `rgb ...`. False: it is something else.
-bool read_colour_alone(Evaluator& evaluator, Body body, Pigment& pigment) {
-    const bool alone =
-        body.tree->get_if<node::Prefixed>(body.first) && (*body.tree)[body.first].next == no_node;
-    Numbers colour;
-    if (!alone || !evaluator.compute(body, colour)) return false;
-    if (!std::ranges::all_of(colour.at, [](double part) { return std::isfinite(part); }))
-        return false;
-    pigment = {colour.to_colour(), nullptr, {}};
-    return true;
-}
-
 }  // namespace
 
 bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
@@ -278,7 +264,11 @@ bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
 }
 
 bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
-    if (read_colour_alone(binder.evaluator, element.body, pigment)) return true;
+    if (colour_alone(element.body))
+        if (const auto colour = computed_colour(binder.evaluator, element.body)) {
+            pigment = {*colour, nullptr, {}};
+            return true;
+        }
     OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
     read_content(block, element.body, pigment);

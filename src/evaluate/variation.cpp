@@ -6,8 +6,7 @@
 #include "evaluate/transforms.h"
 #include "vocabulary/reserved.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace {
 
@@ -54,8 +53,7 @@ bool moves(const Tree& tree, NodeId id) {
 /// `rgb ...` of a pigment that has nothing else, or no_node.
 NodeId only_colour(const Tree& tree, NodeId id) {
     const auto* block = tree.get_if<node::Block>(id);
-    const bool only = block && block->word == "pigment"_word &&
-                      tree.get_if<node::Prefixed>(block->body) && tree[block->body].next == no_node;
+    const bool only = block && block->word == "pigment"_word && colour_alone({&tree, block->body});
     return only ? block->body : no_node;
 }
 
@@ -138,11 +136,9 @@ bool Variable::compute(Evaluator& evaluator, const Body& block, Variation& resul
     for (; result.count < values_; at.first = (*block.tree)[at.first].next)
         if (!evaluator.compute(at, result.values[result.count++])) return false;
     if (coloured()) {
-        Numbers colour;
-        if (!evaluator.compute({block.tree, colour_}, colour) || !colour.is_colour() ||
-            !std::ranges::all_of(colour.at, [](double part) { return std::isfinite(part); }))
-            return false;
-        result.colour = colour.to_colour();
+        const auto colour = computed_colour(evaluator, {block.tree, colour_});
+        if (!colour) return false;
+        result.colour = *colour;
     }
     return !moved() || compute_movement(evaluator, *block.tree, result.movement);
 }

@@ -52,15 +52,19 @@ std::string_view home(const Pattern& pattern) {
         pattern);
 }
 
-const PictureMap* picture_of(const Pattern& pattern) {
+PictureMap* picture_of(Pattern& pattern) {
     return std::visit(
-        []<class T>(const T& kind) -> const PictureMap* {
+        []<class T>(T& kind) -> PictureMap* {
             if constexpr (std::is_base_of_v<PictureMap, T>)
                 return &kind;
             else
                 return nullptr;
         },
         pattern);
+}
+
+const PictureMap* picture_of(const Pattern& pattern) {
+    return picture_of(const_cast<Pattern&>(pattern));
 }
 
 bool displaced(const Pattern& pattern) {

@@ -39,6 +39,7 @@ std::string_view home(const Pattern&);
 
 /// What a pattern has of a picture; null when it is made of none.
 const PictureMap* picture_of(const Pattern&);
+PictureMap* picture_of(Pattern&);
 
 /// Whether turbulence displaces the point; otherwise the pattern does something else with it.
 bool displaced(const Pattern&);

@@ -5,8 +5,6 @@
 #include "text/message.h"
 #include "vocabulary/written.h"
 
-#include <algorithm>
-#include <array>
 #include <span>
 #include <unordered_map>
 
@@ -15,20 +13,6 @@ namespace {
 /// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep
 /// stack.
 constexpr int deepest = 16;
-
-struct ObjectFlag {
-    std::string_view name;
-    bool Object::*member;
-};
-constexpr auto object_flags = std::array{
-    ObjectFlag{"no_shadow", &Object::no_shadow},
-    ObjectFlag{"no_image", &Object::no_image},
-    ObjectFlag{"no_reflection", &Object::no_reflection},
-    ObjectFlag{"hollow", &Object::hollow},
-    ObjectFlag{"inverse", &Object::inverse},
-    ObjectFlag{"double_illuminate", &Object::double_illuminate},
-    ObjectFlag{"uv_mapping", &Object::uv_mapping},
-};
 
 template <class T>
 std::string block_text(const T& item) {
@@ -89,8 +73,9 @@ std::vector<std::string> modifiers(const Object& object) {
         result.push_back(confines_text("clipped_by", object.confines->clips));
     if (object.confines && !object.confines->bounds.empty())
         result.push_back(confines_text("bounded_by", object.confines->bounds));
-    for (const ObjectFlag& flag : object_flags)
-        if (object.*flag.member) result.emplace_back(flag.name);
+    for (std::size_t i = 0; i < Switches::vocabulary.fields.size(); ++i)
+        if (std::get<double>(Switches::vocabulary.get(&object.switches(), i)) != 0)
+            result.emplace_back(Switches::vocabulary.fields[i].name);
     if (object.part_textures && object.part_textures->interior)
         result.push_back("interior_" + dump(*object.part_textures->interior));
     if (object.interior) result.push_back(block_text(*object.interior));

@@ -8,17 +8,19 @@
 namespace {
 
 /// What stands in the braces of a picture, up to the textures of a material_map.
-std::string picture_text(Pattern pattern, const PictureMap& picture) {
+std::string picture_text(Pattern pattern) {
+    PictureMap& picture = *picture_of(pattern);
     std::string text = picture.function ? message(" function ", picture.texels->width, ", ",
                                                   picture.texels->height, " { /* compiled */ }")
                                         : " " + written(picture.file, FieldType::text);
     const ItemInfo& info = *Kinds<Pattern>::infos[pattern.index()];
     // The function would stand where a file can stand as well.
-    const_cast<PictureMap&>(*picture_of(pattern)).function = nullptr;
-    const_cast<PictureMap&>(*picture_of(pattern)).gamma = std::fmax(0, picture.gamma);
+    picture.function = nullptr;
+    const bool srgb = picture.gamma < 0;
+    if (srgb) picture.gamma = 0;
     const std::string fields = written_fields(info, Kinds<Pattern>::address(pattern));
     if (!fields.empty()) text += " " + fields;
-    if (picture.gamma < 0) text += " gamma srgb";
+    if (srgb) text += " gamma srgb";
     if (const auto* image = std::get_if<ImageMap>(&pattern))
         for (const ImageMap::Adjustment& each : image->adjustments)
             text += message(each.filter ? " filter " : " transmit ",
@@ -28,10 +30,9 @@ std::string picture_text(Pattern pattern, const PictureMap& picture) {
 
 std::string pattern_text(const Pattern& pattern) {
     const std::string text = item_text(pattern);
-    if (const PictureMap* picture = picture_of(pattern)) {
-        const std::size_t name = Kinds<Pattern>::infos[pattern.index()]->name.size();
-        return message(text.substr(0, name), " {", picture_text(pattern, *picture), " }");
-    }
+    if (picture_of(pattern))
+        return message(Kinds<Pattern>::infos[pattern.index()]->name, " {", picture_text(pattern),
+                       " }");
     if (std::holds_alternative<Slope>(pattern))
         return message("slope {", text.substr(std::string_view("slope").size()), " }");
     if (std::holds_alternative<FunctionPattern>(pattern)) return "function { /* compiled */ }";
@@ -155,7 +156,7 @@ std::string layer_content(const Texture& texture) {
     const PatternedTexture& choice = *texture.choice;
     std::string text = choice.uv ? "uv_mapping " : "";
     if (const auto* map = std::get_if<MaterialMap>(&choice.use.pattern)) {
-        text += message("material_map {", picture_text(*map, *map), " ");
+        text += message("material_map {", picture_text(*map), " ");
         for (const TextureStop& stop : choice.map)
             text += message("texture { ", layer_content(*stop.texture), " } ");
         return message(text, "}", steps_text(choice.use), matrix_text(choice.transform));

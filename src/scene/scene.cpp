@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene.h"
 
-namespace {
+#include "vocabulary/schema.h"
 
-/// The object with its textures and what confines it, which a map of its own would not move.
+const ItemInfo Switches::vocabulary = described<Switches>([] {
+    using F = Field<Switches>;
+    return schema<Switches>(
+        "object", "What can be switched on an object.",
+        F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
+        F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
+        F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
+        F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
+        F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},
+        F{"double_illuminate", &Switches::double_illuminate, flag, "is lit from both sides"},
+        F{"uv_mapping", &Switches::uv_mapping, flag,
+          "textures are wrapped around the shape and do not move with it"});
+});
+
 ObjectHandle moved(ObjectHandle object, const Transform& transform) {
     if (object->texture || object->part_textures || object->confines) {
         ObjectHandle whole = make_handle<Object>();
@@ -16,8 +29,6 @@ ObjectHandle moved(ObjectHandle object, const Transform& transform) {
     own = make_handle<Transform>(own ? own->then(transform) : transform);
     return object;
 }
-
-}  // namespace
 
 PlacedLight moved(PlacedLight placed, const Transform& transform) {
     std::visit([&](auto& light) { light = transformed(light, transform); }, placed.light);

@@ -75,15 +75,8 @@ struct PartTextures {
     Handle<Texture> interior;  ///< of the side that is seen from inside; null: as outside
 };
 
-/// One object: a shape, a union or a row, where it stands and how it looks.
-struct Object {
-    std::variant<Shape, Union, SphereRow> form;
-    Handle<Transform> transform;  ///< of the form; null: none
-    Handle<Texture>
-        texture;  ///< in the space after the transform; null: the parent's, or the default
-    Handle<Interior> interior;           ///< null: the parent's, or the atmosphere
-    Handle<Confines> confines;           ///< null: none
-    Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none
+/// What can be switched on an object.
+struct Switches {
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
@@ -91,9 +84,26 @@ struct Object {
     bool inverse = false;
     bool double_illuminate = false;
     bool uv_mapping = false;  ///< textures are on u and v
+
+    static const ItemInfo vocabulary;
+    friend bool operator==(const Switches&, const Switches&) = default;
+};
+
+/// One object: a shape, a union or a row, where it stands and how it looks.
+struct Object : Switches {
+    std::variant<Shape, Union, SphereRow> form;
+    Handle<Transform> transform;  ///< of the form; null: none
+    Handle<Texture>
+        texture;  ///< in the space after the transform; null: the parent's, or the default
+    Handle<Interior> interior;           ///< null: the parent's, or the atmosphere
+    Handle<Confines> confines;           ///< null: none
+    Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none
     Span span;
     std::uint32_t depth = 0;  ///< how many objects lie inside each other in it: it can be recursed
                               ///< through so deeply
+
+    const Switches& switches() const { return *this; }
+    Switches& switches() { return *this; }
 };
 
 /// Notes that an object becomes part of another.
@@ -101,6 +111,8 @@ inline void nest(Object& outer, const Object& inner) {
     outer.depth = std::max(outer.depth, inner.depth + 1);
 }
 
+/// An object after one more transformation, with its textures and what confines it.
+ObjectHandle moved(ObjectHandle, const Transform&);
 /// A light source after one more transformation, with all that belongs to it.
 PlacedLight moved(PlacedLight, const Transform&);
 

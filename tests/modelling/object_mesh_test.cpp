@@ -11,11 +11,6 @@ namespace {
 using std::numbers::pi;
 const Vec3 o(0), x(1, 0, 0), y(0, 1, 0);
 
-ObjectHandle moved(ObjectHandle what, const Transform& by) {
-    what.edit().transform = make_handle<Transform>(by);
-    return what;
-}
-
 /// The volume of what the object becomes, or what is wrong.
 double volume_of(const ObjectHandle& what, int cells = 32) {
     const SolidMesh made = solid_mesh(*what, cells, &the_polyhedra());

@@ -23,16 +23,18 @@ TEST_CASE("a light takes with it what belongs to it", "[scene]") {
     CHECK(further.looks_like->no_shadow);
 }
 
-TEST_CASE("however often a light is moved, what belongs to it is wrapped once at most", "[scene]") {
-    PlacedLight placed{PointLight{}, {}};
-    placed.looks_like = make_handle<Object>();
-    placed.projected_through = make_handle<Object>();
-    placed.projected_through.edit().texture = make_handle<Texture>();
-    const ObjectHandle inner = placed.projected_through;
-    for (int i = 0; i < 3; ++i) placed = moved(placed, Transform::translation(Vec3(1, 0, 0)));
-    CHECK(std::holds_alternative<Shape>(placed.looks_like->form));
-    CHECK(placed.looks_like->transform->point(Vec3(0)) == Vec3(3, 0, 0));
-    CHECK(std::get<Union>(placed.projected_through->form).children == std::vector{inner});
-    CHECK(placed.projected_through->transform->point(Vec3(0)) == Vec3(3, 0, 0));
-    CHECK_FALSE(placed.projected_through->texture);
+TEST_CASE("however often an object is moved, it is wrapped once at most", "[scene]") {
+    const Transform step = Transform::translation(Vec3(1, 0, 0));
+    ObjectHandle plain = make_handle<Object>(), textured = make_handle<Object>();
+    textured.edit().texture = make_handle<Texture>();
+    const ObjectHandle inner = textured;
+    for (int i = 0; i < 3; ++i) {
+        plain = moved(plain, step);
+        textured = moved(textured, step);
+    }
+    CHECK(std::holds_alternative<Shape>(plain->form));
+    CHECK(plain->transform->point(Vec3(0)) == Vec3(3, 0, 0));
+    CHECK(std::get<Union>(textured->form).children == std::vector{inner});
+    CHECK(textured->transform->point(Vec3(0)) == Vec3(3, 0, 0));
+    CHECK_FALSE(textured->texture);
 }
