@@ -67,5 +67,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
     if (!wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    const std::string idle = std::visit([](const auto& l) { return effectless(l); }, placed.light);
+    if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
     return block.broken ? std::nullopt : std::optional(std::move(placed));
 }

@@ -28,7 +28,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
         F{"fade_power", &PointLight::fade_power, item,
           "how fast it fades: 2 is nature's way; 0: it does not", at_least(0)},
         F{"shadowless", &PointLight::shadowless, flag,
-          "nothing stops its light; gives no highlights"},
+          "nothing stops its light, no cone either; gives no highlights"},
         F{"area_light", &PointLight::area1, item, "a grid of lights: one side of it"},
         F{"area_side", &PointLight::area2, following, "the other side"},
         F{"area_size1", &PointLight::size1, following, "lights along the first side",
@@ -84,10 +84,16 @@ double in_beam(const PointLight& light, double away) {
 }  // namespace
 
 std::string problem(const PointLight& light) {
-    const bool aimed = light.beam != all_around || light.parallel;
-    if (aimed && light.point_at == light.location)
+    if ((light.beam == cone || light.along_axis()) && light.point_at == light.location)
         return "`point_at` must not be the light's own location";
     return {};
+}
+
+std::string effectless(const PointLight& light) {
+    if (!light.shadowless || light.beam == all_around) return {};
+    return light.beam == cone
+               ? "`spotlight` has no effect: a `shadowless` light shines all around"
+               : "`cylinder` gives no edge to a `shadowless` light, which shines everywhere";
 }
 
 PointLight transformed(PointLight light, const Transform& transform) {
@@ -103,13 +109,12 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
     const double distance = length(offset);
     if (distance == 0) return {Vec3(0, 1, 0), 0, Vec3(0)};
     Incidence result{offset / distance, distance, light.colour};
-    const bool along_axis = light.parallel || light.beam == parallel_beam;
-    if (light.beam == cone && !along_axis)
+    if (light.kept_to() == cone && !light.along_axis())
         result.colour *= in_cone(light, -dot(axis_of(light), result.direction));
-    if (along_axis) {
+    if (light.along_axis()) {
         const Vec3 axis = axis_of(light);
         const double ahead = -dot(offset, axis);
-        if (light.beam == parallel_beam)
+        if (light.kept_to() == parallel_beam)
             result.colour *= ahead < 0 ? 0 : in_beam(light, length(offset + ahead * axis));
         result.direction = -axis;
         result.distance = ahead;

@@ -43,6 +43,10 @@ struct PointLight {
     static const ItemInfo vocabulary;
 
     bool is_area() const { return size1 * size2 > 1; }
+    /// All of its light comes along the axis.
+    bool along_axis() const { return parallel || beam == parallel_beam; }
+    /// What its light keeps to. A shadowless light knows no cone and no cylinder, as POV-Ray's.
+    int kept_to() const { return shadowless ? all_around : beam; }
 };
 
 /// Every kind of light source.
@@ -50,6 +54,8 @@ using Light = std::variant<PointLight>;
 
 /// What is wrong with the light as a whole, as a sentence; empty when nothing is.
 std::string problem(const PointLight&);
+/// What is said of the light without effect, as a sentence; empty when nothing is.
+std::string effectless(const PointLight&);
 
 /// The light as it stands in a scene, after a transformation.
 PointLight transformed(PointLight, const Transform&);

@@ -236,6 +236,8 @@ Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
 Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& surface,
                          const Vec3& share) {
     const bool straight = std::abs(surface.ratio - 1) < 1e-10;
+    // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
+    if (straight && path.level + 1 >= world_.settings.max_trace_level) return Vec3(0);
     Path next = path;
     next.ray = {s.position, path.ray.direction};
     if (!straight) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double least_radius = 1e-6;
 
 bool same_direction_everywhere(const PointLight& light) {
-    return light.parallel && light.beam != parallel_beam;
+    return light.along_axis() && light.kept_to() != parallel_beam;
 }
 
 /// Lights that take light away can be no share of the whole.
@@ -26,7 +26,7 @@ Falloff falloff(const PointLight& light) {
     const double dark = light.falloff.value_or(45) * std::numbers::pi / 180,
                  bright = light.radius.value_or(30) * std::numbers::pi / 180;
     const bool turned = light.is_area() && light.area_illumination;
-    if (light.beam != cone || light.parallel || turned) return result;
+    if (light.kept_to() != cone || light.parallel || turned) return result;
     // Without a bright part, or with one that is wider than a half space, the cone has no edge but
     // that of the half space.
     const bool edged = bright < std::numbers::pi / 2 && bright >= 0 && dark >= 0;
@@ -38,7 +38,7 @@ Falloff falloff(const PointLight& light) {
 
 /// Around all points that light comes from: of a beam, around those where it leaves.
 double radius(const PointLight& light) {
-    if (light.beam == parallel_beam) return std::abs(light.falloff.value_or(1));
+    if (light.kept_to() == parallel_beam) return std::abs(light.falloff.value_or(1));
     if (!light.is_area() || !light.area_illumination) return 0;
     return length(light.area1) + length(light.area2);
 }

@@ -39,6 +39,22 @@ TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") 
     CHECK(incidence(light, light.location, Vec3(0.9, 0, 0)).direction == Vec3(0, 0, -1));
 }
 
+TEST_CASE("a light without shadows keeps to no cone and no cylinder, as POV-Ray's", "[light]") {
+    PointLight light;
+    light.colour = Vec3(1);
+    light.location = Vec3(0, 0, -5);
+    light.point_at = Vec3(0);
+    light.shadowless = true;
+    CHECK(effectless(light).empty());
+    for (const int beam : {cone, parallel_beam}) {
+        light.beam = beam;
+        const Incidence far = incidence(light, light.location, Vec3(20, 0, 0));
+        CHECK(far.colour == Vec3(1));
+        CHECK((far.direction == Vec3(0, 0, -1)) == (beam == parallel_beam));
+        CHECK_FALSE(effectless(light).empty());
+    }
+}
+
 TEST_CASE("the grid of an area light has its corners at its sides", "[light]") {
     PointLight light;
     light.area1 = Vec3(4, 0, 0);
