@@ -355,6 +355,16 @@ void store::limit_nesting(Options& options, const Given& given, Diagnostics& dia
     options.limits.make_room();
 }
 
+void store::limit_includes(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.limits.include_depth = limit(given, diagnostics).value_or(options.limits.include_depth);
+}
+
+void store::limit_elements(Options& options, const Given& given, Diagnostics& diagnostics) {
+    constexpr std::uint64_t most = 2'000'000'000;  // the language counts them with 32 bits
+    const auto wanted = limit(given, diagnostics);
+    if (wanted) options.limits.array_elements = std::min(*wanted, most);
+}
+
 void store::limit_memory(Options& options, const Given& given, Diagnostics& diagnostics) {
     if (const auto megabytes = limit(given, diagnostics)) options.memory_bytes = *megabytes << 20;
 }

@@ -60,6 +60,8 @@ void export_object(Options&, const Given&, Diagnostics&);
 void limit_steps(Options&, const Given&, Diagnostics&);
 void limit_depth(Options&, const Given&, Diagnostics&);
 void limit_nesting(Options&, const Given&, Diagnostics&);
+void limit_includes(Options&, const Given&, Diagnostics&);
+void limit_elements(Options&, const Given&, Diagnostics&);
 void limit_memory(Options&, const Given&, Diagnostics&);
 void limit_written(Options&, const Given&, Diagnostics&);
 void declare(Options&, const Given&, Diagnostics&);

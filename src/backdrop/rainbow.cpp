@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backdrop/rainbow.h"
 
+#include "base/degrees.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
     using F = Field<Rainbow>;
@@ -25,10 +25,8 @@ const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 double angle_between(const Vec3& a, const Vec3& b) {
-    return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * degrees;
+    return std::acos(std::clamp(dot(a, b), -1.0, 1.0)) / radians_per_degree;
 }
 
 /// How far the arc has faded towards its ends: 0 to 1; above 1 where there is none.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/transform.h"
 
-#include <numbers>
+#include "base/degrees.h"
 
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180;
 
 Affine compose(const Affine& first, const Affine& next) {
     Affine result;

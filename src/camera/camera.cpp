@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "camera/camera.h"
 
+#include "base/degrees.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -100,8 +101,6 @@ namespace {
 
 /// How many rays a blurred pixel gets at least when the scene does not say.
 constexpr int usual_blur_samples = 4;
-
-constexpr double radians_per_degree = std::numbers::pi / 180;
 
 // Which lens each camera has.
 Lens lens_of(const Perspective&) { return Lens::flat; }

@@ -24,9 +24,12 @@ Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId 
         if (!(whole >= 1))
             return broken(Fault::out_of_range, tree.span(size),
                           message("the size of an array must be at least 1, but it is ", *number));
-        if (whole * static_cast<double>(count) > static_cast<double>(limits.array_elements))
-            return broken(Fault::out_of_range, tree.span(id),
-                          message("an array has at most ", limits.array_elements, " elements"));
+        if (whole * static_cast<double>(count) > static_cast<double>(limits.array_elements)) {
+            report(error(Fault::out_of_range, tree.span(id),
+                         message("an array has at most ", limits.array_elements, " elements"))
+                       .with_help("--limit-elements raises the limit"));
+            return Absence::broken;
+        }
         sizes.push_back(static_cast<int>(whole));
         count *= static_cast<std::size_t>(whole);
     }

@@ -119,7 +119,12 @@ std::string OpenBlock::quoted() const { return name.empty() ? "a scene" : messag
 
 std::string OpenBlock::help() const {
     if (!form.empty()) return message(name, ' ', form);
-    return item ? usage(*item, item->name == name ? std::string_view() : name) : std::string();
+    if (!item) return {};
+    const std::string text = usage(*item, item->name == name ? std::string_view() : name);
+    // Nobody reads a line of thirty words.
+    constexpr std::size_t most = 110;
+    const std::size_t end = text.size() <= most ? text.npos : text.rfind(" [", most);
+    return end == text.npos ? text : message(text.substr(0, end), " ... }");
 }
 
 void OpenBlock::report(Diagnostic diagnostic) {

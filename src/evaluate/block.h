@@ -119,13 +119,17 @@ void OpenBlock::read(Body body, Readers&... readers) {
             ++taken;
             return;
         }
-        WordList words;
-        (readers.add_words(words), ...);
-        if (!reject(element, words, (readers.wants() || ...))) return;
-        Element hole = element;
-        hole.kind = Element::Kind::value;
-        hole.value = Absence::broken;
-        offer(hole);
+        // Apart: blocks lie inside each other, and each would set aside its room on the stack.
+        const auto refused = [&]() __attribute__((noinline)) {
+            WordList words;
+            (readers.add_words(words), ...);
+            if (!reject(element, words, (readers.wants() || ...))) return;
+            Element hole = element;
+            hole.kind = Element::Kind::value;
+            hole.value = Absence::broken;
+            offer(hole);
+        };
+        refused();
     });
     if (!binder.evaluator.stopped()) (readers.finish(), ...);
 }

@@ -45,6 +45,10 @@ public:
         const std::uint32_t state = nodes_[tree.source][static_cast<std::size_t>(id)];
         return state < compiled ? nullptr : codes_[state - compiled].get();
     }
+    /// Whether no code can be made of the node.
+    bool excluded(const Tree& tree, NodeId id) const {
+        return nodes_[tree.source][static_cast<std::size_t>(id)] == never;
+    }
     /// Whether it is worth while to compile one more version now. Counts the visits.
     bool wanted(const Tree&, NodeId);
     /// One more version for a node.

@@ -18,6 +18,7 @@ bool Evaluator::State::compute(const Tree& tree, NodeId id, Numbers& result) {
         result = Numbers::scalar(tree.numbers[number->number]);
         return true;
     }
+    if (codes.excluded(tree, id)) return false;
     for (Code* code = codes.find(tree, id); code; code = code->other.get())
         if (load(*code)) return run(*code, result);
     if (!codes.wanted(tree, id)) return false;

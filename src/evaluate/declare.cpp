@@ -16,9 +16,10 @@ Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
     return one_value(elements, tree.span(id));
 }
 
-void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& node) {
+/// A value that needs a semicolon has none.
+void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& node) {
     // A macro may end in one.
-    if (node.semicolon || tree.get_if<node::Call>(node.value)) return;
+    if (tree.get_if<node::Call>(node.value)) return;
     const Span end{tree.source, tree[node.value].last, tree[node.value].last};
     const std::string text = "a `;` is missing after this value";
     Diagnostic problem =
@@ -34,10 +35,10 @@ void Evaluator::State::check_semicolon(const Tree& tree, const node::Declare& no
 /// Numbers for a name or element that does not hold numbers yet.
 void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& node,
                                        const Numbers& numbers) {
-    const auto* name = tree.get_if<node::Name>(node.target);
+    const auto* name = node.local ? tree.get_if<node::Name>(node.target) : nullptr;
     const Value* before = name ? scope.find(name->name) : nullptr;
     const bool taken = before && (before->macro() || scope.is_local(name->name));
-    if (name && node.local && !taken)
+    if (name && !taken)
         scope.declare_fresh_local(name->name, numbers);
     else
         assign(tree, node.target, numbers, node.local);

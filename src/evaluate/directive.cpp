@@ -220,12 +220,15 @@ Flow Evaluator::State::include(const Tree& tree, const node::Include& node, Node
         return stopped_ ? Flow::stopped : Flow::end;
     }
     if (include_depth >= limits.include_depth) {
-        broken(Fault::recursion_limit, tree.span(id),
-               message("files include each other ", limits.include_depth,
-                       " deep, which is the limit"));
+        report(error(Fault::recursion_limit, tree.span(id),
+                     message("files include each other ", limits.include_depth,
+                             " deep, which is the limit"))
+                   .with_help("a file that includes itself needs an #ifndef that ends it; "
+                              "--limit-includes raises the limit"));
         stopped_ = true;
         return Flow::stopped;
     }
+    if (!room(tree, id)) return Flow::stopped;
     const Tree* included = load(*file.text(), span);
     if (!included) return stopped_ ? Flow::stopped : Flow::end;
     ++include_depth;

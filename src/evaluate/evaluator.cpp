@@ -199,6 +199,9 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     std::vector<std::string_view> known = evaluator.declared_names();
     for (const Word& word : reserved_words())
         if (word.word_class == WordClass::constant) known.push_back(word.spelling);
+    const std::string_view rest = sources.text(span.source).substr(span.last);
+    if (rest.starts_with('('))
+        for (const FunctionInfo& function : ::functions()) known.push_back(function.name);
     const std::string library = loader.library_file_declaring(names.spelling(name));
     if (!library.empty())
         problem.with_help(message("`", names.spelling(name), "` is declared in ", library,
@@ -228,6 +231,13 @@ Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
 Value Evaluator::State::one_value(OneValue&& one, Span span) {
     if (one.broken || stopped_) return Absence::broken;
     if (one.count == 1 && !one.first) return std::move(one.value);
+    if (one.count == 0) {
+        report(error(Fault::missing, span, "a value is wanted here, and this macro gives none")
+                   .with_help("a macro gives what stands in it without a directive: "
+                              "#macro Twice(A) 2*A #end"));
+        if (diagnostics.full()) stopped_ = true;
+        return Absence::broken;
+    }
     if (one.count > 1)
         return broken(Fault::wrong_count, span,
                       message("one value is wanted here, and this gives ", one.count));

@@ -83,6 +83,13 @@ Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, 
 
 Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     if (!room(tree, id)) return Absence::broken;
+    // Apart, because expressions inside each other must not set aside the room of a message each.
+    const auto refuse_tuple = [&]() __attribute__((noinline))->Value {
+        report(error(Fault::wrong_count, tree.span(id), "one value is wanted here")
+                   .with_help("a vector is written between `<` and `>`: <1, 2, 3>"));
+        if (diagnostics.full()) stopped_ = true;
+        return Absence::broken;
+    };
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
         case kind<node::Number>:
@@ -133,7 +140,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
             return call_value(tree, called, name, apply.arguments, tree.span(id));
         }
         case kind<node::Tuple>:
-            return broken(Fault::wrong_count, tree.span(id), "one value is wanted here");
+            return refuse_tuple();
         case kind<node::Broken>:
             return Absence::broken;
         default:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/functions.h"
 
+#include "base/degrees.h"
 #include "evaluate/array_data.h"
 #include "evaluate/modelling_functions.h"
 #include "evaluate/number_functions.h"
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 std::size_t RandomStreams::open(double seed) {
     // Through 64 bits: seeds that are negative or big wrap as in POV-Ray.
@@ -95,8 +95,6 @@ using Call = FunctionCall&;
 using General = FunctionInfo::General;
 using Unary = FunctionInfo::Unary;
 
-constexpr double degree = std::numbers::pi / 180;
-
 Value dimension_size(Call call) {
     const ArrayData* array = call.array(0);
     const double i = call.number(1);
@@ -151,7 +149,7 @@ constexpr auto table = std::array{
     FunctionInfo{"datetime", 1, 2, "days[, format]", "a date as text, in UTC; days count from 2000",
                  General(date_text)},
     FunctionInfo{"degrees", 1, 1, "x", "radians to degrees",
-                 Unary([](double x) { return x / degree; })},
+                 Unary([](double x) { return x / radians_per_degree; })},
     FunctionInfo{"delaunay", 1, 1, "points",
                  "the triangles between points <x, y> of an array: an array of n by 3 numbers of "
                  "points, from 0",
@@ -181,7 +179,7 @@ constexpr auto table = std::array{
                  General(power)},
     FunctionInfo{"prod", 4, 4, "i, first, last, e", "product, in functions only", General(not_yet)},
     FunctionInfo{"radians", 1, 1, "x", "degrees to radians",
-                 Unary([](double x) { return x * degree; })},
+                 Unary([](double x) { return x * radians_per_degree; })},
     FunctionInfo{"rand", 1, 1, "stream", "the next random number of a stream, 0 to 1",
                  General(next_random)},
     FunctionInfo{"scatter", 2, 3, "object, distance[, seed]",

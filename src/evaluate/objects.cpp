@@ -17,7 +17,8 @@ constexpr std::string_view effectless_words =
     "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
 
 /// Objects and lights in a union; the one object in `object`; a declared object in the place of a
-/// shape's values.
+/// shape's values. Objects lie inside each other by the thousand, so what is rare has functions of
+/// its own: its room on the stack would be set aside at every level.
 class ContentReader : public SimpleReader {
 public:
     enum class Kind { shape, object, together };
@@ -31,23 +32,18 @@ public:
         if (element.kind == Element::Kind::value) return take_declared(element);
         if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
         if (!makes_object(element.word)) return false;
-        Binder& binder = block_.binder;
         if (row_goes_on()) {
             std::optional<ObjectHandle> made =
-                read_object_into(together().children, {}, binder, element);
+                read_object_into(together().children, {}, block_.binder, element);
             if (made) take_made(std::move(*made), element.span);
-            return true;
+        } else {
+            take_made(made_of(element), element.span);
         }
-        take_made(binder.objects.made(binder.constants.number(element), binder.default_texture,
-                                      [&] { return read_object(binder, element); }),
-                  element.span);
         return true;
     }
 
     void finish() {
-        if (kind_ == Kind::object && !draft_.has_form && !block_.broken)
-            block_.report(error(Fault::missing, block_.span, "`object` needs an object")
-                              .with_help(block_.help()));
+        if (kind_ == Kind::object && !draft_.has_form && !block_.broken) report_missing();
     }
 
     void add_words(WordList& words) const {
@@ -65,6 +61,12 @@ private:
                together().csg == Csg::together;
     }
 
+    [[gnu::noinline]] ObjectHandle made_of(const Element& element) {
+        Binder& binder = block_.binder;
+        return binder.objects.made(binder.constants.number(element), binder.default_texture,
+                                   [&] { return read_object(binder, element); });
+    }
+
     void take_made(ObjectHandle made, Span span) {
         if (!made) {
             block_.broken = true;
@@ -74,7 +76,7 @@ private:
         }
     }
 
-    bool take_declared(const Element& element) {
+    [[gnu::noinline]] bool take_declared(const Element& element) {
         const Handle<Object> object = element.value.handle<Object>();
         const Handle<PlacedLight> light = element.value.handle<PlacedLight>();
         if (!object && !(light && kind_ != Kind::shape)) return false;
@@ -103,9 +105,18 @@ private:
         draft_.take(*draft_.made);
     }
 
+    [[gnu::noinline]] void report_missing() {
+        block_.report(error(Fault::missing, block_.span, "`object` needs an object")
+                          .with_help(block_.help()));
+    }
+
     /// Whether an object may stand here; reports when not.
     bool welcome(Span span) {
         if (block_.broken) return kind_ == Kind::together || !draft_.has_form;
+        if (kind_ == Kind::together && !draft_.modified) return true;
+        return welcome_alone(span);
+    }
+    [[gnu::noinline]] bool welcome_alone(Span span) {
         std::string why;
         if (kind_ == Kind::together && draft_.modified)
             why =
@@ -219,11 +230,15 @@ private:
         read_with(element_.body, content);
         const auto* whole = std::get_if<Union>(&draft_.made->form);
         if (together && !block_.broken && whole->children.empty() && whole->lights.empty())
-            block_.report(warning(Fault::no_effect, element_.word_span,
-                                  message("there is no object in this ", block_.quoted())));
+            warn_of_nothing();
     }
 
-    void read_light_group(ContentReader& content) {
+    [[gnu::noinline]] void warn_of_nothing() {
+        block_.report(warning(Fault::no_effect, element_.word_span,
+                              message("there is no object in this ", block_.quoted())));
+    }
+
+    [[gnu::noinline]] void read_light_group(ContentReader& content) {
         GroupSettings settings;
         ItemReader fields(block_, GroupSettings::vocabulary, &settings);
         read_with(element_.body, content, fields);

@@ -214,7 +214,10 @@ struct Evaluator::State {
     void declare(const Tree&, const node::Declare&, NodeId);
     void declare_deprecated(const Tree&, const node::Deprecated&, NodeId);
     void declare_tuple(const Tree&, const node::Declare&, NodeId);
-    void check_semicolon(const Tree&, const node::Declare&);
+    void check_semicolon(const Tree& tree, const node::Declare& node) {
+        if (!node.semicolon) report_semicolon(tree, node);
+    }
+    void report_semicolon(const Tree&, const node::Declare&);
     void declare_numbers(const Tree&, const node::Declare&, const Numbers&);
     void assign(const Tree&, NodeId target, Value&& value, bool local);
     void assign_element(const Tree&, const node::Index&, NodeId target, Value&& value);
@@ -246,6 +249,7 @@ struct Evaluator::State {
     /// gives the next node.
     NodeId take_value(const Tree&, NodeId, const Sink& take);
     Flow take_vector(const Tree&, NodeId, const Sink& take);
+    NodeId take_power(const Tree&, NodeId, const Sink& take);
 
     Evaluator& evaluator;
     SourceStore& sources;

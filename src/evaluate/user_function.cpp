@@ -154,9 +154,11 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
     }
     Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
     if (made->depth() <= Formula::most_depth) return made;
-    broken(Fault::recursion_limit, tree.span(id),
-           message("functions call each other more than ", Formula::most_depth,
-                   " deep, which is the limit"));
+    report(error(Fault::recursion_limit, tree.span(id),
+                 message("functions call each other more than ", Formula::most_depth,
+                         " deep, which is the limit"))
+               .with_help("it cannot be raised: write some of them out, or compute a part "
+                          "beforehand"));
     return nullptr;
 }
 

@@ -35,13 +35,7 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
             declare(tree, *std::get_if<node::Declare>(&node.content), id);
             id = node.next;
         } else if (is_power(tree, id)) {
-            walk_one(tree, id, take);
-            // Its arguments come as a vector.
-            std::vector<double> numbers;
-            const bool good = components(tree, tree.get<node::Tuple>(node.next).content, numbers);
-            take.value(good ? vector_of(numbers, tree.span(node.next)) : Value(Absence::broken),
-                       tree, node.next);
-            id = tree[node.next].next;
+            id = take_power(tree, id, take);
         } else if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&
                    kind_here != kind<node::Channel> && !has_channels(tree, node)) {
             const Flow flow = walk_one(tree, id, take);
@@ -52,6 +46,17 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
         }
     }
     return stopped_ ? Flow::stopped : Flow::end;
+}
+
+/// `pwr(a, b)`: its arguments come as a vector. Gives the next node.
+NodeId Evaluator::State::take_power(const Tree& tree, NodeId id, const Sink& take) {
+    walk_one(tree, id, take);
+    const NodeId arguments = tree[id].next;
+    std::vector<double> numbers;
+    const bool good = components(tree, tree.get<node::Tuple>(arguments).content, numbers);
+    take.value(good ? vector_of(numbers, tree.span(arguments)) : Value(Absence::broken), tree,
+               arguments);
+    return tree[arguments].next;
 }
 
 Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {

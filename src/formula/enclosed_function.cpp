@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/enclosed_function.h"
 
+#include "base/degrees.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,6 @@ namespace {
 
 using std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double degree = pi / 180;
 
 double square(double x) { return x * x; }
 
@@ -131,7 +132,7 @@ constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
     [](const Enclosure& a) { return stepped(a, [](double x) { return std::ceil(x); }); },
     cosine,
     hyperbolic_cosine,
-    [](const Enclosure& a) { return scaled(a, 1 / degree); },
+    [](const Enclosure& a) { return scaled(a, 1 / radians_per_degree); },
     [](const Enclosure& a) {
         const Bounds value{std::exp(a.value.low), std::exp(a.value.high)};
         return Enclosure{value, value * a.slope};
@@ -140,7 +141,7 @@ constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
     [](const Enclosure& a) { return stepped(a, [](double x) { return double(to_int32(x)); }); },
     logarithm,
     [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
-    [](const Enclosure& a) { return scaled(a, degree); },
+    [](const Enclosure& a) { return scaled(a, radians_per_degree); },
     [](const Enclosure& a) {
         return Enclosure{sine_of(a.value), cosine_of(a.value) * a.slope};
     },

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/operation.h"
 
+#include "base/degrees.h"
+
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace {
 
@@ -11,8 +12,6 @@ struct Named {
     std::string_view name;
     double (*code)(double);
 };
-
-constexpr double degree = std::numbers::pi / 180;
 
 constexpr auto functions = std::array{
     Named{"abs", [](double x) { return std::abs(x); }},
@@ -25,13 +24,13 @@ constexpr auto functions = std::array{
     Named{"ceil", [](double x) { return std::ceil(x); }},
     Named{"cos", [](double x) { return std::cos(x); }},
     Named{"cosh", [](double x) { return std::cosh(x); }},
-    Named{"degrees", [](double x) { return x / degree; }},
+    Named{"degrees", [](double x) { return x / radians_per_degree; }},
     Named{"exp", [](double x) { return std::exp(x); }},
     Named{"floor", [](double x) { return std::floor(x); }},
     Named{"int", [](double x) { return static_cast<double>(to_int32(x)); }},
     Named{"ln", [](double x) { return std::log(x); }},
     Named{"log", [](double x) { return std::log10(x); }},
-    Named{"radians", [](double x) { return x * degree; }},
+    Named{"radians", [](double x) { return x * radians_per_degree; }},
     Named{"sin", [](double x) { return std::sin(x); }},
     Named{"sinh", [](double x) { return std::sinh(x); }},
     Named{"sqrt", [](double x) { return std::sqrt(x); }},

@@ -3,6 +3,8 @@
 // prepare their point. Included by the files that define the functions, only.
 #pragma once
 
+#include "base/degrees.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,7 +34,7 @@ struct Parameters {
         Parameters result = *this;
         if (!(p[first] > 0)) return result;
         const double away = std::sqrt(xx + zz) - p[first + 1];
-        const double angle = p[first + 2] * pi / 180;
+        const double angle = p[first + 2] * radians_per_degree;
         result.x = away;
         if (angle != 0) {
             result.x = away * std::cos(angle) - y * std::sin(angle);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/solid.h"
 
+#include "base/degrees.h"
 #include "formula/parameters.h"
 
 #include <array>
@@ -114,7 +115,8 @@ double helix1(const double* arguments) {
     const double theta = wrapped(a.p[0] * std::atan2(a.z, a.x) + a.p[0] * a.p[1] * a.y, 2 * pi);
     double u = away - a.p[3], w = (theta - pi) / (a.p[4] * a.p[1] * a.p[0]);
     if (a.p[5] != 1 && a.p[6] != 0) {
-        const double angle = a.p[6] * pi / 180, cosine = std::cos(angle), sine = std::sin(angle);
+        const double angle = a.p[6] * radians_per_degree, cosine = std::cos(angle),
+                     sine = std::sin(angle);
         const double turned = u * cosine - w * sine;
         w = u * sine + w * cosine;
         u = turned;

@@ -4,6 +4,7 @@
 #include "index/split.h"
 
 #include "base/parallel.h"
+#include "base/spent_pages.h"
 
 #include <oneapi/tbb/parallel_invoke.h>
 
@@ -157,10 +158,15 @@ Subtree::Halves Subtree::take_halves(const std::pair<Box, Box>& cells, const Spl
     Halves result;
     result.below.reserve(below);
     result.above.reserve(above);
-    for (const Fragment& f : fragments_) {
+    // What has been read is given back now and then, so that not all is there twice.
+    constexpr std::size_t batch = 1 << 16;
+    for (std::size_t i = 0; i < fragments_.size(); ++i) {
+        const Fragment& f = fragments_[i];
         const Sides part = sides(f, cells, split);
         if (!part.above.empty()) result.above.push_back({part.above, f.item});
         if (!part.below.empty()) result.below.push_back({part.below, f.item});
+        if ((i + 1) % batch == 0)
+            give_back_pages(&fragments_[i + 1 - batch], batch * sizeof(Fragment));
     }
     std::vector<Fragment>().swap(fragments_);
     return result;

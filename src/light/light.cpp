@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "light/light.h"
 
+#include "base/degrees.h"
 #include "base/transform.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
-#include <numbers>
 
 const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     using F = Field<PointLight>;
@@ -51,7 +51,7 @@ double smooth(double x) {
     return t * t * (3 - 2 * t);
 }
 
-double cosine_of(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+double cosine_of(double degrees) { return std::cos(degrees * radians_per_degree); }
 
 Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
 

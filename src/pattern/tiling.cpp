@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/tiling.h"
 
+#include "base/degrees.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ struct Tile {
 };
 
 Vec2 direction(double degrees) {
-    const double radians = degrees * std::numbers::pi / 180;
+    const double radians = degrees * radians_per_degree;
     return {std::cos(radians), std::sin(radians)};
 }
 

@@ -63,6 +63,25 @@ std::string confines_text(std::string_view word, const std::vector<ObjectHandle>
     return text + "}";
 }
 
+/// The textures that faces of a mesh name by number.
+std::string list_text(const std::vector<Handle<Texture>>& list) {
+    std::string text = message("texture_list { ", list.size());
+    for (const Handle<Texture>& each : list) text += ", " + dump(*each);
+    return text + " }";
+}
+
+bool is_mesh(const Object& object) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    return shape && std::holds_alternative<Shared<Mesh>>(*shape);
+}
+
+/// The texture of a part, which stands in the object's block before what moves the whole.
+std::string part_look(const Object& object, int number) {
+    const Texture& texture = *object.part_textures->list[static_cast<std::size_t>(number)];
+    return " " +
+           dump(object.transform ? transformed(texture, object.transform->inverse()) : texture);
+}
+
 /// What follows an object's own content. The texture comes last: transformations before it do not
 /// move it.
 std::vector<std::string> modifiers(const Object& object) {
@@ -76,6 +95,8 @@ std::vector<std::string> modifiers(const Object& object) {
     for (std::size_t i = 0; i < Switches::vocabulary.fields.size(); ++i)
         if (std::get<double>(Switches::vocabulary.get(&object.switches(), i)) != 0)
             result.emplace_back(Switches::vocabulary.fields[i].name);
+    if (object.part_textures && !object.part_textures->list.empty() && is_mesh(object))
+        result.push_back(list_text(object.part_textures->list));
     if (object.part_textures && object.part_textures->interior)
         result.push_back("interior_" + dump(*object.part_textures->interior));
     if (object.interior) result.push_back(block_text(*object.interior));
@@ -225,7 +246,8 @@ private:
     void write(Shape shape, const Object& object, std::size_t depth) {
         const ItemInfo& info = *Kinds<Shape>::infos[shape.index()];
         out_.append(4 * depth, ' ');
-        out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(shape)));
+        const auto look = [&](int number) { return part_look(object, number); };
+        out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(shape), look));
         for (const std::string& each : modifiers(object)) out_ += " " + each;
         out_ += " }\n";
     }

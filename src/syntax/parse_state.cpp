@@ -101,9 +101,33 @@ List ParseState::parameter(List list, NameId name, Stretch place) {
     return append(list, add(place, node::Parameter{name, false}));
 }
 
+namespace {
+
+/// The number with a comma for its point that the text ends in, as in `= 1,5`; or nothing.
+std::string_view number_with_comma(std::string_view text) {
+    constexpr std::string_view digits = "0123456789";
+    const std::size_t comma = text.find_last_not_of(digits);
+    if (comma == text.npos || comma + 1 == text.size() || text[comma] != ',') return {};
+    const std::size_t sign = text.substr(0, comma).find_last_not_of(digits);
+    if (sign == text.npos || sign + 1 == comma) return {};
+    const std::size_t equal = text.substr(0, sign + 1).find_last_not_of(" -+");
+    return equal != text.npos && text[equal] == '=' ? text.substr(sign + 1) : std::string_view();
+}
+
+}  // namespace
+
 NodeId ParseState::stray_semicolon(Stretch place) {
     // After an error it may be the end of something that was left out.
     if (diagnostics.failed()) return no_node;
+    if (const auto number = number_with_comma(text.substr(0, place.first)); !number.empty()) {
+        const auto first = place.first - static_cast<std::uint32_t>(number.size());
+        const std::size_t comma = number.find(',');
+        diagnostics.add(error(Fault::syntax, span({first, place.first}),
+                              "a number is written with a point, not with a comma")
+                            .with_help(message("write ", number.substr(0, comma), ".",
+                                               number.substr(comma + 1))));
+        return no_node;
+    }
     diagnostics.add(warning(Fault::semicolon, span(place), "this `;` has no effect")
                         .with_help("`;` ends a #declare of numbers and nothing else"));
     return no_node;

@@ -73,6 +73,7 @@ std::string_view advice(TokenKind found, const Expected& expected) {
         case TokenKind::question:
             return "comparisons and conditions are written in parentheses: (a > b)";
         case TokenKind::equal:
+            if (expected.name()) return "the name comes before the `=`: #declare Name = value;";
             return expected.element() ? "a name gets a value by `#declare Name = value;`"
                                       : "comparisons are written in parentheses: (a = b)";
         case TokenKind::colour_prefix:
@@ -88,6 +89,16 @@ std::string_view advice(TokenKind found, const Expected& expected) {
     }
 }
 
+/// How a directive is written whose word is the last of the text, and that needs a parenthesis.
+std::string_view in_parentheses(std::string_view before) {
+    const std::string_view word = before.substr(std::min(before.rfind('#'), before.size()));
+    if (word.starts_with("#for")) return "a loop counts in parentheses: #for (I, 1, 10)";
+    if (word.starts_with("#macro")) return "parameters stand in parentheses: #macro Name(A, B)";
+    if (word.starts_with("#switch") || word.starts_with("#case"))
+        return "what is looked at stands in parentheses: #switch (A) #case (1)";
+    return "a condition stands in parentheses: (a > b)";
+}
+
 /// What people write who come from another language; `before` and `after` are the text around the
 /// place.
 std::string_view habit(TokenKind found, const Expected& expected, std::string_view before,
@@ -96,7 +107,7 @@ std::string_view habit(TokenKind found, const Expected& expected, std::string_vi
     const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
     const std::string wanted = expected.list();
     if (before.ends_with("++") || before.ends_with("--")) return change;
-    if (wanted == "`(`") return "a condition stands in parentheses: (a > b)";
+    if (wanted == "`(`") return in_parentheses(before);
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return change;
@@ -138,8 +149,10 @@ void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKi
                 habit(found, expected, text.substr(0, place.first), text.substr(place.first));
             !help.empty())
             problem.with_help(std::string(help));
-        if (const auto open = brackets.innermost();
-            open && open->first != place.first && !expected.element() && !expected.name() &&
+        const auto open = brackets.innermost();
+        if (found == TokenKind::equal && expected.element() && open && text[open->first] == '{')
+            problem.with_help("the words of a block have no `=`: radius 2");
+        if (open && open->first != place.first && !expected.element() && !expected.name() &&
             (expected.has(TokenKind::close_parenthesis) || expected.has(TokenKind::close_bracket)))
             problem.pointing(*open, "opened here");
         diagnostics.add(problem);

@@ -155,6 +155,11 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
     Diagnostic result =
         error(Fault::include_not_found, span, message("there is no file `", name, "`"));
     result.with_note(searched_note(name, including_directory));
+    if (name.find('\\') != name.npos) {
+        std::string meant = name;
+        std::ranges::replace(meant, '\\', '/');
+        return result.with_help(message("folders are separated by `/`: \"", meant, "\""));
+    }
     if (!lister_) return result;
     std::vector<std::string> folders;
     for (const std::string& folder : places(name, including_directory))

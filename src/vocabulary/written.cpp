@@ -77,8 +77,34 @@ std::string moved_text(const Transform& transform) {
     return message(text, map.translation.x, ", ", map.translation.y, ", ", map.translation.z, ">");
 }
 
+/// Faces, each with the numbers of its textures behind it.
+std::string faces_text(const std::vector<Face>& faces, const std::vector<Face>& looks) {
+    std::string text = message(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        text += ", " + Writer::entry(faces[i]);
+        const auto [a, b, c] = looks[i];
+        if (a >= 0)
+            text += a == b && b == c ? message(", ", a) : message(", ", a, ", ", b, ", ", c);
+    }
+    return text;
+}
+
+/// The text of a list, with what follows each entry of it.
+std::string list_text(const ItemInfo& item, const void* object, std::size_t i) {
+    const FieldValue value = item.get(object, i);
+    const auto* faces = std::get_if<std::vector<Face>>(&value);
+    const bool followed =
+        faces && i + 1 < item.fields.size() && item.fields[i + 1].place == Placement::following;
+    if (followed) {
+        const FieldValue next = item.get(object, i + 1);
+        const auto* looks = std::get_if<std::vector<Face>>(&next);
+        if (looks && !looks->empty()) return faces_text(*faces, *looks);
+    }
+    return written(value, item.fields[i].type);
+}
+
 /// Blocks of the parts in a list.
-std::string parts_text(const FieldInfo& field, const void* object) {
+std::string parts_text(const FieldInfo& field, const void* object, WrittenLook look) {
     std::string text;
     for (std::size_t i = 0; i < field.parts->count(object); ++i) {
         const void* part = field.parts->at(object, i);
@@ -86,9 +112,11 @@ std::string parts_text(const FieldInfo& field, const void* object) {
         text += message(text.empty() ? "" : " ", field.name, loose ? " " : " { ",
                         written_fields(field.parts->info(), part));
         if (loose) continue;
-        // Only the caller's own copy would be changed through it, and nobody does.
-        if (field.parts->transform)
-            text += moved_text(*field.parts->transform(const_cast<void*>(part)));
+        // Only the caller's own copy would be changed through these, and nobody does.
+        void* const open = const_cast<void*>(part);
+        if (field.parts->transform) text += moved_text(*field.parts->transform(open));
+        if (const int number = field.parts->looks == 1 ? *field.parts->look(open) : -1; number >= 0)
+            text += look(number);
         text += " }";
     }
     return text;
@@ -115,14 +143,14 @@ std::string item_values(const ItemInfo& item, const void* object, std::size_t fi
 }
 
 /// A field that has a word, as it stands in the text; nothing when it has its default.
-std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
+std::string worded(const ItemInfo& item, const void* object, std::size_t i, WrittenLook look) {
     const FieldInfo& field = item.fields[i];
     const std::string name(field.name), value = written(item.get(object, i), field.type);
     const bool changed = !value.empty() && value != written(item.default_value(i), field.type);
     switch (field.place) {
         case Placement::parts:
         case Placement::loose_part:
-            return parts_text(field, object);
+            return parts_text(field, object, look);
         case Placement::item: {
             const std::string values = item_values(item, object, i);
             return values.empty() ? values : name + " " + values;
@@ -132,7 +160,7 @@ std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
         case Placement::flag:
             return !changed ? std::string() : value == "on" ? name : name + " " + value;
         case Placement::list:
-            return changed ? name + " { " + value + " }" : std::string();
+            return changed ? name + " { " + list_text(item, object, i) + " }" : std::string();
         default:
             return {};
     }
@@ -141,6 +169,10 @@ std::string worded(const ItemInfo& item, const void* object, std::size_t i) {
 }  // namespace
 
 std::string written_fields(const ItemInfo& item, const void* object) {
+    return written_fields(item, object, [](int) { return std::string(); });
+}
+
+std::string written_fields(const ItemInfo& item, const void* object, WrittenLook look) {
     std::string choices, positional, others;
     bool unset = false;
     for (std::size_t i = 0; i < item.fields.size(); ++i) {
@@ -153,7 +185,7 @@ std::string written_fields(const ItemInfo& item, const void* object) {
             positional += message(positional.empty() ? "" : ", ", value);
             continue;
         }
-        const std::string text = worded(item, object, i);
+        const std::string text = worded(item, object, i, look);
         std::string& to = field.place == Placement::choice ? choices : others;
         to += message(to.empty() || text.empty() ? "" : " ", text);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/sources.h"
 
+#include "base/degrees.h"
+
 #include <algorithm>
 #include <map>
 
@@ -23,8 +25,8 @@ Falloff falloff(const PointLight& light) {
     Falloff result;
     result.fade_distance = light.fade_distance;
     result.fade_power = light.fade_power;
-    const double dark = light.falloff.value_or(45) * std::numbers::pi / 180,
-                 bright = light.radius.value_or(30) * std::numbers::pi / 180;
+    const double dark = light.falloff.value_or(45) * radians_per_degree,
+                 bright = light.radius.value_or(30) * radians_per_degree;
     const bool turned = light.is_area() && light.area_illumination;
     if (light.kept_to() != cone || light.parallel || turned) return result;
     // Without a bright part, or with one that is wider than a half space, the cone has no edge but

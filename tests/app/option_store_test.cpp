@@ -44,6 +44,12 @@ TEST_CASE("limits are raised with the stack that they need") {
     store::limit_depth(options, {"--limit-depth", true, "1e7"}, diagnostics);
     CHECK(options.limits.call_depth == 10'000'000);
     CHECK(options.limits.stack_bytes > 10 * usual);
+    store::limit_includes(options, {"--limit-includes", true, "1000"}, diagnostics);
+    CHECK(options.limits.include_depth == 1000);
+    store::limit_elements(options, {"--limit-elements", true, "5"}, diagnostics);
+    CHECK(options.limits.array_elements == 5);
+    store::limit_elements(options, {"--limit-elements", true, "1e12"}, diagnostics);
+    CHECK(options.limits.array_elements == 2'000'000'000);
     store::limit_steps(options, {"--limit-steps", true, "0"}, diagnostics);
     CHECK(options.limits.steps == Limits().steps);
     CHECK(diagnostics.error_count() == 1);

@@ -43,7 +43,7 @@ TEST_CASE("a wrong call gets one message", "[evaluate]") {
         {"nope(1)", "error: nothing is declared as `nope`\n"},
         {"#declare a = 1; a(1)", "error: `a` is a number and cannot be called\n"},
         {"#macro A() #end #declare a = A();",
-         "error: a value is wanted here, and this gives none\n"},
+         "error: a value is wanted here, and this macro gives none\n"},
         {"#macro A() 1, 2 #end #declare a = A();",
          "error: one value is wanted here, and this gives 2\n"},
         {"#macro A() open #end #declare a = A();",

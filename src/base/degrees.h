@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The language counts angles in degrees, mathematics in radians. Used wherever one becomes the
+// other.
+#pragma once
+
+#include <numbers>
+
+inline constexpr double radians_per_degree = std::numbers::pi / 180;

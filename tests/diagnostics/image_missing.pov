@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture that is not there
+#version 3.7;
+sphere { 0, 1 pigment { image_map { png "nothing.png" } } }
