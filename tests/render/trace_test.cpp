@@ -34,8 +34,10 @@ TEST_CASE("clear surfaces without refraction use up no level", "[render]") {
     const std::string panes = R"(
         #for (I, 1, 30) box { <-9, -9, I>, <9, 9, I + 0.5> pigment { rgbt 1 } } #end
         background { rgb 0.5 }
-        global_settings { max_trace_level 5 })";
-    CHECK(seen(panes).x == Approx(0.5));
+        global_settings { max_trace_level )";
+    CHECK(seen(panes + "5 }").x == Approx(0.5));
+    CHECK(seen(panes + "2 }").x == Approx(0.5));
+    CHECK(seen(panes + "1 }").x == 0);  // but need one that is left
 }
 
 TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
