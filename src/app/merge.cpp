@@ -64,7 +64,7 @@ private:
         const Film& other = first().state.film;
         const Share &a = one.state.share, &b = first().state.share;
         if (film.width() != other.width() || film.height() != other.height() ||
-            a.tile_step != b.tile_step || a.region != b.region)
+            film.extras() != other.extras() || a.tile_step != b.tile_step || a.region != b.region)
             return mixed("the picture was cut in another way");
         if (!one.finished)
             missing(message("`", harmless(state.name), "` is not finished"), Gaps::around);
@@ -105,8 +105,8 @@ private:
 
     Checkpoint sum() const {
         Checkpoint result = first();
-        std::vector<PixelSum>& pixels = result.state.film.pixels();
-        std::ranges::fill(pixels, PixelSum());
+        Film& film = result.state.film;
+        film = Film(film.width(), film.height(), film.extras());
         result.samples = 0;
         for (const NamedState& state : states_) {
             const RenderState& part = state.checkpoint.state;
@@ -114,8 +114,8 @@ private:
                 for (int x = 0; x < part.film.width(); ++x)
                     // A shard of tiles also has samples around its tiles.
                     if (part.share.owns(x, y)) {
-                        result.state.film.at(x, y).add(part.film.at(x, y));
-                        result.state.film.at(x, y).target += part.film.at(x, y).target;
+                        film.add(film.index(x, y), part.film);
+                        film.at(x, y).target += part.film.at(x, y).target;
                     }
             result.samples += state.checkpoint.samples;
             result.finished &= state.checkpoint.finished;
@@ -181,12 +181,18 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
         return bytes && write_file(options.output, *bytes, diagnostics);
     }
     if (options.output.empty()) options.output = usual_output(request.files.front());
+    FilmFiles files;
+    tell_layers(result.identity, files);
+    options.alpha = files.alpha;
+    options.layers = files.layers;
     Output output = output_of(options, diagnostics);
     if (diagnostics.failed()) return false;
     output.format.gamma = number(fact(result.identity, "gamma")).value_or(1);
     output.format.encoded = fact(result.identity, "encoded") == "yes";
     output.format.description = description(result.identity, static_cast<int>(result.samples));
-    return write_picture(result.state.film.image(), output.path, output.format, diagnostics);
+    files.path = output.path;
+    files.format = output.format;
+    return write_film(result.state.film, files, diagnostics);
 }
 
 }  // namespace
