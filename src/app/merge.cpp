@@ -8,6 +8,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace {
@@ -137,6 +138,14 @@ struct Request {
     bool partial = false;
 };
 
+/// Whether an option, as in an INI file, can change what merge does.
+bool matters(std::string_view given) {
+    static constexpr auto all = std::to_array<std::string_view>(
+        {"Output_File_Name=", "Output_File_Type=", "+F", "Bits_Per_Color=", "Grayscale_Output=",
+         "Verbose=", "--diagnostics=", "--warn=", "Warning_Level=", "Input_File_Name="});
+    return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
+}
+
 Request read_request(std::span<const std::string_view> arguments, Diagnostics& diagnostics) {
     Request request;
     std::vector<std::string_view> others;
@@ -150,6 +159,12 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
             others.push_back(argument);
     }
     request.options = read_options(others, diagnostics);
+    for (const std::string& given : request.options.given)
+        if (!matters(given))
+            diagnostics.add(warning(Fault::option, {},
+                                    message("`", harmless(given),
+                                            "` is ignored: how the picture is made, its states "
+                                            "say")));
     if (request.options.scene)
         diagnostics.add(error(Fault::option, {},
                               message("`", harmless(*request.options.scene),

@@ -15,6 +15,7 @@ constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
 constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";
+constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view kd_tree = "a kd-tree is always used";
 
 using Store = void (*)(Options&, const Given&, Diagnostics&);
@@ -46,6 +47,11 @@ constexpr OptionRow ignored(Text letters, Text keyword, Takes takes, Text parame
 constexpr OptionRow refused(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
     return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::refused};
 }
+
+/// POV-Ray's one long option that means nothing here.
+constexpr OptionRow benchmark = {"", "",      "benchmark",
+                                 "", nothing, "there is no scene of its own to measure",
+                                 {}, nullptr, Unoffered::ignored};
 
 template <Stream which>
 constexpr OptionRow stream(Text letters, Text keyword, Text help) {
@@ -267,6 +273,10 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
     ignored("AC", "Antialias_Confidence", value, "n", "see --noise"),
     ignored("", "Display_Gamma", value, "g", no_preview),
+    ignored("", "User_Abort_Return", value, "action", over),
+    ignored("", "Fatal_Error_Return", value, "action", over),
+    ignored("", "Continue_Trace_Log", value, "file", "states have names of their own; see STATES"),
+    benchmark,
     refused("TH", "Dither", sign_and_value, "x",
             "pictures are not dithered; 16 bits have no steps that are seen: +FN16"),
     refused("", "Dither_Method", value, "x", "pictures are not dithered"),

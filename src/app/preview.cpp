@@ -51,7 +51,7 @@ public:
         options_.task = Task::render;
         options_.progress = "none";
         options_.light_report = true;
-        options_.layers = {PictureLayer::object};  // so that objects are remembered
+        options_.layers.clear();  // the page has its own way to show them
     }
 
     int run() {

@@ -143,6 +143,14 @@ struct Describe {
     Description operator()(const node::Write& n) const { return {"#write", {{"", n.content}}}; }
 };
 
+/// Blanks for the depth. Deeper lines than anybody reads tell it as a number: blanks would take
+/// more room than a disk has.
+std::string indentation(std::size_t depth) {
+    constexpr std::size_t deepest = 100;
+    if (depth <= deepest) return std::string(2 * depth, ' ');
+    return message(std::string(2 * deepest, ' '), "(", depth, " deep) ");
+}
+
 }  // namespace
 
 std::string dump(const Tree& tree, const Names& names) {
@@ -164,8 +172,8 @@ std::string dump(const Tree& tree, const Names& names) {
         const Line line = work.back();
         work.pop_back();
         const Description description = std::visit(Describe{tree, names}, tree[line.id].content);
-        result += message(std::string(2 * line.depth, ' '), line.label,
-                          line.label.empty() ? "" : ": ", description.text, "\n");
+        result += message(indentation(line.depth), line.label, line.label.empty() ? "" : ": ",
+                          description.text, "\n");
         for (std::size_t i = description.lists.size(); i-- > 0;)
             push(line.depth + 1, description.lists[i].first, description.lists[i].second);
     }

@@ -4,6 +4,7 @@
 #include "syntax/escapes.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -391,10 +392,19 @@ std::string dump_tokens(SourceId source, const SourceStore& sources, Names& name
     tree.source = source;
     Lexer lexer(source, sources, names, tree, diagnostics);
     std::string result;
+    const std::string_view text = sources.text(source);
+    Place place;
+    std::uint32_t at = 0;  // whose place that is; nothing at first
     for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        const Place place = sources.place(source, token.first);
+        // A line may be as long as the file: its characters are counted once.
+        const std::string_view between = text.substr(at, token.first - at);
+        if (at == 0 || between.find_first_of("\r\n") != between.npos)
+            place = sources.place(source, token.first);
+        else
+            place.column += static_cast<int>(character_count(between));
+        at = token.first;
         result += message(place.line, ":", place.column, " ", name(token.kind), " ",
-                          sources.text(source).substr(token.first, token.last - token.first), "\n");
+                          text.substr(token.first, token.last - token.first), "\n");
     }
     return result;
 }

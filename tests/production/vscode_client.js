@@ -88,8 +88,9 @@ function type(now) {
   assert(colour.color.red > colour.color.green && colour.color.green > colour.color.blue);
   const texts = await providers.colour.provideColorPresentations(new vscode.Color(0, 0, 1, 1), { document: open, range: colour.range });
   assert.match(texts[0].label, /rgb <0, 0, 1>/);
-  type("sphere{0,1}\n");
-  assert((await providers.format.provideDocumentFormattingEdits(open))[0].newText.includes("sphere {"));
+  type("union {\nsphere { 0, 1 }\n}\n");
+  const [laidOut] = await providers.format.provideDocumentFormattingEdits(open);
+  assert(laidOut.newText.includes("    sphere"));
   await extension.deactivate();
   console.log("the extension works");
 })().catch(error => {

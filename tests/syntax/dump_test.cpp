@@ -18,3 +18,14 @@ TEST_CASE("a tree is dumped a node a line", "[syntax]") {
           "call M\n"
           "  with: text \"s\"\n");
 }
+
+TEST_CASE("what is nested deeper than anybody reads tells its depth as a number", "[syntax]") {
+    const std::size_t depth = 20000;
+    const std::string text =
+        Parsed("#declare A = " + std::string(depth, '(') + "1" + std::string(depth, ')') + ";")
+            .dumped();
+    CHECK(text.find("\n" + std::string(200, ' ') + "group\n") != text.npos);
+    CHECK(text.find(" (101 deep) group\n") != text.npos);
+    CHECK(text.ends_with("deep) number 1\n"));
+    CHECK(text.size() < 300 * depth);
+}
