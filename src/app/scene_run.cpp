@@ -17,7 +17,6 @@
 #include "picture/file.h"
 #include "scene/dump.h"
 #include "syntax/dump.h"
-#include "syntax/lexer.h"
 #include "syntax/parser.h"
 #include "text/harmless.h"
 #include "text/message.h"

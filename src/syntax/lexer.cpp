@@ -4,7 +4,6 @@
 #include "syntax/escapes.h"
 #include "text/message.h"
 #include "text/nearest.h"
-#include "text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -384,27 +383,4 @@ void Lexer::double_sign(const char* first, std::string_view instead) {
         error(Fault::syntax, span(first, cursor_),
               message("this language writes `", instead, "`, not `", instead, instead, "`"))
             .with_help(message("write `", instead, "`")));
-}
-
-std::string dump_tokens(SourceId source, const SourceStore& sources, Names& names,
-                        Diagnostics& diagnostics) {
-    Tree tree;
-    tree.source = source;
-    Lexer lexer(source, sources, names, tree, diagnostics);
-    std::string result;
-    const std::string_view text = sources.text(source);
-    Place place;
-    std::uint32_t at = 0;  // whose place that is; nothing at first
-    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        // A line may be as long as the file: its characters are counted once.
-        const std::string_view between = text.substr(at, token.first - at);
-        if (at == 0 || between.find_first_of("\r\n") != between.npos)
-            place = sources.place(source, token.first);
-        else
-            place.column += static_cast<int>(character_count(between));
-        at = token.first;
-        result += message(place.line, ":", place.column, " ", name(token.kind), " ",
-                          text.substr(token.first, token.last - token.first), "\n");
-    }
-    return result;
 }

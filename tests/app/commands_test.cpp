@@ -323,7 +323,7 @@ TEST_CASE("each form of progress says it to those who listen") {
     const Case cases[] = {
         {"alf", true, "ALF_PROGRESS 100%\n"},
         {"openjd", true, "openjd_progress: 100\n"},
-        {"json", false, "{\"progress\":1.0,\"seconds\":"},
+        {"json", false, "{\"progress\":1,\"seconds\":"},
     };
     for (const Case& each : cases) {
         Shell shell;

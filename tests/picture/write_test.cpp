@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/write.h"
 
+#include "base/colour.h"
+
 #include <catch2/catch.hpp>
 
 #include <array>
