@@ -3,6 +3,8 @@
 
 #include "app/checkpoint.h"
 #include "app/frame_commands.h"
+#include "app/frame_run.h"
+#include "app/memory_limit.h"
 #include "app/movie.h"
 #include "app/output.h"
 #include "app/scene_run.h"
@@ -10,6 +12,7 @@
 #include "text/message.h"
 
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 namespace {
@@ -30,14 +33,12 @@ public:
         if (diagnostics_.failed()) return end_with_errors();
         const Shard part = part_of_frames();
         if (diagnostics_.failed()) return end_with_errors();
-        for (std::size_t i = 0; i < animation_.frames.size(); ++i) {
-            const std::size_t turn = i % static_cast<std::size_t>(part.count) + 1;
-            if (turn != static_cast<std::size_t>(part.number)) continue;
-            const Outcome outcome = render_frame(i);
-            if (outcome.status != exit_status::done) return outcome.status;
-            if (outcome.ends) break;
-        }
-        return makes_film() ? join() : exit_status::done;
+        for (std::size_t i = 0; i < animation_.frames.size(); ++i)
+            if (i % static_cast<std::size_t>(part.count) + 1 ==
+                static_cast<std::size_t>(part.number))
+                mine_.push_back(i);
+        const int status = options_.commands.any() ? one_by_one() : side_by_side();
+        return status == exit_status::done && makes_film() ? join() : status;
     }
 
 private:
@@ -79,40 +80,102 @@ private:
         return skips && fs::exists(path, none);
     }
 
-    Outcome render_frame(std::size_t i) {
+    Options frame_options(std::size_t i) const {
         const AnimationFrame& frame = animation_.frames[i];
         Options options = options_;
         options.type = output_.format.type;
         options.output = output_.path == "-"
                              ? output_.path
                              : numbered(output_.path, frame.number, animation_.digits);
-        RunFacts& facts = options.facts;
-        facts.clock = frame.clock;
-        facts.clock_given = true;
-        facts.frame_number = frame.number;
-        facts.initial_frame = animation_.initial_frame;
-        facts.final_frame = animation_.final_frame;
-        facts.initial_clock = options_.animation.initial_clock;
-        facts.final_clock = options_.animation.final_clock;
-        facts.clock_delta = animation_.clock_delta;
+        set_frame(options.facts, options_.animation, animation_, frame);
         for (std::string* each : {&options.stats_file, &options.depfile})
             if (!each->empty() && *each != "-")
                 *each = numbered(*each, frame.number, animation_.digits);
         const double count = static_cast<double>(animation_.frames.size());
         options.share = {static_cast<double>(i) / count, static_cast<double>(i + 1) / count};
-        files_.push_back(options.output);
         if (!options.shard_by) options.shard_by = ShardBy::frames;
-        const bool there = is_there(options.output);
-        if (talks(options_))
-            say(console_, Stream::render,
-                message("frame ", frame.number, " (", i + 1, " of ", animation_.frames.size(),
-                        "), clock ", frame.clock, there ? ": is there\n" : "\n"));
-        if (there) return {};
-        // What is wrong with the command line is said once.
-        Diagnostics later = diagnostics_.fresh();
-        return with_frame_commands(options, [&] {
-            return run_scene(options, console_, std::exchange(said_, true) ? later : diagnostics_);
-        });
+        return options;
+    }
+
+    void announce(std::size_t i, bool there) const {
+        if (!talks(options_)) return;
+        const AnimationFrame& frame = animation_.frames[i];
+        say(console_, Stream::render,
+            message("frame ", frame.number, " (", i + 1, " of ", animation_.frames.size(),
+                    "), clock ", frame.clock, there ? ": is there\n" : "\n"));
+    }
+
+    /// What is wrong with the command line is said once.
+    Diagnostics problems_of_frame() {
+        return std::exchange(said_, true) ? diagnostics_.fresh() : diagnostics_;
+    }
+
+    /// Commands of the shell may make what a frame needs, so each frame is done before the next.
+    int one_by_one() {
+        for (const std::size_t i : mine_) {
+            const Options options = frame_options(i);
+            files_.push_back(options.output);
+            const bool there = is_there(options.output);
+            announce(i, there);
+            if (there) continue;
+            Diagnostics problems = problems_of_frame();
+            const Outcome outcome = with_frame_commands(
+                options, [&] { return run_scene(options, console_, problems); });
+            if (outcome.status != exit_status::done) return outcome.status;
+            if (outcome.ends) break;
+        }
+        return exit_status::done;
+    }
+
+    /// Each frame is prepared while the one before is rendered, and written while the next one is.
+    int side_by_side() {
+        std::unique_ptr<FrameRun> before, next;
+        for (std::size_t at = 0; at < mine_.size(); ++at) {
+            std::unique_ptr<FrameRun> now = next ? std::move(next) : begin(at, {});
+            if (!before) speak(at, now.get());
+            const bool renders = now && begin_turn(at, before.get(), now);
+            if (before && before->finish() != exit_status::done) return before->finish();
+            if (before) speak(at, now.get());
+            if (!now) continue;
+            if (renders && at + 1 < mine_.size() && may_look_ahead())
+                next = begin(at + 1, now->options().output);
+            if (!now->wait_rendered() && now->finish() != exit_status::done) return now->finish();
+            before = std::move(now);
+        }
+        return before ? before->finish() : exit_status::done;
+    }
+
+    void speak(std::size_t at, FrameRun* frame) const {
+        announce(mine_[at], !frame);
+        if (frame) frame->speak();
+    }
+
+    /// Lets a frame render; the one before has been rendered, and ends meanwhile. False when it has
+    /// ended without that.
+    bool begin_turn(std::size_t at, FrameRun* before, std::unique_ptr<FrameRun>& now) {
+        if (now->render()) return true;
+        if (!now->options().prepared_ahead || now->finish() == exit_status::done) return false;
+        // It may have needed the picture before; if not, it fails in the same way again.
+        if (before && before->finish() != exit_status::done) return false;
+        looks_ahead_ = false;
+        now = begin(at, {});
+        return now && now->render();
+    }
+
+    bool may_look_ahead() const {
+        return looks_ahead_ && options_.task == Task::render && options_.render.threads != 1 &&
+               may_double(memory_in_use(), options_.memory_bytes);
+    }
+
+    /// `unfinished`: a picture that is being made meanwhile. Nothing: the frame is there.
+    std::unique_ptr<FrameRun> begin(std::size_t at, const std::string& unfinished) {
+        Options options = frame_options(mine_[at]);
+        if (files_.size() <= at) files_.push_back(options.output);
+        if (is_there(options.output)) return nullptr;
+        options.prepared_ahead = !unfinished.empty();
+        options.at_once = most_at_once;
+        return std::make_unique<FrameRun>(std::move(options), console_, problems_of_frame(),
+                                          unfinished);
     }
 
     int join() {
@@ -128,11 +191,28 @@ private:
     const Console& console_;
     Diagnostics& diagnostics_;
     Output output_;
+    /// One frame is written, one rendered, one prepared.
+    static constexpr unsigned most_at_once = 3;
+
+    std::vector<std::size_t> mine_;  ///< the frames of this run
     std::vector<std::string> files_;
     bool said_ = false;  ///< what is wrong with the command line
+    bool looks_ahead_ = true;
 };
 
 }  // namespace
+
+void set_frame(RunFacts& facts, const AnimationSettings& settings, const Animation& animation,
+               const AnimationFrame& frame) {
+    facts.clock = frame.clock;
+    facts.clock_given = true;
+    facts.frame_number = frame.number;
+    facts.initial_frame = animation.initial_frame;
+    facts.final_frame = animation.final_frame;
+    facts.initial_clock = settings.initial_clock;
+    facts.final_clock = settings.final_clock;
+    facts.clock_delta = animation.clock_delta;
+}
 
 int run_animation(const Options& options, const Animation& animation, const Console& console,
                   Diagnostics& diagnostics) {

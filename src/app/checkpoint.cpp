@@ -21,50 +21,78 @@ constexpr auto channels = std::array{"R", "G", "B"};
 /// One plane that holds 32 bits of each pixel's sums.
 struct Part {
     std::string name;
-    std::function<std::uint32_t(const PixelSum&)> get;
-    std::function<void(PixelSum&, std::uint32_t)> set;
+    std::function<std::uint32_t(const Film&, std::size_t pixel)> get;
+    std::function<void(Film&, std::size_t pixel, std::uint32_t bits)> set;
 };
+
+/// A part that lies in the sums of the pixel itself.
+template <class Get, class Set>
+Part own_part(std::string name, const Get& get, const Set& set) {
+    return {std::move(name),
+            [get](const Film& film, std::size_t i) { return get(film.pixels()[i]); },
+            [set](Film& film, std::size_t i, std::uint32_t bits) { set(film.pixels()[i], bits); }};
+}
 
 using Counts = std::array<std::uint64_t, 3>;
 
 Part half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::string name) {
     const int shift = 32 * half;
-    return {
+    return own_part(
         std::move(name),
         [=](const PixelSum& p) { return static_cast<std::uint32_t>((p.*sums)[channel] >> shift); },
         [=](PixelSum& p, std::uint32_t bits) {
             (p.*sums)[channel] |= std::uint64_t{bits} << shift;
-        }};
+        });
 }
 
-std::vector<Part> parts() {
+/// A word of one of the sums besides the picture's.
+Part extra_part(std::size_t which, int word) {
+    return {message("extra.", which, ".", word),
+            [=](const Film& film, std::size_t i) { return film.extra(i)[which].word(word); },
+            [=](Film& film, std::size_t i, std::uint32_t bits) {
+                film.extra(i)[which].set_word(word, bits);
+            }};
+}
+
+std::vector<Part> parts(std::size_t extras) {
     std::vector<Part> all;
-    all.push_back({"samples", [](const PixelSum& p) { return p.samples; },
-                   [](PixelSum& p, std::uint32_t bits) { p.samples = bits; }});
-    all.push_back({"target", [](const PixelSum& p) { return p.target; },
-                   [](PixelSum& p, std::uint32_t bits) { p.target = bits; }});
-    all.push_back({"shadow_rays", [](const PixelSum& p) { return p.shadow_rays; },
-                   [](PixelSum& p, std::uint32_t bits) { p.shadow_rays = bits; }});
+    const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
+        all.push_back(own_part(
+            std::move(name), [=](const PixelSum& p) { return p.*number; },
+            [=](PixelSum& p, std::uint32_t bits) { p.*number = bits; }));
+    };
+    add_number("samples", &PixelSum::samples);
+    add_number("target", &PixelSum::target);
+    add_number("shadow_rays", &PixelSum::shadow_rays);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         for (int i = 0; i < 4; ++i)
-            all.push_back(
-                {message("sum.", channels[c], i),
-                 [=](const PixelSum& p) { return p.radiance[c].word(i); },
-                 [=](PixelSum& p, std::uint32_t bits) { p.radiance[c].set_word(i, bits); }});
+            all.push_back(own_part(
+                message("sum.", channels[c], i),
+                [=](const PixelSum& p) { return p.radiance[c].word(i); },
+                [=](PixelSum& p, std::uint32_t bits) { p.radiance[c].set_word(i, bits); }));
         for (int i = 0; i < 2; ++i) {
             all.push_back(half_of(&PixelSum::display, c, i, message("shown.", channels[c], i)));
             all.push_back(
                 half_of(&PixelSum::display_squared, c, i, message("squares.", channels[c], i)));
         }
     }
+    for (std::size_t which = 0; which < extras; ++which)
+        for (int word = 0; word < 4; ++word) all.push_back(extra_part(which, word));
     return all;
+}
+
+/// How many sums a picture has besides its own.
+std::size_t extras_in(const LayeredPicture& picture) {
+    const auto planes = std::ranges::count_if(
+        picture.planes, [](const ChannelPlane& plane) { return plane.name.starts_with("extra."); });
+    return static_cast<std::size_t>(planes) / 4;
 }
 
 /// Of the planes that count, in their order; nothing when one is missing.
 std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
     std::uint64_t sum = mix(static_cast<std::uint64_t>(picture.width));
-    for (const Part& part : parts()) {
-        const auto plane = std::ranges::find(picture.planes, part.name, &Plane::name);
+    for (const Part& part : parts(extras_in(picture))) {
+        const auto plane = std::ranges::find(picture.planes, part.name, &ChannelPlane::name);
         if (plane == picture.planes.end()) return std::nullopt;
         for (const std::uint32_t bits : plane->bits) sum = mix(sum ^ bits);
     }
@@ -102,15 +130,16 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
     const Film& film = checkpoint.state.film;
     LayeredPicture picture{film.width(), film.height(), {}, {}};
     for (int c = 0; c < 3; ++c) {
-        Plane plane{channels[static_cast<std::size_t>(c)], false, {}};
+        ChannelPlane plane{channels[static_cast<std::size_t>(c)], false, {}};
         for (const PixelSum& pixel : film.pixels())
             plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(pixel.mean()[c])));
         picture.planes.push_back(std::move(plane));
     }
-    for (const Part& part : parts()) {
-        Plane plane{part.name, true, {}};
+    for (const Part& part : parts(film.extras())) {
+        ChannelPlane plane{part.name, true, {}};
         plane.bits.reserve(film.pixels().size());
-        for (const PixelSum& pixel : film.pixels()) plane.bits.push_back(part.get(pixel));
+        for (std::size_t i = 0; i < film.pixels().size(); ++i)
+            plane.bits.push_back(part.get(film, i));
         picture.planes.push_back(std::move(plane));
     }
     picture.texts = {
@@ -132,11 +161,11 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
     std::uint64_t sum = 0;
     if (!read_texts(*picture, checkpoint, sum)) return fail("is no state of a picture");
     if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");
-    checkpoint.state.film = Film(picture->width, picture->height);
-    std::vector<PixelSum>& pixels = checkpoint.state.film.pixels();
-    for (const Part& part : parts()) {
-        const auto plane = std::ranges::find(picture->planes, part.name, &Plane::name);
-        for (std::size_t i = 0; i < pixels.size(); ++i) part.set(pixels[i], plane->bits[i]);
+    Film& film = checkpoint.state.film;
+    film = Film(picture->width, picture->height, extras_in(*picture));
+    for (const Part& part : parts(film.extras())) {
+        const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
+        for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
     }
     return checkpoint;
 }

@@ -28,7 +28,7 @@ std::string explanation(const Options& options, Diagnostics& diagnostics) {
 
 int run_task(const Options& options, const std::optional<Animation>& animation,
              const Console& console, Diagnostics& diagnostics) {
-    if (options.preview_port) return run_preview(options, console, diagnostics);
+    if (options.preview_port) return run_preview(options, animation, console, diagnostics);
     const auto work = [&]() -> Outcome {
         if (animation) return {run_animation(options, *animation, console, diagnostics)};
         return with_frame_commands(options,

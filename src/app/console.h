@@ -6,12 +6,15 @@
 #include "app/identity.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "render/film.h"
 #include "text/source.h"
 
 #include <functional>
 #include <string>
 #include <string_view>
+
+class Film;
+class World;
+struct RayCounts;
 
 /// What the shell is told.
 namespace exit_status {
@@ -21,6 +24,20 @@ inline constexpr int usage = 2;    ///< an error in the command line
 inline constexpr int file = 3;     ///< a file could not be read or written
 inline constexpr int stopped = 4;  ///< a signal ended the work, and its state was kept
 }  // namespace exit_status
+
+inline constexpr std::string_view no_memory_message =
+    "error: there is not enough memory for this scene and picture\n"
+    "help: --limit-memory says how much there may be\n";
+
+/// A picture on its way or finished, with all that it is made from.
+struct Exhibit {
+    const World& world;
+    const SourceStore& sources;
+    const RenderSettings& settings;
+    const Film& film;
+    const RayCounts& rays;
+    double done = 0;  ///< share of the work
+};
 
 struct Console {
     std::function<void(std::string_view)> out;  ///< results: dumps, help
@@ -32,9 +49,14 @@ struct Console {
     std::string library;      ///< folder of the standard library; empty: none
     Interrupts interrupts;    ///< what signals ask
     Environment environment;  ///< variables; empty: there are none
-    /// Who looks at pictures on their way, and at the files that they are made from; may be empty.
-    std::function<void(const Film&, double done)> watch;
+    /// Who looks at pictures on their way and, as long as they like, at finished ones; and at the
+    /// files that they are made from. May be empty.
+    std::function<void(const Exhibit&)> watch, linger;
     std::function<void(const std::vector<ReadFile>&)> files_read;
+    /// Called before a picture is rendered, which false prevents, and when that is done, before it
+    /// is written: so that several runs can take turns. May be empty.
+    std::function<bool()> begins_rendering;
+    std::function<void()> ends_rendering;
     std::string settings;  ///< INI file that is read before the command line; empty: none
 };
 

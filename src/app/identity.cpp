@@ -89,6 +89,8 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
     if (region != Region{0, 0, options.render.width, options.render.height})
         identity.emplace_back(
             "region", message(region.left, ' ', region.top, ' ', region.right, ' ', region.bottom));
+    if (options.alpha) identity.emplace_back("alpha", "yes");
+    if (!options.layers.empty()) identity.emplace_back("layers", layer_list(options.layers));
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
     return identity;
@@ -114,6 +116,23 @@ std::string description(const Identity& identity, int samples) {
             text += message(' ', name, '=', value, ';');
     if (fact(identity, "sampling") == even) text += message(" samples=", samples, ';');
     return text;
+}
+
+void tell_layers(const Identity& identity, FilmFiles& files) {
+    files.alpha = fact(identity, "alpha") == "yes";
+    files.layers = read_layer_list(fact(identity, "layers")).value_or(std::vector<PictureLayer>());
+    std::string names = fact(identity, "lights");
+    while (!names.empty()) {
+        const std::size_t end = std::min(names.find(','), names.size());
+        files.lights.push_back(names.substr(0, end));
+        names.erase(0, end + 1);
+    }
+}
+
+void note_lights(Identity& identity, std::span<const std::string> names) {
+    std::string text;
+    for (const std::string& name : names) text += message(text.empty() ? "" : ",", name);
+    identity.emplace_back("lights", text);
 }
 
 std::string to_text(const Identity& identity) {

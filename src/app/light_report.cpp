@@ -18,17 +18,6 @@ std::string percent(double part, double whole) {
     return padded(message(std::round(value * 100) / 100, " %"), 9);
 }
 
-/// The place, and how the statement begins.
-std::string written(const Span& span, const SourceStore& sources) {
-    if (!span.known()) return "?";
-    constexpr std::size_t longest = 50;
-    const Place place = sources.place(span.source, span.first);
-    std::string line(sources.line(span.source, place.line));
-    line.erase(0, line.find_first_not_of(" \t"));
-    if (line.size() > longest) line = line.substr(0, longest) + "...";
-    return message(harmless(sources.name(span.source)), ":", place.line, ": ", harmless(line));
-}
-
 std::vector<std::size_t> made_by(const World& world) {
     std::vector<std::size_t> counts(world.light_statements.size());
     for (const auto* lights : {&world.statement_of_luminaire, &world.statement_of_light})
@@ -37,6 +26,16 @@ std::vector<std::size_t> made_by(const World& world) {
 }
 
 }  // namespace
+
+std::string statement_text(const Span& span, const SourceStore& sources) {
+    if (!span.known()) return "?";
+    constexpr std::size_t longest = 50;
+    const Place place = sources.place(span.source, span.first);
+    std::string line(sources.line(span.source, place.line));
+    line.erase(0, line.find_first_not_of(" \t"));
+    if (line.size() > longest) line = line.substr(0, longest) + "...";
+    return message(harmless(sources.name(span.source)), ":", place.line, ": ", harmless(line));
+}
 
 std::string light_report(const World& world, const RayCounts& counted, const SourceStore& sources) {
     std::vector<LightCount> lights = counted.lights;
@@ -60,7 +59,7 @@ std::string light_report(const World& world, const RayCounts& counted, const Sou
                 "\n";
     };
     for (const std::size_t i : order)
-        line(lights[i], message(made[i]), written(world.light_statements[i], sources));
+        line(lights[i], message(made[i]), statement_text(world.light_statements[i], sources));
     line(lights.back(), "", "rays that met no light");
     return text;
 }

@@ -9,6 +9,9 @@
 
 #include <string>
 
+/// The place of a statement, and how it begins: "scene.pov:6: object { Lamp ...".
+std::string statement_text(const Span&, const SourceStore&);
+
 /// A line for each statement of the scene that made luminaires or light sources, the brightest
 /// first: its share of all light that came to hits from lights, its share of the shadow rays, how
 /// many lights it made, and its place. Rays that met no luminaire have the last line.

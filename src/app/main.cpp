@@ -45,9 +45,7 @@ int main(int count, char** arguments) {
         console.err("error: cannot write to standard output\n");
         return status == exit_status::done ? exit_status::file : status;
     } catch (const std::bad_alloc&) {
-        console.err(
-            "error: there is not enough memory for this scene and picture\n"
-            "help: --limit-memory says how much there may be\n");
+        console.err(no_memory_message);
         return exit_status::file;
     }
 }

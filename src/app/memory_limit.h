@@ -9,6 +9,12 @@
 /// The memory of this machine, or nothing if it does not tell.
 std::optional<std::uint64_t> physical_memory();
 
+/// The memory that this process has at the moment; 0 if the system does not tell.
+std::uint64_t memory_in_use();
+
+/// Whether twice as much as is in use would still be allowed. Without a limit it is the machine's.
+bool may_double(std::uint64_t in_use, std::optional<std::uint64_t> limit);
+
 /// From now on an allocation beyond this many bytes throws std::bad_alloc. Does nothing where the
 /// system has a lower limit already.
 void limit_memory(std::uint64_t bytes);

@@ -8,6 +8,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace {
@@ -64,7 +65,7 @@ private:
         const Film& other = first().state.film;
         const Share &a = one.state.share, &b = first().state.share;
         if (film.width() != other.width() || film.height() != other.height() ||
-            a.tile_step != b.tile_step || a.region != b.region)
+            film.extras() != other.extras() || a.tile_step != b.tile_step || a.region != b.region)
             return mixed("the picture was cut in another way");
         if (!one.finished)
             missing(message("`", harmless(state.name), "` is not finished"), Gaps::around);
@@ -105,8 +106,8 @@ private:
 
     Checkpoint sum() const {
         Checkpoint result = first();
-        std::vector<PixelSum>& pixels = result.state.film.pixels();
-        std::ranges::fill(pixels, PixelSum());
+        Film& film = result.state.film;
+        film = Film(film.width(), film.height(), film.extras());
         result.samples = 0;
         for (const NamedState& state : states_) {
             const RenderState& part = state.checkpoint.state;
@@ -114,8 +115,8 @@ private:
                 for (int x = 0; x < part.film.width(); ++x)
                     // A shard of tiles also has samples around its tiles.
                     if (part.share.owns(x, y)) {
-                        result.state.film.at(x, y).add(part.film.at(x, y));
-                        result.state.film.at(x, y).target += part.film.at(x, y).target;
+                        film.add(film.index(x, y), part.film);
+                        film.at(x, y).target += part.film.at(x, y).target;
                     }
             result.samples += state.checkpoint.samples;
             result.finished &= state.checkpoint.finished;
@@ -137,6 +138,14 @@ struct Request {
     bool partial = false;
 };
 
+/// Whether an option, as in an INI file, can change what merge does.
+bool matters(std::string_view given) {
+    static constexpr auto all = std::to_array<std::string_view>(
+        {"Output_File_Name=", "Output_File_Type=", "+F", "Bits_Per_Color=", "Grayscale_Output=",
+         "Verbose=", "--diagnostics=", "--warn=", "Warning_Level=", "Input_File_Name="});
+    return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
+}
+
 Request read_request(std::span<const std::string_view> arguments, Diagnostics& diagnostics) {
     Request request;
     std::vector<std::string_view> others;
@@ -150,6 +159,12 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
             others.push_back(argument);
     }
     request.options = read_options(others, diagnostics);
+    for (const std::string& given : request.options.given)
+        if (!matters(given))
+            diagnostics.add(warning(Fault::option, {},
+                                    message("`", harmless(given),
+                                            "` is ignored: how the picture is made, its states "
+                                            "say")));
     if (request.options.scene)
         diagnostics.add(error(Fault::option, {},
                               message("`", harmless(*request.options.scene),
@@ -181,12 +196,18 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
         return bytes && write_file(options.output, *bytes, diagnostics);
     }
     if (options.output.empty()) options.output = usual_output(request.files.front());
+    FilmFiles files;
+    tell_layers(result.identity, files);
+    options.alpha = files.alpha;
+    options.layers = files.layers;
     Output output = output_of(options, diagnostics);
     if (diagnostics.failed()) return false;
     output.format.gamma = number(fact(result.identity, "gamma")).value_or(1);
     output.format.encoded = fact(result.identity, "encoded") == "yes";
     output.format.description = description(result.identity, static_cast<int>(result.samples));
-    return write_picture(result.state.film.image(), output.path, output.format, diagnostics);
+    files.path = output.path;
+    files.format = output.format;
+    return write_film(result.state.film, files, diagnostics);
 }
 
 }  // namespace

@@ -38,8 +38,6 @@ std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics)
     return std::nullopt;
 }
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 }  // namespace
 
 std::optional<double> number(std::string_view text) {
@@ -58,10 +56,6 @@ std::optional<bool> truth(std::string_view text) {
     for (const std::string_view word : {"off", "false", "no", "0"})
         if (same_letters(text, word)) return false;
     return std::nullopt;
-}
-
-bool same_letters(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::string shown(const Given& given) {
@@ -133,16 +127,16 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
         Letter{'b', PictureType::bmp, false},
     };
     const std::string& text = *given.value;
-    const char lower = text.empty() ? ' ' : static_cast<char>(text[0] | 0x20);
-    const auto found = std::ranges::find(letters, lower, &Letter::letter);
+    const char letter = text.empty() ? ' ' : lower_case(text[0]);
+    const auto found = std::ranges::find(letters, letter, &Letter::letter);
     if (found == letters.end())
         return refuse(
             given, diagnostics, message("`", harmless(text), "` is no picture format"),
             "N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp");
     options.type = found->type;
     options.compressed = found->compressed;
-    const std::string rest = text.substr(1);
-    if (rest == "g" || rest == "G") return refuse(given, diagnostics, "grey output is not offered");
+    std::string rest = text.substr(1);
+    options.grey |= std::erase_if(rest, [](char c) { return c == 'g' || c == 'G'; }) > 0;
     if (!rest.empty()) store::bits(options, {given.argument, true, rest}, diagnostics);
 }
 
@@ -380,10 +374,6 @@ void store::verbose(Options& options, const Given& given, Diagnostics&) {
 
 void store::light_report(Options& options, const Given&, Diagnostics&) {
     options.light_report = true;
-}
-
-void store::light_layers(Options& options, const Given& given, Diagnostics&) {
-    options.light_layers = *given.value;
 }
 
 void store::stats(Options& options, const Given& given, Diagnostics&) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/options.h"
+#include "text/ascii.h"
 
 #include <optional>
 #include <string>
@@ -22,9 +23,6 @@ std::optional<double> number(std::string_view text);
 
 /// on, true, yes, 1 and off, false, no, 0, in any case of letters.
 std::optional<bool> truth(std::string_view text);
-
-/// Whether the texts are the same but for the case of ASCII letters.
-bool same_letters(std::string_view a, std::string_view b);
 
 /// The option as messages name it, with its place when it has one.
 std::string shown(const Given&);
@@ -75,7 +73,6 @@ void verbose(Options&, const Given&, Diagnostics&);
 void check(Options&, const Given&, Diagnostics&);
 void dump(Options&, const Given&, Diagnostics&);
 void light_report(Options&, const Given&, Diagnostics&);
-void light_layers(Options&, const Given&, Diagnostics&);
 void stats(Options&, const Given&, Diagnostics&);
 void help(Options&, const Given&, Diagnostics&);
 void version(Options&, const Given&, Diagnostics&);

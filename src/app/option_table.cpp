@@ -13,6 +13,9 @@ using enum Takes;
 
 constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
+constexpr std::string_view order =
+    "tiles are made in their own order, all of them better and better";
+constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view kd_tree = "a kd-tree is always used";
 
 using Store = void (*)(Options&, const Given&, Diagnostics&);
@@ -44,6 +47,11 @@ constexpr OptionRow ignored(Text letters, Text keyword, Takes takes, Text parame
 constexpr OptionRow refused(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
     return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::refused};
 }
+
+/// POV-Ray's one long option that means nothing here.
+constexpr OptionRow benchmark = {"", "",      "benchmark",
+                                 "", nothing, "there is no scene of its own to measure",
+                                 {}, nullptr, Unoffered::ignored};
 
 template <Stream which>
 constexpr OptionRow stream(Text letters, Text keyword, Text help) {
@@ -79,6 +87,11 @@ constexpr auto rows = std::to_array<OptionRow>({
            "T tga, C compressed tga, J jpeg, B bmp; -F writes no file"),
     option("", "Output_File_Type", "", value, "x", store::type, "the same format letters"),
     option("", "Bits_Per_Color", "", value, "n", store::bits, "8 or 16 (png)"),
+    option("", "Grayscale_Output", "", sign, "", store::grey,
+           "one channel of grey (png, ppm); +FNg does the same"),
+    option("UA", "Output_Alpha", "", sign, "", store::alpha,
+           "an alpha channel: how opaque a pixel is (png, tga, OpenEXR); clear is what lies behind "
+           "everything, unless a background or a sky_sphere that is not transparent is there"),
     setting("W", "Width", "", "width"),
     setting("H", "Height", "", "height"),
     option("A", "Antialias", "", sign_and_value, "t", store::antialias,
@@ -94,9 +107,10 @@ constexpr auto rows = std::to_array<OptionRow>({
     setting("", "", "shadow-rays", "shadow_rays"),
     option("", "", "light-report", nothing, "", store::light_report,
            "says at the end what the lights of each statement gave and what they cost"),
-    option("", "", "light-layers", value, "file.exr", store::light_layers,
-           "writes an OpenEXR file with the picture and two layers more: shadow_rays, and variance "
-           "of what a display shows"),
+    option("", "", "layers", value, "names", store::layers,
+           "layers beside the colours, with commas between: albedo, normal, depth, object, lights "
+           "(one for each statement that makes lights), variance, samples, shadow_rays, or all; in "
+           "the picture if that is OpenEXR, otherwise in a file .layers.exr beside it; see LAYERS"),
     option(
         "SR", "Start_Row", "", value, "n", store::start_row,
         "first row that is rendered, from 1; below 1 a fraction; the picture is black elsewhere"),
@@ -243,9 +257,9 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("AG", "Antialias_Gamma", value, "g", "noise is judged as displayed"),
     ignored("J", "Jitter", sign_and_value, "a", "camera rays are always spread at random"),
     ignored("", "Jitter_Amount", value, "a", "camera rays are always spread over the whole pixel"),
-    ignored("BS", "Render_Block_Size", value, "n", ""),
-    ignored("RP", "Render_Pattern", value, "n", ""),
-    ignored("RS", "Render_Block_Step", value, "n", ""),
+    ignored("BS", "Render_Block_Size", value, "n", order),
+    ignored("RP", "Render_Pattern", value, "n", order),
+    ignored("RS", "Render_Block_Step", value, "n", order),
     ignored("SP", "Preview_Start_Size", value, "n", no_preview),
     ignored("EP", "Preview_End_Size", value, "n", no_preview),
     ignored("X", "Test_Abort", sign_and_value, "n", "Ctrl-C stops"),
@@ -253,21 +267,25 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("MB", "Bounding", sign_and_value, "n", kd_tree),
     ignored("", "Bounding_Threshold", value, "n", kd_tree),
     ignored("BM", "Bounding_Method", value, "n", kd_tree),
-    ignored("UR", "Remove_Bounds", sign, "", ""),
-    ignored("SU", "Split_Unions", sign, "", ""),
-    ignored("UL", "Light_Buffer", sign, "", ""),
-    ignored("UV", "Vista_Buffer", sign, "", ""),
-    ignored("RVP", "Radiosity_Vain_Pretrace", sign, "", ""),
-    ignored("MI", "Max_Image_Buffer_Memory", value, "n", ""),
+    ignored("UR", "Remove_Bounds", sign, "", kd_tree),
+    ignored("SU", "Split_Unions", sign, "", kd_tree),
+    ignored("UL", "Light_Buffer", sign, "", kd_tree),
+    ignored("UV", "Vista_Buffer", sign, "", kd_tree),
+    ignored("RVP", "Radiosity_Vain_Pretrace", sign, "", no_radiosity),
+    ignored("MI", "Max_Image_Buffer_Memory", value, "n",
+            "pictures are kept in memory; --memory limits all of it"),
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
-    ignored("AC", "Antialias_Confidence", value, "n", ""),
+    ignored("AC", "Antialias_Confidence", value, "n", "see --noise"),
     ignored("", "Display_Gamma", value, "g", no_preview),
-    refused("UA", "Output_Alpha", sign, "", "pictures have no alpha channel"),
-    refused("", "Grayscale_Output", sign, "", "pictures have colours"),
-    refused("TH", "Dither", sign_and_value, "x", "pictures are not dithered"),
+    ignored("", "User_Abort_Return", value, "action", over),
+    ignored("", "Fatal_Error_Return", value, "action", over),
+    ignored("", "Continue_Trace_Log", value, "file", "states have names of their own; see STATES"),
+    benchmark,
+    refused("TH", "Dither", sign_and_value, "x",
+            "pictures are not dithered; 16 bits have no steps that are seen: +FN16"),
     refused("", "Dither_Method", value, "x", "pictures are not dithered"),
-    refused("UF", "Field_Render", sign, "", ""),
-    refused("UO", "Odd_Field", sign, "", ""),
+    refused("UF", "Field_Render", sign, "", "no screen has interlaced fields any more"),
+    refused("UO", "Odd_Field", sign, "", "no screen has interlaced fields any more"),
     refused("RF", "Radiosity_File_Name", value, "file", no_radiosity),
     refused("RFI", "Radiosity_From_File", sign, "", no_radiosity),
     refused("RFO", "Radiosity_To_File", sign, "", no_radiosity),

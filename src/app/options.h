@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/animation.h"
+#include "app/layers.h"
 #include "app/progress.h"
 #include "app/shard.h"
 #include "app/shell_commands.h"
@@ -56,6 +57,8 @@ struct Options {
     std::vector<std::string> writable;  ///< folders that it may write below, too
     Limits limits;
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
+    unsigned at_once = 1;                       ///< scenes that may be at work at the same time
+    bool prepared_ahead = false;                ///< a frame, while another one is rendered
     std::vector<Declaration> declares;
     AnimationSettings animation;
     RunFacts facts;           ///< what else the scene is told; the size is that of render
@@ -76,13 +79,15 @@ struct Options {
     bool diagnostics_as_json = false;
     std::string stats_file;
     bool light_report = false;
-    std::string light_layers;         ///< a file for what light cost and its noise, pixel by pixel
-    std::string depfile;              ///< rule for make; empty: none
-    Progress::Share share;            ///< of all pictures that the run makes
-    std::string progress = "auto";    ///< or plain, json, alf, openjd, none
-    std::optional<int> preview_port;  ///< nothing: no preview
-    bool go_on = false;               ///< from the state that an earlier run has left
-    bool keep_state = false;          ///< also of a finished picture
+    std::vector<PictureLayer> layers;  ///< beside the colours, in an OpenEXR file
+    bool alpha = false;                ///< how opaque a pixel is
+    bool grey = false;                 ///< one channel instead of three
+    std::string depfile;               ///< rule for make; empty: none
+    Progress::Share share;             ///< of all pictures that the run makes
+    std::string progress = "auto";     ///< or plain, json, alf, openjd, none
+    std::optional<int> preview_port;   ///< nothing: no preview
+    bool go_on = false;                ///< from the state that an earlier run has left
+    bool keep_state = false;           ///< also of a finished picture
     double checkpoint_interval = 60;  ///< seconds between two states; 0: only when asked by signals
     std::optional<double> time;       ///< seconds after which a picture is finished as it is
     std::string shard;                ///< as given; empty: the whole

@@ -42,12 +42,24 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
         options.type.value_or(type_of_name(options.output).value_or(PictureType::png));
     output.format.bits = options.bits.value_or(8);
     output.format.compressed = options.compressed;
+    output.format.grey = options.grey;
     output.path = path_of(options, output.format.type);
-    if (output.format.bits == 16 && output.format.type != PictureType::png)
+    const auto refuse = [&](std::string_view what, std::string help) {
         diagnostics.add(error(Fault::option, {},
-                              message("a file of format ", extension(output.format.type),
-                                      " cannot have 16 bits a channel"))
-                            .with_help("png can (+FN16); OpenEXR has 32 (+FE)"));
+                              message("a file of format ", extension(output.format.type), what))
+                            .with_help(std::move(help)));
+    };
+    if (options.alpha && !has_alpha(output.format.type))
+        refuse(" has no alpha channel", "+FN png, +FE OpenEXR, +FT tga");
+    if (options.grey && !has_grey(output.format.type))
+        refuse(" is not written in grey", "+FN png, +FP ppm");
+    const bool stored = options.to_file && output.path != "-" && !is_device_or_pipe(output.path);
+    const bool layered = output.format.type == PictureType::exr && options.to_file;
+    if (!options.layers.empty() && !stored && !layered)
+        diagnostics.add(
+            error(Fault::option, {}, "layers need a file").with_help("+Oa.exr or +Oa.png"));
+    if (output.format.bits == 16 && output.format.type != PictureType::png)
+        refuse(" cannot have 16 bits a channel", "png can (+FN16); OpenEXR has 32 (+FE)");
     return output;
 }
 

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preview.h"
 
+#include "app/animation_run.h"
+#include "app/inspect.h"
+#include "app/light_report.h"
 #include "app/option_store.h"
 #include "app/preview_page.h"
+#include "app/questions.h"
 #include "app/scene_run.h"
 #include "app/stats.h"
 #include "editor/knobs.h"
 #include "picture/write.h"
+#include "render/film.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "web/server.h"
@@ -29,8 +34,7 @@ namespace fs = std::filesystem;
 /// What the page is shown; made by the renderer, read by the server.
 struct Shown {
     std::mutex mutex;
-    Image image;
-    std::string png;
+    std::string png, lights;
     std::string errors, line = "reading the scene";
     double progress = 0;
     int pictures = 0;
@@ -40,11 +44,14 @@ struct Shown {
 
 class Preview {
 public:
-    Preview(const Options& options, const Console& console, Diagnostics& diagnostics)
-        : options_(options), console_(console), diagnostics_(diagnostics) {
+    Preview(const Options& options, const std::optional<Animation>& animation,
+            const Console& console, Diagnostics& diagnostics)
+        : options_(options), animation_(animation), console_(console), diagnostics_(diagnostics) {
         options_.to_file = false;
         options_.task = Task::render;
         options_.progress = "none";
+        options_.light_report = true;
+        options_.layers.clear();  // the page has its own way to show them
     }
 
     int run() {
@@ -76,19 +83,32 @@ private:
         console.terminal = console.coloured = false;
         console.interrupts.listening = nullptr;
         console.interrupts.take = [this] { return look_up(); };
-        console.watch = [this](const Film& film, double done) { show(film, done); };
+        console.watch = [this](const Exhibit& exhibit) { show(exhibit); };
+        console.linger = [&](const Exhibit& exhibit) { linger(exhibit, said); };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
         remember({{*options_.scene, {}}});
         show_at_ = time_now().seconds + first_look;
         Diagnostics diagnostics = diagnostics_.fresh();
         const int status = run_scene(options_as_turned(), console, diagnostics);
+        questions_.close();
+        if (status == exit_status::done) return;
         const std::lock_guard lock(shown_.mutex);
         shown_.errors = diagnostics.failed() ? said : std::string();
-        if (status == exit_status::done) shown_.progress = 1;
-        // The summary comes last, the first error first.
-        while (said.ends_with('\n')) said.pop_back();
-        shown_.line = status == exit_status::done ? said.substr(said.rfind('\n') + 1)
-                                                  : said.substr(0, said.find('\n'));
+        shown_.line = said.substr(0, said.find('\n'));  // the first error
+    }
+
+    /// A finished picture can be asked about until something changes.
+    void linger(const Exhibit& exhibit, std::string_view said) {
+        while (said.ends_with('\n')) said.remove_suffix(1);
+        {
+            const std::lock_guard lock(shown_.mutex);
+            shown_.progress = 1;
+            shown_.line = said.substr(said.rfind('\n') + 1);  // the summary comes last
+        }
+        while (!ending_ && !changed()) {
+            questions_.answer(exhibit);
+            rest();
+        }
     }
 
     Options options_as_turned() {
@@ -100,7 +120,26 @@ private:
         for (const Knob& knob : shown_.knobs)
             if (const auto set = shown_.turned.find(knob.name); set != shown_.turned.end())
                 options.declares.push_back({knob.name, set->second});
+        if (animation_) choose_frame(options);
         return options;
+    }
+
+    /// An animation is looked at frame by frame; the lock is held.
+    void choose_frame(Options& options) {
+        const std::vector<AnimationFrame>& frames = animation_->frames;
+        const Knob knob{frame_knob,
+                        static_cast<double>(frames.front().number),
+                        static_cast<double>(frames.front().number),
+                        static_cast<double>(frames.back().number),
+                        1,
+                        "of the animation"};
+        shown_.knobs.push_back(knob);
+        const auto set = shown_.turned.find(knob.name);
+        const double wanted = set == shown_.turned.end() ? knob.value : set->second;
+        const auto chosen = std::ranges::find_if(
+            frames, [&](const AnimationFrame& frame) { return frame.number >= wanted; });
+        set_frame(options.facts, options.animation, *animation_,
+                  chosen == frames.end() ? frames.back() : *chosen);
     }
 
     /// May be asked by any thread of the renderer.
@@ -110,20 +149,23 @@ private:
             ending_ = true;
         if (ending_) return Interrupt::stop;
         const double now = time_now().seconds;
-        if (now < show_at_) return Interrupt::none;
+        const bool asked = questions_.waiting() && now >= show_at_ - between_looks + first_look;
+        if (now < show_at_ && !asked) return Interrupt::none;
         show_at_ = now + between_looks;
         return changed() ? Interrupt::stop : Interrupt::save;
     }
 
     void wait_for_change() {
-        while (!ending_ && !changed()) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
-            if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
-                ending_ = true;
-        }
+        while (!ending_ && !changed()) rest();
         const std::lock_guard lock(shown_.mutex);
         shown_.progress = 0;
         shown_.line = "reading the scene";
+    }
+
+    void rest() {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
+            ending_ = true;
     }
 
     void remember(const std::vector<ReadFile>& files) {
@@ -144,30 +186,31 @@ private:
         return false;
     }
 
-    void show(const Film& film, double done) {
+    void show(const Exhibit& exhibit) {
         Diagnostics problems;
-        Image image = film.image();
-        auto png = encode(image, PictureFormat(), problems);
+        auto png = encode(exhibit.film.image(), PictureFormat(), problems);
+        std::string lights = light_report(exhibit.world, exhibit.rays, exhibit.sources);
+        questions_.answer(exhibit);
         const std::lock_guard lock(shown_.mutex);
         shown_.errors.clear();
-        shown_.line = message(film.width(), " x ", film.height());
-        shown_.progress = done;
-        shown_.image = std::move(image);
+        shown_.line = message(exhibit.film.width(), " x ", exhibit.film.height());
+        shown_.progress = exhibit.done;
         shown_.png = std::move(png).value_or("");
+        shown_.lights = std::move(lights);
         ++shown_.pictures;
     }
 
     WebAnswer answer(const WebRequest& request) {
+        if (request.path == "/view.png") return {"image/png", seen(request.parameter("name"))};
+        if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
         const std::lock_guard lock(shown_.mutex);
         if (request.path == "/") return {"text/html; charset=utf-8", preview_page};
         if (request.path == "/picture.png") return {"image/png", shown_.png};
-        if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
         if (request.path == "/turn") return turn(request);
         if (request.path != "/status") return {"text/plain", "no such page\n", 404};
-        const nlohmann::json status = {{"picture", shown_.pictures},
-                                       {"progress", shown_.progress},
-                                       {"errors", shown_.errors},
-                                       {"line", shown_.line},
+        const nlohmann::json status = {{"picture", shown_.pictures}, {"progress", shown_.progress},
+                                       {"errors", shown_.errors},    {"line", shown_.line},
+                                       {"lights", shown_.lights},    {"views", views()},
                                        {"knobs", listed_knobs()}};
         return {"application/json",
                 status.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
@@ -199,8 +242,16 @@ private:
         return {"text/plain", ""};
     }
 
-    /// The colour of a pixel; the lock is held.
-    std::string picked(const WebRequest& request) const {
+    /// A layer as a PNG file.
+    std::string seen(const std::string& name) {
+        return questions_.ask([name](const Exhibit& exhibit) {
+            Diagnostics problems;
+            const auto image = view(exhibit, name);
+            return image ? encode(*image, PictureFormat(), problems).value_or("") : std::string();
+        });
+    }
+
+    std::string picked(const WebRequest& request) {
         const auto whole = [&](std::string_view name) {
             const std::string text = request.parameter(name);
             int value = -1;
@@ -208,19 +259,19 @@ private:
             return value;
         };
         const int x = whole("x"), y = whole("y");
-        if (x < 0 || y < 0 || x >= shown_.image.width || y >= shown_.image.height) return "";
-        const Vec3& colour = shown_.image.at(x, y);
-        return message("<", x, ", ", y, ">: rgb <", static_cast<float>(colour.x), ", ",
-                       static_cast<float>(colour.y), ", ", static_cast<float>(colour.z), ">");
+        return questions_.ask([=](const Exhibit& exhibit) { return what_is_under(exhibit, x, y); });
     }
 
     static constexpr double first_look = 0.2;  ///< seconds until the first picture is shown
     static constexpr double between_looks = 1;
+    static constexpr auto frame_knob = "frame_number";
 
     Options options_;
+    const std::optional<Animation>& animation_;
     const Console& console_;
     Diagnostics& diagnostics_;
     Shown shown_;
+    Questions questions_;
     std::map<std::string, fs::file_time_type> times_;
     std::mutex look_;
     double show_at_ = 0;
@@ -230,6 +281,7 @@ private:
 
 }  // namespace
 
-int run_preview(const Options& options, const Console& console, Diagnostics& diagnostics) {
-    return Preview(options, console, diagnostics).run();
+int run_preview(const Options& options, const std::optional<Animation>& animation,
+                const Console& console, Diagnostics& diagnostics) {
+    return Preview(options, animation, console, diagnostics).run();
 }

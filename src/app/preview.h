@@ -6,5 +6,6 @@
 #include "app/console.h"
 #include "app/options.h"
 
-/// Serves until a signal ends it; gives the exit status.
-int run_preview(const Options&, const Console&, Diagnostics&);
+/// Serves until a signal ends it; gives the exit status. Of an animation one frame is shown, the
+/// first at first; the page chooses.
+int run_preview(const Options&, const std::optional<Animation>&, const Console&, Diagnostics&);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of the preview: plain HTML, CSS and JavaScript in one text. It asks /status twice a
-// second and takes a new /picture.png when there is one; where one looks (pan, zoom) is the page's
-// own business, and so outlives every change of the scene.
+// second and takes a new /picture.png, or a layer as /view.png, when there is one; where one looks
+// (pan, zoom) is the page's own business, and so outlives every change of the scene. `#lights` in
+// its address opens the report of light, `#view=normal` a layer, `#pick=10,20` a pixel.
 #pragma once
 
 inline constexpr char preview_page[] = R"page(<!DOCTYPE html>
@@ -20,7 +21,13 @@ body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow
 #line { position: absolute; left: 0; right: 0; bottom: 0; height: 2em; line-height: 2em;
   padding: 0 1em; background: #111; white-space: nowrap; }
 #bar { position: absolute; left: 0; bottom: 2em; height: 3px; background: #fb4; width: 0; }
-#picked { float: right; }
+#tools { float: right; }
+#tools button, #tools select { background: #333; color: #ddd; border: 1px solid #555; }
+pre.panel { position: absolute; left: 1em; bottom: 1em; max-width: 60%; max-height: 70%;
+  overflow: auto; margin: 0; padding: 0.7em 1em; background: #111d; white-space: pre-wrap;
+  font: 12px monospace; cursor: text; user-select: text; }
+#lights { left: auto !important; right: 1em; }
+pre.panel:empty, pre.panel.closed { display: none; }
 #knobs { position: absolute; right: 1em; top: 1em; padding: 0.5em 1em; background: #111c; }
 #knobs:empty { display: none; }
 #knobs label { display: block; margin: 0.4em 0; }
@@ -30,15 +37,20 @@ body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow
 </head>
 <body>
 <div id="stage"><img id="picture" alt=""><pre id="errors"></pre></div>
+<div><pre id="picked" class="panel" style="bottom: 3em"></pre>
+<pre id="lights" class="panel closed" style="bottom: 3em"></pre></div>
 <form id="knobs"></form>
 <div id="bar"></div>
-<div id="line"><span id="picked"></span><span id="status">waiting</span></div>
+<div id="line"><span id="tools"><select id="view" title="what is shown"></select>
+<button id="report" title="what each light gives and costs">lights</button></span>
+<span id="status">waiting</span></div>
 <script>
 "use strict";
 const element = name => document.getElementById(name);
 const stage = element("stage"), picture = element("picture");
 const view = { x: 20, y: 20, zoom: 1 };
-let shown = -1, drag = null;
+let shown = -1, drag = null, wanted = null;
+const asked = new URLSearchParams(location.hash.slice(1));
 function place() {
   picture.style.transform = `translate(${view.x}px,${view.y}px) scale(${view.zoom})`;
 }
@@ -66,10 +78,25 @@ addEventListener("pointerup", async event => {
   const click = drag && !drag.moved;
   drag = null;
   if (!click) return;
-  const x = Math.floor((event.clientX - view.x) / view.zoom);
-  const y = Math.floor((event.clientY - view.y) / view.zoom);
-  element("picked").textContent = await (await fetch(`/pick?x=${x}&y=${y}`)).text();
+  pick(Math.floor((event.clientX - view.x) / view.zoom),
+       Math.floor((event.clientY - view.y) / view.zoom));
 });
+async function pick(x, y) {
+  element("picked").textContent = await (await fetch(`/pick?x=${x}&y=${y}`)).text();
+}
+element("report").addEventListener("click", () => element("lights").classList.toggle("closed"));
+element("view").addEventListener("change", showPicture);
+function showPicture() {
+  const name = element("view").value;
+  picture.src = name === "picture" ? "/picture.png?" + shown : `/view.png?name=${name}&n=${shown}`;
+}
+function showViews(views) {
+  if (element("view").options.length) return;
+  element("view").append(...views.map(name => new Option(name)));
+  if (asked.has("view")) element("view").value = asked.get("view");
+  if (asked.has("lights")) element("lights").classList.remove("closed");
+  if (asked.has("pick")) wanted = asked.get("pick").split(",");
+}
 let known = "";
 function turn(knob, input, output) {
   output.value = input.value;
@@ -95,11 +122,17 @@ async function ask() {
     const status = await (await fetch("/status")).json();
     element("errors").textContent = status.errors;
     element("status").textContent = status.line;
+    element("lights").textContent = status.lights;
+    showViews(status.views);
     showKnobs(status.knobs);
     element("bar").style.width = 100 * status.progress + "%";
     if (status.picture !== shown) {
       shown = status.picture;
-      picture.src = "/picture.png?" + shown;
+      showPicture();
+    }
+    if (wanted && status.progress === 1) {
+      pick(...wanted);
+      wanted = null;
     }
   } catch {
     element("status").textContent = "the program has ended";

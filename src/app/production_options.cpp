@@ -40,6 +40,20 @@ void row_or_column(std::optional<double>& place, const Given& given, Diagnostics
 
 }  // namespace
 
+void store::layers(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (const auto layers = read_layer_list(*given.value)) {
+        options.layers = *layers;
+        return;
+    }
+    std::string known;
+    for (const LayerInfo& info : all_layers()) known += message(info.name, ", ");
+    refuse(given, diagnostics, "a layer has none of these names", known + "all");
+}
+
+void store::alpha(Options& options, const Given& given, Diagnostics&) { options.alpha = given.on; }
+
+void store::grey(Options& options, const Given& given, Diagnostics&) { options.grey = given.on; }
+
 void store::time(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.time = seconds(given, diagnostics);
 }

@@ -7,6 +7,9 @@
 
 namespace store {
 
+void layers(Options&, const Given&, Diagnostics&);
+void alpha(Options&, const Given&, Diagnostics&);
+void grey(Options&, const Given&, Diagnostics&);
 void time(Options&, const Given&, Diagnostics&);
 void start_row(Options&, const Given&, Diagnostics&);
 void end_row(Options&, const Given&, Diagnostics&);

@@ -43,6 +43,7 @@ RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interru
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
       settings_(timed(plan_.options)),
+      extras_(extras_for(plan_.options.layers, plan_.options.alpha)),
       world_(world),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
@@ -56,7 +57,7 @@ bool RenderJob::can_keep() const {
 
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
-    state = begin_picture(settings_);
+    state = begin_picture(settings_, extras_.count(world_));
     state.share.region = region_of(plan_.options);
     checkpoint_.identity = plan_.identity;
     checkpoint_.all_samples = static_cast<std::uint32_t>(samples_per_pixel(world_, settings_));
@@ -154,6 +155,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     std::atomic<Interrupt> asked = Interrupt::none;
     RenderHooks hooks;
     hooks.counts_lights = plan_.options.light_report;
+    hooks.extras = extras_;
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
         progress.update(std::max(done, spent));
@@ -189,7 +191,7 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     for (;;) {
         const Interrupt asked = work(progress, clock);
         const double now = clock();
-        if (plan_.watch && asked != Interrupt::stop) plan_.watch(film(), done_);
+        if (plan_.watch && asked != Interrupt::stop) plan_.watch(film(), rays_, done_);
         if (asked == Interrupt::none || (asked == Interrupt::save && now >= deadline_))
             return JobEnd::finished;
         if (asked == Interrupt::stop) {

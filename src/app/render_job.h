@@ -23,7 +23,7 @@ struct JobPlan {
     std::string picture;         ///< path of the picture; its state lies beside it
     std::optional<Shard> shard;  ///< nothing: the whole picture
     /// Shown the picture when somebody asks to save it, and at its end; may be empty.
-    std::function<void(const Film&, double done)> watch;
+    std::function<void(const Film&, const RayCounts&, double done)> watch;
 };
 
 /// Beside which a state lies: the picture's name and, of a shard, its number.
@@ -57,6 +57,7 @@ private:
 
     JobPlan plan_;
     RenderSettings settings_;
+    Extras extras_;
     const World& world_;
     const Interrupts& interrupts_;
     Diagnostics& diagnostics_;

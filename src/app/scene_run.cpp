@@ -4,7 +4,6 @@
 #include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
-#include "app/light_layers.h"
 #include "app/light_report.h"
 #include "app/memory_limit.h"
 #include "app/mesh_export.h"
@@ -14,15 +13,12 @@
 #include "app/stats.h"
 #include "app/world_report.h"
 #include "base/deep_stack.h"
-#include "base/parallel.h"
 #include "evaluate/evaluate.h"
 #include "picture/file.h"
 #include "scene/dump.h"
 #include "syntax/dump.h"
-#include "syntax/lexer.h"
 #include "syntax/parser.h"
 #include "text/harmless.h"
-#include "text/loader.h"
 #include "text/message.h"
 #include "text/sha256.h"
 #include "world/compile.h"
@@ -75,16 +71,15 @@ private:
         else if (options_.shard_by != ShardBy::tiles && !is_even(settings))
             refuse("shards of samples must know how many samples there will be",
                    "--samples N, or --shard-by tiles");
-        if (output_path_is_stream())
+        if (options_.output == "-" || !options_.to_file)
             refuse("a shard is a file, which cannot go to standard output or nowhere");
     }
-
-    bool output_path_is_stream() const { return options_.output == "-" || !options_.to_file; }
 
     /// The evaluation's stack is room that is set aside and hardly ever used, so it does not count.
     void bound_memory() {
         const auto bytes = options_.memory_bytes ? options_.memory_bytes : physical_memory();
-        if (bytes) limit_memory(*bytes + options_.limits.stack_bytes);
+        const std::uint64_t stacks = options_.at_once * options_.limits.stack_bytes;
+        if (bytes) limit_memory(*bytes + stacks);
     }
 
     /// What the scene may touch: what belongs to it, and what the options add.
@@ -113,12 +108,17 @@ private:
         return diagnostics_.failed();
     }
 
+    /// What becomes of the film, as far as the options say it.
+    FilmFiles files_of(const Output& output) const {
+        return {output.path, output.format, options_.alpha, options_.layers, {}};
+    }
+
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render;
-        for (const std::string& path :
-             {renders && options_.to_file ? output.path : std::string(), options_.stats_file,
-              options_.depfile, options_.mesh_file, options_.light_layers}) {
+        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
+                                        options_.stats_file, options_.depfile, options_.mesh_file,
+                                        renders ? layers_path(files_of(output)) : std::string()}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);
@@ -208,7 +208,9 @@ private:
 
     CompileOptions compile_options() const {
         const RenderSettings& render = options_.render;
-        return {render.threads, render.light_sampler, render.quality, render.width, render.height};
+        return {render.threads, render.light_sampler,
+                render.quality, render.width,
+                render.height,  console_.linger || extras_for(options_.layers, false).surface};
     }
 
     /// The scene as the clock runs on while the camera's shutter is open.
@@ -281,9 +283,19 @@ private:
             options_.share);
     }
 
-    int render_picture(const World& world, Output output) {
-        const Identity identity = identity_of(options_, files_, output.format);
-        const JobPlan plan{options_, identity, output.path, shard_, console_.watch};
+    int render_picture(const World& world, const Output& output) {
+        Identity identity = identity_of(options_, files_, output.format);
+        FilmFiles files = files_of(output);
+        if (extras_for(options_.layers, false).lights) {
+            files.lights = light_names(world, sources_);
+            note_lights(identity, files.lights);
+        }
+        if (!take_turn()) return exit_status::stopped;
+        JobPlan plan{options_, identity, output.path, shard_, {}};
+        if (console_.watch)
+            plan.watch = [&](const Film& film, const RayCounts& rays, double done) {
+                console_.watch({world, sources_, options_.render, film, rays, done});
+            };
         made_path_ = shard_ ? state_path(plan) : output.path;
         RenderJob job(plan, world, console_.interrupts, diagnostics_);
         const bool locks = job.can_keep();
@@ -297,9 +309,9 @@ private:
         if (say_diagnostics()) return exit_status::file;
         const JobEnd end = work(job);
         if (end == JobEnd::stopped) return say_stopped(plan, job);
-        output.format.description = description(identity, job.samples());
+        files.format.description = description(identity, job.samples());
         if (options_.to_file && !shard_ && end == JobEnd::finished)
-            write_picture(job.film().image(), output.path, output.format, diagnostics_);
+            write_film(job.film(), files, diagnostics_);
         const bool lost = diagnostics_.failed();
         job.leave_state(shard_ || options_.keep_state || lost);
         show_light(world, job);
@@ -309,13 +321,21 @@ private:
             ::say(console_, Stream::statistics,
                   message(options_.to_file ? harmless(made_path_) : "no file", ": ",
                           summary(statistics_), "\n"));
+        if (console_.linger)
+            console_.linger({world, sources_, options_.render, job.film(), job.rays(), 1});
         return status;
+    }
+
+    /// Waits until it may render; the time until then is not its own.
+    bool take_turn() {
+        const double before = time_now().seconds;
+        const bool wanted = !console_.begins_rendering || console_.begins_rendering();
+        start_.seconds += time_now().seconds - before;
+        return wanted;
     }
 
     /// What light gave and cost, for those who ask.
     void show_light(const World& world, const RenderJob& job) {
-        if (!options_.light_layers.empty())
-            write_light_layers(job.film(), options_.light_layers, diagnostics_);
         if (options_.light_report) console_.err(light_report(world, job.rays(), sources_));
     }
 
@@ -328,6 +348,7 @@ private:
         if (console_.interrupts.listening) console_.interrupts.listening(false);
         statistics_.rays = job.rays();
         shown.finish();
+        if (console_.ends_rendering && end == JobEnd::finished) console_.ends_rendering();
         return end;
     }
 
@@ -343,7 +364,8 @@ private:
     /// The statistics, which a check has, too.
     int finish(const World& world) {
         statistics_.total = time_now() - start_;
-        complete_statistics(world);
+        statistics_.prepared_ahead = options_.prepared_ahead;
+        complete(statistics_, world, options_.render);
         if (is_check()) say_correct();
         if (!options_.depfile.empty() && options_.task == Task::render)
             write_file(options_.depfile, depfile(made_path_, files_), diagnostics_);
@@ -352,28 +374,6 @@ private:
         else if (!options_.stats_file.empty())
             write_file(options_.stats_file, to_json(statistics_), diagnostics_);
         return say_diagnostics() ? exit_status::file : exit_status::done;
-    }
-
-    void complete_statistics(const World& world) {
-        statistics_.objects = world.objects;
-        statistics_.primitives = world.material_of.size();
-        statistics_.luminaires = world.luminaires.size();
-        statistics_.light_sources = world.lights.size();
-        statistics_.kdtree = ::statistics(world.tree);
-        statistics_.peak_memory_bytes = peak_memory_bytes();
-        statistics_.light_sampler_bytes =
-            std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
-        const LightSampler& sampler = world.settings.light_sampler;
-        statistics_.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
-        if (std::holds_alternative<LightOctree>(sampler))
-            statistics_.light_octree_bytes = statistics_.light_sampler_bytes;
-        const RenderSettings& settings = options_.render;
-        statistics_.seed = settings.seed;
-        statistics_.threads = settings.threads > 0 ? settings.threads : core_count();
-        statistics_.width = settings.width;
-        statistics_.height = settings.height;
-        statistics_.samples = settings.samples;
-        statistics_.shadow_rays = settings.shadow_rays;
     }
 
     const Options& options_;

@@ -2,7 +2,9 @@
 #include "app/stats.h"
 
 #include "app/progress.h"
+#include "base/parallel.h"
 #include "text/message.h"
+#include "world/world.h"
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +41,27 @@ std::size_t peak_memory_bytes() {
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
+void complete(RunStatistics& run, const World& world, const RenderSettings& settings) {
+    run.objects = world.objects;
+    run.primitives = world.material_of.size();
+    run.luminaires = world.luminaires.size();
+    run.light_sources = world.lights.size();
+    run.kdtree = statistics(world.tree);
+    run.peak_memory_bytes = peak_memory_bytes();
+    run.light_sampler_bytes =
+        std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
+    const LightSampler& sampler = world.settings.light_sampler;
+    run.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
+    if (std::holds_alternative<LightOctree>(sampler))
+        run.light_octree_bytes = run.light_sampler_bytes;
+    run.seed = settings.seed;
+    run.threads = settings.threads > 0 ? settings.threads : core_count();
+    run.width = settings.width;
+    run.height = settings.height;
+    run.samples = settings.samples;
+    run.shadow_rays = settings.shadow_rays;
+}
+
 std::string to_json(const RunStatistics& run) {
     const double pixels = static_cast<double>(run.width) * run.height;
     const Json json = {
@@ -51,6 +74,7 @@ std::string to_json(const RunStatistics& run) {
         {"shadow_rays", run.shadow_rays},
         {"light_sampler", run.light_sampler},
         {"seed", run.seed},
+        {"prepared_ahead", run.prepared_ahead},
         {"threads", run.threads},
         {"objects", run.objects},
         {"primitives", run.primitives},

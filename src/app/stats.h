@@ -24,6 +24,9 @@ Phase time_now();
 /// The most memory that this process has had.
 std::size_t peak_memory_bytes();
 
+class World;
+struct RenderSettings;
+
 struct RunStatistics {
     Phase parse;    ///< reading and evaluating the scene
     Phase compile;  ///< building the world
@@ -45,7 +48,11 @@ struct RunStatistics {
     int height = 0;
     int samples = 0;  ///< asked for; 0: as many as each pixel needs
     int shadow_rays = 0;
+    bool prepared_ahead = false;  ///< a frame, while the one before it was rendered
 };
+
+/// Fills in what the world and the settings say.
+void complete(RunStatistics&, const World&, const RenderSettings&);
 
 /// An object with a line for each entry; ends in a newline.
 std::string to_json(const RunStatistics&);

@@ -3,6 +3,7 @@
 
 #include "evaluate/objects.h"
 #include "scene/catalogue.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -204,9 +205,8 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
 
 /// A declared name that differs from the word in the case of letters only, or nothing.
 std::string_view OpenBlock::in_other_case(std::string_view word) const {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c; };
     for (const std::string_view name : binder.evaluator.declared_names())
-        if (std::ranges::equal(name, word, {}, lower, lower)) return name;
+        if (same_letters(name, word)) return name;
     return {};
 }
 

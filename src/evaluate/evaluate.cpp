@@ -24,6 +24,7 @@ class SceneReader {
 public:
     SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {
         top_.effectless = "max_intersections";
+        scene.background.colour.transmit = 1;  // until there is one
     }
 
     void take(const Element& element) {

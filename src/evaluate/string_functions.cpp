@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/string_functions.h"
 
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <array>
@@ -162,11 +163,7 @@ Value concatenated(Call call) {
 
 Value number_in(Call call) { return std::strtod(std::string(call.text(0)).c_str(), nullptr); }
 
-Value lower_case(Call call) {
-    std::string text(call.text(0));
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return text;
-}
+Value lower_case(Call call) { return ::lower_case(call.text(0)); }
 
 Value upper_case(Call call) {
     std::string text(call.text(0));

@@ -25,10 +25,12 @@ struct StoredPicture {
     std::string format;         ///< in OpenImageIO's words: "png", "pnm", "openexr" ...
 };
 
-/// What a file shall hold: three channels.
+/// What a file shall hold: 1 or 3 channels of colours, and one more for alpha. Colours of whole
+/// numbers are as they would be without alpha, others are multiplied by it.
 struct RawPicture {
     int width = 0;
     int height = 0;
+    int channels = 3;
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<float>> values;
     std::string_view extension;    ///< names the format
     std::string_view compression;  ///< in OpenImageIO's words; empty for the format's own
@@ -36,7 +38,7 @@ struct RawPicture {
 };
 
 /// One plane of a picture with named planes: 32 bits for each pixel, row by row from the top.
-struct Plane {
+struct ChannelPlane {
     std::string name;    ///< as OpenEXR names channels: "albedo.R"
     bool whole = false;  ///< unsigned whole numbers; otherwise the bits of floats
     std::vector<std::uint32_t> bits;
@@ -46,7 +48,7 @@ struct Plane {
 struct LayeredPicture {
     int width = 0;
     int height = 0;
-    std::vector<Plane> planes;
+    std::vector<ChannelPlane> planes;
     std::vector<std::pair<std::string, std::string>> texts;
 };
 

@@ -84,7 +84,8 @@ constexpr auto fixed_time = "2000:01:01 00:00:00";
 
 std::string write(const RawPicture& picture, std::string& bytes) {
     const TypeDesc type = std::visit(StoredType(), picture.values);
-    OIIO::ImageSpec spec(picture.width, picture.height, 3, type);
+    OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type);
+    if (type != TypeDesc::FLOAT) spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("oiio:ColorSpace", type == TypeDesc::FLOAT ? "Linear" : "sRGB");
     spec.attribute("Software", "Candelabra");
     spec.attribute("DateTime", fixed_time);
@@ -123,7 +124,7 @@ std::string read_layers(const std::string& path, std::int64_t most_pixels,
         return input->geterror();
     for (std::size_t c = 0; c < count; ++c) {
         const bool whole = spec.channelformat(static_cast<int>(c)) == TypeDesc::UINT32;
-        Plane plane{spec.channelnames[c], whole, {}};
+        ChannelPlane plane{spec.channelnames[c], whole, {}};
         plane.bits.reserve(static_cast<std::size_t>(pixels));
         for (std::size_t i = c; i < side_by_side.size(); i += count)
             plane.bits.push_back(side_by_side[i]);
@@ -136,7 +137,7 @@ std::string write_layers(const LayeredPicture& picture, std::string& bytes) {
     const std::size_t count = picture.planes.size();
     OIIO::ImageSpec spec(picture.width, picture.height, static_cast<int>(count), TypeDesc::FLOAT);
     spec.channelnames.clear();
-    for (const Plane& plane : picture.planes) {
+    for (const ChannelPlane& plane : picture.planes) {
         spec.channelnames.push_back(plane.name);
         spec.channelformats.push_back(plane.whole ? TypeDesc::UINT32 : TypeDesc::FLOAT);
     }

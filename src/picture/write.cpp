@@ -5,12 +5,14 @@
 #include "picture/file.h"
 #include "picture/formats.h"
 #include "picture/gamma.h"
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -20,32 +22,22 @@ struct TypeInfo {
     std::string_view extension;
     std::string_view other;  ///< another extension that is understood
     bool linear;
+    bool alpha, grey;  ///< whether they are offered
 };
 
 constexpr auto types = std::array{
-    TypeInfo{PictureType::png, "png", "png", false},
-    TypeInfo{PictureType::exr, "exr", "exr", true},
-    TypeInfo{PictureType::hdr, "hdr", "rgbe", true},
-    TypeInfo{PictureType::ppm, "ppm", "pnm", false},
-    TypeInfo{PictureType::tga, "tga", "tpic", false},
-    TypeInfo{PictureType::jpeg, "jpg", "jpeg", false},
-    TypeInfo{PictureType::bmp, "bmp", "dib", false},
+    TypeInfo{PictureType::png, "png", "png", false, true, true},
+    TypeInfo{PictureType::exr, "exr", "exr", true, true, false},
+    TypeInfo{PictureType::hdr, "hdr", "rgbe", true, false, false},
+    TypeInfo{PictureType::ppm, "ppm", "pnm", false, false, true},
+    TypeInfo{PictureType::tga, "tga", "tpic", false, true, false},
+    TypeInfo{PictureType::jpeg, "jpg", "jpeg", false, false, false},
+    TypeInfo{PictureType::bmp, "bmp", "dib", false, false, false},
 };
 
 const TypeInfo& info(PictureType type) {
     return *std::find_if(types.begin(), types.end(),
                          [&](const TypeInfo& each) { return each.type == type; });
-}
-
-template <class Integer>
-std::vector<Integer> integers(const Image& image, const PictureFormat& format) {
-    constexpr unsigned most = static_cast<Integer>(~0u);
-    std::vector<Integer> result;
-    result.reserve(image.pixels.size() * 3);
-    for (const Vec3& pixel : image.pixels)
-        for (int i = 0; i < 3; ++i)
-            result.push_back(static_cast<Integer>(quantised(pixel[i], most, format)));
-    return result;
 }
 
 /// Radiance's shared exponents have no room for negative, infinite or undefined values.
@@ -55,26 +47,72 @@ float representable(double value, const PictureFormat& format) {
     return value > 0 ? static_cast<float>(std::min(value, 1e37)) : 0.0f;
 }
 
-std::vector<float> floats(const Image& image, const PictureFormat& format) {
-    std::vector<float> result;
-    result.reserve(image.pixels.size() * 3);
-    for (const Vec3& pixel : image.pixels)
-        for (int i = 0; i < 3; ++i) result.push_back(representable(pixel[i], format));
+/// Of a pixel in a file of whole numbers, whose colours are not multiplied by alpha. What is
+/// brighter than its alpha allows has more of it, as in POV-Ray 3.7.
+Vec3 divided(const Vec3& pixel, double& alpha) {
+    alpha = std::max(alpha, std::min(grey(pixel), 1.0));
+    return alpha > 0 ? pixel / alpha : Vec3(0);
+}
+
+/// All channels side by side.
+template <class Value, class Convert>
+std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
+                               std::span<const double> alpha, const Convert& convert) {
+    constexpr bool whole = std::is_integral_v<Value>;
+    std::vector<Value> result;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        double opaque = alpha.empty() ? 1 : alpha[i];
+        const Vec3 pixel =
+            whole && !alpha.empty() ? divided(image.pixels[i], opaque) : image.pixels[i];
+        if (format.grey)
+            result.push_back(convert(grey(pixel)));
+        else
+            for (int c = 0; c < 3; ++c) result.push_back(convert(pixel[c]));
+        if (alpha.empty()) continue;
+        constexpr double most = whole ? static_cast<double>(static_cast<Value>(~0u)) : 1;
+        result.push_back(static_cast<Value>(whole ? std::floor(most * opaque + 0.5) : opaque));
+    }
     return result;
 }
 
-RawPicture raw_picture(const Image& image, const PictureFormat& format, const TypeInfo& type) {
-    RawPicture raw{image.width, image.height, {}, type.extension, {}, format.description};
+template <class Integer>
+std::vector<Integer> integers(const Image& image, const PictureFormat& format,
+                              std::span<const double> alpha) {
+    return channels_of<Integer>(image, format, alpha, [&](double value) {
+        return static_cast<Integer>(quantised(value, static_cast<Integer>(~0u), format));
+    });
+}
+
+RawPicture raw_picture(const Image& image, const PictureFormat& format,
+                       std::span<const double> alpha) {
+    const TypeInfo& type = info(format.type);
+    RawPicture raw{image.width,
+                   image.height,
+                   (format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1),
+                   {},
+                   type.extension,
+                   {},
+                   format.description};
     if (type.linear)
-        raw.values = floats(image, format);
+        raw.values = channels_of<float>(image, format, alpha,
+                                        [&](double value) { return representable(value, format); });
     else if (format.bits == 16)
-        raw.values = integers<std::uint16_t>(image, format);
+        raw.values = integers<std::uint16_t>(image, format, alpha);
     else
-        raw.values = integers<std::uint8_t>(image, format);
+        raw.values = integers<std::uint8_t>(image, format, alpha);
     if (format.type == PictureType::exr) raw.compression = "zip";
     if (format.type == PictureType::jpeg) raw.compression = "jpeg:95";
     if (format.type == PictureType::tga) raw.compression = format.compressed ? "rle" : "none";
     return raw;
+}
+
+/// PPM and Radiance files have comments behind their first line, of which the library knows
+/// nothing.
+void describe(std::string& bytes, const PictureFormat& format) {
+    if (format.type != PictureType::ppm && format.type != PictureType::hdr) return;
+    const std::size_t end = bytes.find('\n');
+    if (!format.description.empty() && end != bytes.npos)
+        bytes.insert(end + 1, message("# ", format.description, "\n"));
 }
 
 }  // namespace
@@ -84,11 +122,10 @@ std::string_view extension(PictureType type) { return info(type).extension; }
 std::optional<PictureType> type_of_name(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string_view::npos || path[dot] == '/') return std::nullopt;
-    std::string ending(path.substr(dot + 1));
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string_view ending = path.substr(dot + 1);
     for (const TypeInfo& type : types)
-        if (ending == type.extension || ending == type.other) return type.type;
+        if (same_letters(ending, type.extension) || same_letters(ending, type.other))
+            return type.type;
     return std::nullopt;
 }
 
@@ -99,13 +136,24 @@ unsigned quantised(double value, unsigned most, const PictureFormat& format) {
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
 
+bool has_alpha(PictureType type) { return info(type).alpha; }
+
+bool has_grey(PictureType type) { return info(type).grey; }
+
+Image linear(Image image, const PictureFormat& format) {
+    for (Vec3& pixel : image.pixels)
+        for (int c = 0; c < 3; ++c) pixel[c] = representable(pixel[c], format);
+    return image;
+}
+
 std::optional<std::string> encode(const Image& image, const PictureFormat& format,
-                                  Diagnostics& diagnostics) {
+                                  Diagnostics& diagnostics, std::span<const double> alpha) {
     const TypeInfo& type = info(format.type);
     const Formats* formats = picture_formats(diagnostics);
     if (!formats) return std::nullopt;
     std::string bytes;
-    const std::string problem = formats->write(raw_picture(image, format, type), bytes);
+    const std::string problem = formats->write(raw_picture(image, format, alpha), bytes);
+    describe(bytes, format);
     if (problem.empty()) return bytes;
     diagnostics.add(error(Fault::io, {},
                           message("cannot make a ", type.extension, " file of ", image.width,
@@ -114,7 +162,7 @@ std::optional<std::string> encode(const Image& image, const PictureFormat& forma
 }
 
 bool write_picture(const Image& image, const std::string& path, const PictureFormat& format,
-                   Diagnostics& diagnostics) {
-    const auto bytes = encode(image, format, diagnostics);
+                   Diagnostics& diagnostics, std::span<const double> alpha) {
+    const auto bytes = encode(image, format, diagnostics, alpha);
     return bytes && write_file(path, *bytes, diagnostics);
 }

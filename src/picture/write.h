@@ -8,6 +8,7 @@
 #include "text/diagnostic.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,7 @@ struct PictureFormat {
     PictureType type = PictureType::png;
     int bits = 8;             ///< per channel; 16 for png only
     bool compressed = false;  ///< tga only
+    bool grey = false;        ///< one channel; png and ppm only
     double gamma = 1;         ///< the picture's values to this power are linear
     bool encoded =
         true;  ///< false: values are neither made linear nor encoded, as before POV-Ray 3.7
@@ -26,6 +28,10 @@ struct PictureFormat {
 /// Without the dot: "png".
 std::string_view extension(PictureType);
 
+/// What a file of that type may have besides three channels of colours.
+bool has_alpha(PictureType);
+bool has_grey(PictureType);
+
 /// The type that a file's name ends in, in any case of letters; nothing when it is none of them.
 std::optional<PictureType> type_of_name(std::string_view path);
 
@@ -33,9 +39,15 @@ std::optional<PictureType> type_of_name(std::string_view path);
 /// gives 0.
 unsigned quantised(double value, unsigned most, const PictureFormat& = {});
 
+/// The values as OpenEXR has them: linear.
+Image linear(Image, const PictureFormat&);
+
 /// The bytes of a file of that format; nothing, with a diagnostic, when the picture does not fit
-/// into it.
-std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostics&);
+/// into it. `alpha`: of each pixel, by which its colours have been multiplied; empty: there is
+/// none.
+std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostics&,
+                                  std::span<const double> alpha = {});
 
 /// Encodes and writes the file as write_file() does.
-bool write_picture(const Image&, const std::string& path, const PictureFormat&, Diagnostics&);
+bool write_picture(const Image&, const std::string& path, const PictureFormat&, Diagnostics&,
+                   std::span<const double> alpha = {});

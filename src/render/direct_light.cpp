@@ -53,6 +53,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const Shading&
     if (rays.lights.empty()) return seen;
     LightCount& own = rays.lights[world_.statement_of_light[light]];
     own.light.add(grey(seen));
+    own.seen += rays.share * seen;
     own.rays += rays.shadow - before;
     return seen;
 }
@@ -63,6 +64,7 @@ void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3
     if (rays.lights.empty()) return;
     LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
     own.light.add(grey(seen) / shadow_rays_);
+    own.seen += rays.share * seen / static_cast<double>(shadow_rays_);
     own.rays += count;
 }
 

@@ -51,10 +51,17 @@ double PixelSum::variance_of_mean() const {
     return std::max({variance(0), variance(1), variance(2)}) / samples;
 }
 
-Film::Film(int width, int height)
+Film::Film(int width, int height, std::size_t extras)
     : width_(width),
       height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      extras_(extras),
+      sums_(pixels_.size() * extras) {}
+
+void Film::add(std::size_t pixel, const Film& other) {
+    pixels_[pixel].add(other.pixels_[pixel]);
+    for (std::size_t i = 0; i < extras_; ++i) extra(pixel)[i].add(other.extra(pixel)[i]);
+}
 
 Image Film::image() const {
     Image image(width_, height_);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /// One pixel's samples.
@@ -39,7 +40,8 @@ private:
 class Film {
 public:
     Film() = default;
-    Film(int width, int height);
+    /// With so many sums more for each pixel (render/extras.h says what they are).
+    Film(int width, int height, std::size_t extras = 0);
     int width() const { return width_; }
     int height() const { return height_; }
     PixelSum& at(int x, int y) { return pixels_[index(x, y)]; }
@@ -51,6 +53,16 @@ public:
     }
     std::vector<PixelSum>& pixels() { return pixels_; }
     const std::vector<PixelSum>& pixels() const { return pixels_; }
+    std::size_t extras() const { return extras_; }
+    /// Of the pixel with that number.
+    std::span<ExactSum> extra(std::size_t pixel) {
+        return std::span(sums_).subspan(pixel * extras_, extras_);
+    }
+    std::span<const ExactSum> extra(std::size_t pixel) const {
+        return std::span(sums_).subspan(pixel * extras_, extras_);
+    }
+    /// Adds the samples of that pixel of another film of this size, which has the same extras.
+    void add(std::size_t pixel, const Film& other);
     /// Means of the samples; black where there are none.
     Image image() const;
 
@@ -59,4 +71,6 @@ public:
 private:
     int width_ = 0, height_ = 0;
     std::vector<PixelSum> pixels_;
+    std::size_t extras_ = 0;
+    std::vector<ExactSum> sums_;  ///< the extras, pixel by pixel
 };

@@ -19,7 +19,7 @@ double squared(double x) { return x * x; }
 PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, most_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, most_across);
-    Tracer tracer(world, 1);
+    Tracer tracer(world, {});
     PilotNoise sum;
     for (int i = 0; i < columns * rows; ++i) {
         const auto seen = [&](std::uint32_t place, std::uint32_t light) {

@@ -35,7 +35,8 @@ public:
           state_(state),
           hooks_(hooks),
           blur_(blur_rule(world, settings)),
-          shadow_rays_(shadow_rays_per_hit(world, settings)) {}
+          tracing_{shadow_rays_per_hit(world, settings), hooks.counts_lights || hooks.extras.lights,
+                   hooks.extras.alpha} {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -86,9 +87,8 @@ private:
 
     std::vector<Tracer> tracers_of_moments() const {
         std::vector<Tracer> tracers;
-        tracers.emplace_back(world_, shadow_rays_, hooks_.counts_lights);
-        for (const World& moment : world_.other_moments)
-            tracers.emplace_back(moment, shadow_rays_, hooks_.counts_lights);
+        tracers.emplace_back(world_, tracing_);
+        for (const World& moment : world_.other_moments) tracers.emplace_back(moment, tracing_);
         return tracers;
     }
 
@@ -131,16 +131,16 @@ private:
             const bool spread = settings_.antialias || world.camera.lens_radius > 0;
             const double dx = spread ? uniform(key, Purpose::pixel_x) : 0.5;
             const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
-            const double u = (x + dx) / state_.film.width() - 0.5;
-            const double v = 0.5 - (y + dy) / state_.film.height();
-            const PictureSample at{
-                x, y, state_.film.width(), state_.film.height(), key.sample, u + 0.5, v + 0.5};
-            const Ray ray =
-                world.camera.mesh ? world.camera.mesh->ray(at) : camera_ray(world, u, v, key);
+            const PicturePoint at{x, y, state_.film.width(), state_.film.height()};
+            const Ray ray = ray_through(world, at, {dx, dy}, key);
             Tracer& tracer = tracers[moment];
             const std::uint64_t before_rays = tracer.rays().shadow;
             pixel.add(tracer.radiance(ray, key));
             pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
+            if (state_.film.extras() == 0) continue;
+            const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
+            gather_sample(hooks_.extras, world, ray, tracer, extra);
+            if (key.sample == 0) gather_middle(hooks_.extras, world_, at, extra);
         }
         return pixel.samples - before;
     }
@@ -155,7 +155,7 @@ private:
     RenderState& state_;
     const RenderHooks& hooks_;
     std::optional<BlurRule> blur_;
-    int shadow_rays_;
+    Tracing tracing_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
@@ -204,7 +204,7 @@ bool advance(const World& world, const RenderSettings& settings, RenderState& st
 }
 
 Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
-    RenderState state = begin_picture(settings);
+    RenderState state = begin_picture(settings, hooks.extras.count(world));
     RayCounts rays;
     advance(world, settings, state, rays, hooks);
     return {state.film.image(), rays};

@@ -4,6 +4,7 @@
 // often the work is stopped and continued.
 #pragma once
 
+#include "render/extras.h"
 #include "render/schedule.h"
 #include "render/statistics.h"
 #include "world/world.h"
@@ -16,6 +17,7 @@ struct RenderHooks {
     std::function<void(double fraction)> progress;  ///< of the whole picture
     std::function<bool()> cancelled;                ///< true: stop within a few samples
     bool counts_lights = false;                     ///< fills RayCounts::lights
+    Extras extras = {};                             ///< the film has sums for them
 };
 
 struct Rendering {

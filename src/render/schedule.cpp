@@ -58,9 +58,9 @@ void refine(RenderState& state, const BlurRule& rule) {
 
 }  // namespace
 
-RenderState begin_picture(const RenderSettings& settings) {
-    return {Film(settings.width, settings.height), whole_picture(settings.width, settings.height),
-            0};
+RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
+    return {Film(settings.width, settings.height, extras),
+            whole_picture(settings.width, settings.height), 0};
 }
 
 bool is_even(const RenderSettings& settings) {

@@ -20,8 +20,8 @@ struct RenderState {
     friend bool operator==(const RenderState&, const RenderState&) = default;
 };
 
-/// Before the first sample.
-RenderState begin_picture(const RenderSettings&);
+/// Before the first sample. `extras`: sums for each pixel besides the picture's.
+RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 
 /// Whether the settings give all pixels the same number of samples.
 bool is_even(const RenderSettings&);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/exact_sum.h"
+#include "base/vector.h"
 
 #include <cstdint>
 #include <vector>
@@ -11,6 +12,8 @@
 struct LightCount {
     ExactSum light;          ///< grey, that came from them to all hits and on to who looks at these
     std::uint64_t rays = 0;  ///< towards them
+    /// What of them came to the camera in samples that nobody has taken yet (Tracer::take_lights).
+    Vec3 seen = Vec3(0);
 };
 
 struct RayCounts {
@@ -20,6 +23,8 @@ struct RayCounts {
     /// For each of World::light_statements, and at the end for rays that met no luminaire. Empty
     /// when nobody asks.
     std::vector<LightCount> lights = {};
+    /// Of the radiance that is asked for at the moment, in the sample that it is asked for.
+    Vec3 share = Vec3(1);
 
     RayCounts& operator+=(const RayCounts& other) {
         camera += other.camera;

@@ -5,6 +5,7 @@
 #include "surface/simplified.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -13,31 +14,51 @@ constexpr int most_passed = 1000;
 
 enum Bounce : std::uint32_t { reflection, refraction, scattering };
 
+/// For as long as it lives, what is asked for has so much less of a share in the sample.
+class Scaled {
+public:
+    Scaled(RayCounts& rays, const Vec3& factor) : share_(rays.share), before_(rays.share) {
+        share_ *= factor;
+    }
+    Scaled(const Scaled&) = delete;
+    Scaled& operator=(const Scaled&) = delete;
+    ~Scaled() { share_ = before_; }
+
+private:
+    Vec3& share_;
+    Vec3 before_;
+};
+
 Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * dot(direction, normal) * normal;
 }
 
 }  // namespace
 
-Ray camera_ray(const World& world, double u, double v, const Key& key) {
+Ray pinhole_ray(const World& world, double u, double v) {
     Ray ray = world.camera.ray(u, v);
-    if (ray.direction == Vec3(0)) return ray;
-    if (world.camera_normal.pattern)
+    if (ray.direction != Vec3(0) && world.camera_normal.pattern)
         ray.direction =
             bumped(world.camera_normal, ray.direction, Vec3(u, v, 0), world.pattern_scene());
-    if (world.camera.lens_radius == 0) return ray;
+    return ray;
+}
+
+Ray camera_ray(const World& world, double u, double v, const Key& key) {
+    const Ray ray = pinhole_ray(world, u, v);
+    if (ray.direction == Vec3(0) || world.camera.lens_radius == 0) return ray;
     return world.camera.through_lens(
         ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
 }
 
-Tracer::Tracer(const World& world, int shadow_rays, bool counts_lights)
-    : world_(world), direct_light_(world, shadow_rays) {
-    if (counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
+Tracer::Tracer(const World& world, const Tracing& wanted)
+    : world_(world), direct_light_(world, wanted.shadow_rays), clear_sky_(wanted.clear_sky) {
+    if (wanted.counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
     if (world.any_transparent && !world.camera.parallel)
         around_camera_ = world.containing(world.camera.location);
 }
 
 Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
+    clear_ = 0;
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++rays_.camera;
     Path path;
@@ -88,17 +109,46 @@ Vec3 Tracer::follow(const Path& path) {
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
-    const bool dark_sky = path.counted && !world_.sky_light.empty();
-    Vec3 seen = met        ? surface(path, hit)
-                : dark_sky ? Vec3(0)
-                           : world_.sky_radiance(path.ray.direction);
-    if ((world_.fogs.empty() && world_.rainbows.empty()) || !in_the_open(path)) return seen;
+    if ((world_.fogs.empty() && world_.rainbows.empty()) || !in_the_open(path))
+        return met ? surface(path, hit) : beyond(path);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double distance = met ? length(hit.position - path.ray.origin) : infinity;
-    if (!world_.rainbows.empty())
-        seen =
-            arched(world_.rainbows, path.ray, distance, seen, uniform(path.key, Purpose::rainbow));
-    return fogged(world_.fogs, path.ray, distance, seen, world_.pattern_scene().noise_generator);
+    const bool splits = clear_sky_ || !rays_.lights.empty();
+    const Vec3 left =
+        splits ? veiled(path, distance, Vec3(1)) - veiled(path, distance, Vec3(0)) : Vec3(1);
+    const Scaled scaled(rays_, left);
+    return veiled(path, distance, met ? surface(path, hit) : beyond(path));
+}
+
+/// What is seen of what is so far away.
+Vec3 Tracer::veiled(const Path& path, double distance, const Vec3& seen) const {
+    const Vec3 behind = world_.rainbows.empty() ? seen
+                                                : arched(world_.rainbows, path.ray, distance, seen,
+                                                         uniform(path.key, Purpose::rainbow));
+    return fogged(world_.fogs, path.ray, distance, behind, world_.pattern_scene().noise_generator);
+}
+
+/// What lies behind everything.
+Vec3 Tracer::beyond(const Path& path) {
+    if (path.counted && !world_.sky_light.empty()) return Vec3(0);
+    if (clear_sky_ && path.kind == RayKind::camera) {
+        clear_ += std::max(0.0, grey(rays_.share)) * world_.sky_clear(path.ray.direction);
+        if (world_.language_version < 3.7) return Vec3(0);
+    }
+    return world_.sky_radiance(path.ray.direction);
+}
+
+/// Notes what a luminaire shows that is seen itself.
+void Tracer::credit(const Hit& hit, const Vec3& shown) {
+    if (rays_.lights.empty() || world_.luminaires.empty()) return;
+    const LightIndex light = world_.luminaire_of[hit.primitive];
+    if (light != no_primitive)
+        rays_.lights[world_.statement_of_luminaire[light]].seen += rays_.share * shown;
+}
+
+void Tracer::take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> use) {
+    for (std::size_t i = 0; i + 1 < rays_.lights.size(); ++i)
+        use(i, std::exchange(rays_.lights[i].seen, Vec3(0)));
 }
 
 /// What all textures that are mixed at a hit show together.
@@ -109,8 +159,9 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const auto show = [&](double share, const Texture& texture) {
         for_layers(texture, s.position, s.normal, place.scene,
                    [&](double weight, std::span<const Layer> layers) {
-                       if (share * weight >= world_.settings.adc_bailout)
-                           sum += share * weight * layered(path, hit, s, layers);
+                       if (share * weight < world_.settings.adc_bailout) return;
+                       const Scaled scaled(rays_, Vec3(share * weight));
+                       sum += share * weight * layered(path, hit, s, layers);
                    });
     };
     if (s.material->inner && dot(hit.normal, path.ray.direction) > 0)
@@ -150,20 +201,30 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         const double share = &layer == layers.data() ? 1 : grey(through);
         if (share <= bailout) break;
         const Shading s = with_layer(world_, common, layer);
-        result += through * (own_radiance(world_, s, !counted) + direct_light_(s, path.key, rays_));
+        result += through * lit(path, hit, s, through, !counted);
         const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
         if (amount != Vec3(0)) result += reflected(path, s, amount, share);
         if (s.finish->microfacet.on && world_.quality >= quality_reflection)
-            result += through * scattered(path, s, share);
+            result += through * scattered(path, s, share, through);
         through *= kept(s);
     }
+    if (!total && !clear) return result;
+    const Vec3 left = faded(path, hit);
+    const Scaled scaled(rays_, left);
     // Total reflection: nothing is lost.
-    if (total) return result + faded(path, hit) * reflected(path, top, Vec3(1), 1);
+    if (total) return result + left * reflected(path, top, Vec3(1), 1);
     behind *= top.finish->refraction;
-    if (clear)
-        result += faded(path, hit) * (surface.bands > 0 ? split(path, top, surface, behind)
-                                                        : transmitted(path, top, surface, behind));
-    return result;
+    return result + left * (surface.bands > 0 ? split(path, top, surface, behind)
+                                              : transmitted(path, top, surface, behind));
+}
+
+/// What one layer sends by itself and of direct light, before the layers above it take their part.
+Vec3 Tracer::lit(const Path& path, const Hit& hit, const Shading& s, const Vec3& through,
+                 bool glowing) {
+    const Scaled scaled(rays_, through);
+    const Vec3 own = own_radiance(world_, s, glowing);
+    credit(hit, own);
+    return own + direct_light_(s, path.key, rays_);
 }
 
 /// What the inside of a solid leaves of the light along the part of a ray that ends at its surface.
@@ -188,9 +249,11 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
     next.counted = false;
     next.key = path.key.bounced(reflection);
     ++rays_.scattered;
-    const Vec3 seen = follow(next);
     const Vec3 tinted = amount * iridescence(world_, s, next.ray.direction);
     const double exponent = s.finish->reflection.exponent;
+    // A power of a sum has no parts.
+    const Scaled scaled(rays_, exponent == 1 ? tinted : Vec3(0));
+    const Vec3 seen = follow(next);
     if (exponent == 1) return tinted * seen;
     const auto dimmed = [&](double channel) {
         return channel > 0 ? std::pow(channel, 1 / exponent) : 0.0;
@@ -199,7 +262,7 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
 }
 
 /// What small facets reflect, besides what direct_light_ has seen of it.
-Vec3 Tracer::scattered(const Path& path, const Shading& s, double share) {
+Vec3 Tracer::scattered(const Path& path, const Shading& s, double share, const Vec3& through) {
     const auto drawn =
         scatter(s, uniform(path.key, Purpose::facet_choice),
                 {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
@@ -213,6 +276,7 @@ Vec3 Tracer::scattered(const Path& path, const Shading& s, double share) {
     next.counted = !drawn->narrow;
     next.key = path.key.bounced(scattering);
     ++rays_.scattered;
+    const Scaled scaled(rays_, through * drawn->weight);
     return drawn->weight * follow(next);
 }
 
@@ -227,6 +291,7 @@ Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
         Interface own = surface;
         own.ratio *= std::pow(surface.dispersion, coloured.band->power());
         const bool total = own.ratio * own.ratio * (1 - cosine * cosine) > 1;
+        const Scaled scaled(rays_, hue(*coloured.band) / static_cast<double>(surface.bands));
         sum += hue(*coloured.band) *
                (total ? reflected(coloured, s, Vec3(1), 1) : transmitted(coloured, s, own, share));
     }
@@ -254,5 +319,6 @@ Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& su
     next.key = path.key.bounced(refraction);
     next.solids = surface.behind;
     ++rays_.scattered;
+    const Scaled scaled(rays_, share);
     return share * follow(next);
 }

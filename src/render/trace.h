@@ -5,8 +5,10 @@
 
 #include "render/direct_light.h"
 
+#include "base/function_ref.h"
 #include "surface/dispersion.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,17 +16,33 @@
 /// chooses.
 Ray camera_ray(const World&, double u, double v, const Key&);
 
+/// The same without a lens.
+Ray pinhole_ray(const World&, double u, double v);
+
+/// What is asked of a tracer besides radiance.
+struct Tracing {
+    int shadow_rays = 1;         ///< at each hit
+    bool counts_lights = false;  ///< one by one
+    bool clear_sky = false;      ///< what is behind everything may be clear, as in POV-Ray's +UA
+};
+
 /// One for each job: it keeps scratch memory and counts rays.
 class Tracer {
 public:
-    /// Lights are counted one by one when that is asked for.
-    Tracer(const World& world, int shadow_rays, bool counts_lights = false);
+    Tracer(const World& world, const Tracing&);
 
     /// Radiance that comes along a camera ray; an unbiased estimate, a pure function of ray and
     /// key.
     Vec3 radiance(const Ray& ray, const Key& key);
 
     const RayCounts& rays() const { return rays_; }
+
+    /// How much of the last sample is what is behind everything and clear: 0 to 1.
+    double clear() const { return std::min(clear_, 1.0); }
+
+    /// The light of each of World::light_statements in all samples since the last call. Lights must
+    /// be counted.
+    void take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> use);
 
 private:
     /// What a ray is inside of, in the order of entering.
@@ -51,12 +69,16 @@ private:
     };
 
     Vec3 follow(const Path&);
+    Vec3 beyond(const Path&);
+    Vec3 veiled(const Path&, double distance, const Vec3& seen) const;
+    void credit(const Hit&, const Vec3& shown);
     Vec3 surface(const Path&, const Hit&);
     Vec3 layered(const Path&, const Hit&, const Shading&, std::span<const Layer>);
     bool in_the_open(const Path&) const;
     Vec3 faded(const Path&, const Hit&) const;
     Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share);
-    Vec3 scattered(const Path&, const Shading&, double share);
+    Vec3 lit(const Path&, const Hit&, const Shading&, const Vec3& through, bool glowing);
+    Vec3 scattered(const Path&, const Shading&, double share, const Vec3& through);
     Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);
     Vec3 split(const Path&, const Shading&, const Interface&, const Vec3& share);
     Interface interface_at(const Path&, PrimitiveIndex) const;
@@ -66,4 +88,6 @@ private:
     DirectLight direct_light_;
     Solids around_camera_;
     RayCounts rays_;
+    bool clear_sky_;
+    double clear_ = 0;
 };

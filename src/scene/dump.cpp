@@ -14,6 +14,9 @@ namespace {
 /// stack.
 constexpr int deepest = 16;
 
+/// Without a `background` all is black there, and clear in a picture with alpha.
+const Colour no_background{Vec3(0), 0, 1};
+
 template <class T>
 std::string block_text(const T& item) {
     const std::string fields = written_fields(T::vocabulary, &item);
@@ -180,7 +183,7 @@ public:
 
     std::string text(const Scene& scene) {
         out_ = message("#version ", scene.language_version, ";\n", settings_text(scene));
-        if (!(scene.background.colour == Colour()))
+        if (!(scene.background.colour == no_background))
             out_ += message("background { ", colour_text(scene.background.colour), " }\n");
         if (scene.sky) out_ += dump(*scene.sky);
         for (const Fog& fog : scene.fogs) out_ += block_text(fog) + "\n";

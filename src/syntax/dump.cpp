@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/dump.h"
 
+#include "syntax/lexer.h"
 #include "syntax/quoted.h"
 #include "text/message.h"
+#include "text/utf8.h"
 
 #include <algorithm>
 
@@ -143,6 +145,14 @@ struct Describe {
     Description operator()(const node::Write& n) const { return {"#write", {{"", n.content}}}; }
 };
 
+/// Blanks for the depth. Deeper lines than anybody reads tell it as a number: blanks would take
+/// more room than a disk has.
+std::string indentation(std::size_t depth) {
+    constexpr std::size_t deepest = 100;
+    if (depth <= deepest) return std::string(2 * depth, ' ');
+    return message(std::string(2 * deepest, ' '), "(", depth, " deep) ");
+}
+
 }  // namespace
 
 std::string dump(const Tree& tree, const Names& names) {
@@ -164,10 +174,33 @@ std::string dump(const Tree& tree, const Names& names) {
         const Line line = work.back();
         work.pop_back();
         const Description description = std::visit(Describe{tree, names}, tree[line.id].content);
-        result += message(std::string(2 * line.depth, ' '), line.label,
-                          line.label.empty() ? "" : ": ", description.text, "\n");
+        result += message(indentation(line.depth), line.label, line.label.empty() ? "" : ": ",
+                          description.text, "\n");
         for (std::size_t i = description.lists.size(); i-- > 0;)
             push(line.depth + 1, description.lists[i].first, description.lists[i].second);
+    }
+    return result;
+}
+
+std::string dump_tokens(SourceId source, const SourceStore& sources, Names& names,
+                        Diagnostics& diagnostics) {
+    Tree tree;
+    tree.source = source;
+    Lexer lexer(source, sources, names, tree, diagnostics);
+    std::string result;
+    const std::string_view text = sources.text(source);
+    Place place;
+    std::uint32_t at = 0;  // whose place that is; nothing at first
+    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
+        // A line may be as long as the file: its characters are counted once.
+        const std::string_view between = text.substr(at, token.first - at);
+        if (at == 0 || between.find_first_of("\r\n") != between.npos)
+            place = sources.place(source, token.first);
+        else
+            place.column += static_cast<int>(character_count(between));
+        at = token.first;
+        result += message(place.line, ":", place.column, " ", name(token.kind), " ",
+                          text.substr(token.first, token.last - token.first), "\n");
     }
     return result;
 }

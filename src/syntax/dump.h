@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tree as it is, a node a line, for `--dump tree` and for comparing trees. Places are left out.
-// Does not recurse, so trees of any depth can be written.
+// Tokens and trees as they are, one or a node a line, for `--dump` and for comparing trees, whose
+// places are left out. Does not recurse, so trees of any depth can be written.
 #pragma once
 
 #include "syntax/tree.h"
+#include "text/diagnostic.h"
+#include "text/source.h"
 
 #include <string>
 
 std::string dump(const Tree&, const Names&);
+
+/// All tokens, one a line: place, kind, text.
+std::string dump_tokens(SourceId, const SourceStore&, Names&, Diagnostics&);

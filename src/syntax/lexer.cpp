@@ -384,17 +384,3 @@ void Lexer::double_sign(const char* first, std::string_view instead) {
               message("this language writes `", instead, "`, not `", instead, instead, "`"))
             .with_help(message("write `", instead, "`")));
 }
-
-std::string dump_tokens(SourceId source, const SourceStore& sources, Names& names,
-                        Diagnostics& diagnostics) {
-    Tree tree;
-    tree.source = source;
-    Lexer lexer(source, sources, names, tree, diagnostics);
-    std::string result;
-    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        const Place place = sources.place(source, token.first);
-        result += message(place.line, ":", place.column, " ", name(token.kind), " ",
-                          sources.text(source).substr(token.first, token.last - token.first), "\n");
-    }
-    return result;
-}

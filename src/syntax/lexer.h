@@ -60,6 +60,3 @@ private:
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;
 };
-
-/// All tokens, one a line: place, kind, text. For `--dump tokens`.
-std::string dump_tokens(SourceId, const SourceStore&, Names&, Diagnostics&);

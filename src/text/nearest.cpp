@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/nearest.h"
 
+#include "text/ascii.h"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,18 +18,14 @@ constexpr int other_case = 1;
 // Longer words are not names anyone mistyped, and comparing them would take too long.
 constexpr std::size_t longest = 64;
 
-char lower(char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
 int change(char a, char b) {
     if (a == b) return 0;
-    return lower(a) == lower(b) ? other_case : slip;
+    return lower_case(a) == lower_case(b) ? other_case : slip;
 }
 
 bool swapped(std::string_view a, std::size_t i, std::string_view b, std::size_t j) {
-    return i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
-           lower(a[i - 2]) == lower(b[j - 1]);
+    return i > 1 && j > 1 && lower_case(a[i - 1]) == lower_case(b[j - 2]) &&
+           lower_case(a[i - 2]) == lower_case(b[j - 1]);
 }
 
 /// Damerau-Levenshtein distance in which no part is edited twice.

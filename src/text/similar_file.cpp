@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/similar_file.h"
 
+#include "text/ascii.h"
 #include "text/nearest.h"
 
 #include <algorithm>
@@ -15,11 +16,9 @@ namespace fs = std::filesystem;
 /// Letters and digits only, in small letters: what people remember of a name.
 std::string gist(std::string_view name) {
     std::string result;
-    for (const char c : name) {
-        if (c >= 'A' && c <= 'Z')
-            result += static_cast<char>(c - 'A' + 'a');
-        else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80))
-            result += c;
+    for (const char letter : name) {
+        const char c = lower_case(letter);
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80)) result += c;
     }
     return result;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "web/server.h"
 
+#include "text/ascii.h"
+
 #include <algorithm>
 
 #include <arpa/inet.h>
@@ -22,9 +24,7 @@ std::string header(std::string_view head, std::string_view name) {
         const std::string_view line = head.substr(0, end);
         head.remove_prefix(std::min(head.size(), end + 2));
         const bool same = line.size() > name.size() && line[name.size()] == ':' &&
-                          std::ranges::equal(line.substr(0, name.size()), name, [](char a, char b) {
-                              return (a | 0x20) == (b | 0x20);
-                          });
+                          same_letters(line.substr(0, name.size()), name);
         if (!same) continue;
         const std::string_view value = line.substr(name.size() + 1);
         const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());

@@ -64,9 +64,10 @@ void simplify_lights(World& world) {
     for (Light& light : world.lights) std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
 
-World flattened(const Scene& scene, Flatten what, int quality, Diagnostics& diagnostics) {
+World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
+                Diagnostics& diagnostics) {
     World world;
-    world.quality = quality;
+    world.quality = options.quality;
     world.settings = scene.settings;
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
@@ -75,7 +76,7 @@ World flattened(const Scene& scene, Flatten what, int quality, Diagnostics& diag
     world.sky = scene.sky;
     world.fogs = scene.fogs;
     world.rainbows = scene.rainbows;
-    flatten(scene, world, diagnostics, what);
+    flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);
     return world;
 }
@@ -122,17 +123,19 @@ void build_indices(World& world, const CompileOptions& options) {
 }  // namespace
 
 World survey(const Scene& scene, Diagnostics& diagnostics) {
-    return flattened(scene, Flatten::luminaires, quality_full, diagnostics);
+    CompileOptions full;
+    full.quality = quality_full;
+    return flattened(scene, full, Flatten::luminaires, diagnostics);
 }
 
 World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, Flatten::everything, options.quality, diagnostics);
+    World world = flattened(scene, options, Flatten::everything, diagnostics);
     build_indices(world, options);
     return world;
 }
 
 World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, Flatten::everything, options.quality, diagnostics);
+    World world = flattened(scene, options, Flatten::everything, diagnostics);
     scene.objects = {};
     build_indices(world, options);
     return world;

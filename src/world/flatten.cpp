@@ -5,11 +5,11 @@
 #include "shape/area.h"
 #include "solid/assemble.h"
 #include "text/message.h"
+#include "world/bookkeeping.h"
 #include "world/dark.h"
 #include "world/materials.h"
 
 #include <algorithm>
-#include <map>
 
 namespace {
 
@@ -21,9 +21,12 @@ bool is_composite(const Object& object) {
 
 class Flattener {
 public:
-    Flattener(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what)
+    Flattener(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
+              bool remembers_objects)
         : world_(world),
           diagnostics_(diagnostics),
+          objects_(world, remembers_objects),
+          statements_(world),
           all_(what == Flatten::everything),
           only_lights_count_(!all_ && !scene.lights.empty() && !world.settings.ambient_luminaires),
           materials_(world) {}
@@ -34,6 +37,7 @@ public:
         const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
         if (dark || is_composite(object)) {
             ++world_.objects;
+            objects_.begin(object.span);
             if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
         }
@@ -48,10 +52,13 @@ public:
         world_.objects += row ? row->spheres.size() : 1;
         const bool placed = all_ || materials_.glows(material);
         if (row) {
-            for (std::size_t i = 0; placed && i < row->spheres.size(); ++i)
+            for (std::size_t i = 0; placed && i < row->spheres.size(); ++i) {
+                objects_.begin(row->spans[i]);
                 place_sphere(row->spheres[i], here.transform, material, row->spans[i]);
+            }
             return;
         }
+        objects_.begin(object.span);
         const Shape& shape = std::get<Shape>(object.form);
         if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
             mesh && object.part_textures && !(*mesh)->looks.empty())
@@ -62,7 +69,7 @@ public:
 
     /// An object that stands in the scene itself.
     void add_statement(const Object& object) {
-        statement_ = object.span;
+        statements_.begin(object.span);
         add(object, {});
     }
 
@@ -71,8 +78,9 @@ public:
         LightReach reach{group};
         if (placed.projected_through)
             reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
-        statement_ = placed.span;
-        world_.statement_of_light.push_back(statement());
+        // Those of a group belong to its statement.
+        if (group == 0) statements_.begin(placed.span);
+        world_.statement_of_light.push_back(statements_.number());
         world_.lights.push_back(std::move(placed.light));
         world_.light_reach.push_back(std::move(reach));
     }
@@ -85,6 +93,7 @@ public:
         all.insert(all.end(), leaf_materials_.begin(), leaf_materials_.end());
         if (!world_.normals.empty())
             world_.normals_of.resize(world_.triangles.size(), no_primitive);
+        objects_.finish();
         const auto triangles = static_cast<PrimitiveIndex>(world_.spheres.size());
         const auto shapes = static_cast<PrimitiveIndex>(triangles + world_.triangles.size());
         const PrimitiveIndex leaves = world_.leaves_begin();
@@ -206,6 +215,7 @@ private:
         note_luminaire(Unplaced::sphere, world_.spheres.size(), material, span);
         world_.spheres.push_back(sphere);
         sphere_materials_.push_back(material);
+        objects_.placed(Unplaced::sphere);
     }
 
     void add_triangle(TrianglePrimitive t, const Transform* transform, std::uint32_t material,
@@ -216,6 +226,7 @@ private:
         note_luminaire(Unplaced::triangle, world_.triangles.size(), material, span);
         world_.triangles.push_back(t);
         triangle_materials_.push_back(material);
+        objects_.placed(Unplaced::triangle);
     }
 
     /// Of the triangle that was added last.
@@ -236,6 +247,7 @@ private:
         if (!bounded) world_.unbounded.push_back(index);
         world_.shapes.push_back({shape, transform});
         shape_materials_.push_back(material);
+        objects_.placed(Unplaced::shape);
     }
 
     /// What the composite's leaves look like.
@@ -266,6 +278,7 @@ private:
             transparent |= flattener.world_.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);
+            flattener.objects_.placed(Unplaced::leaf);
         }
     };
 
@@ -299,19 +312,8 @@ private:
 
     void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
         if (materials_.glows(material))
-            glowing_.push_back({kind, static_cast<std::uint32_t>(index), span, statement()});
-    }
-
-    /// The number of the statement that is at work; they come one after the other, mostly.
-    std::uint32_t statement() {
-        std::vector<Span>& all = world_.light_statements;
-        if (!all.empty() && all[last_statement_] == statement_) return last_statement_;
-        const std::pair<SourceId, std::uint64_t> place{
-            statement_.source, std::uint64_t{statement_.first} << 32 | statement_.last};
-        const auto [found, added] =
-            statements_.try_emplace(place, static_cast<std::uint32_t>(all.size()));
-        if (added) all.push_back(statement_);
-        return last_statement_ = found->second;
+            glowing_.push_back(
+                {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
     }
 
     /// `first` is the number of the first primitive of each kind.
@@ -380,9 +382,8 @@ private:
     std::vector<Span> leaf_spans_;
     std::vector<Unplaced> glowing_;
     int guides_left_ = 64;
-    Span statement_;  ///< that is at work
-    std::uint32_t last_statement_ = 0;
-    std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> statements_;
+    ObjectMemory objects_;
+    LightStatements statements_;
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;
@@ -390,8 +391,9 @@ private:
 
 }  // namespace
 
-void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what) {
-    Flattener flattener(scene, world, diagnostics, what);
+void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
+             bool remembers_objects) {
+    Flattener flattener(scene, world, diagnostics, what, remembers_objects);
     for (const PlacedLight& light : scene.lights) flattener.add_light(light);
     for (const ObjectHandle& object : scene.objects) flattener.add_statement(*object);
     flattener.finish();

@@ -11,5 +11,6 @@ enum class Flatten {
     luminaires,  ///< of other objects only their number and their materials
 };
 
-/// Fills the world's primitives, materials and luminaires.
-void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything);
+/// Fills the world's primitives, materials and luminaires, and World::object_of if that is wanted.
+void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything,
+             bool remembers_objects = false);

@@ -320,6 +320,16 @@ Vec3 World::sky_radiance(const Vec3& direction) const {
                     language_version < 3.7);
 }
 
+double World::sky_clear(const Vec3& direction) const {
+    if (language_version < 3.7) return 1;
+    const double clear = std::clamp(grey(background.colour.passing()), 0.0, 1.0);
+    if (!sky) return clear;
+    const auto seen = [&](const Vec3& behind) {
+        return radiance(*sky, direction, behind, pattern_scene(), false);
+    };
+    return std::min(1.0, clear * std::abs(grey(seen(Vec3(1)) - seen(Vec3(0)))));
+}
+
 double World::opacity(const Colour& colour) const {
     // Before version 3.7, filter counted by the brightest channel of the colour.
     if (language_version < 3.7)

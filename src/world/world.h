@@ -130,6 +130,9 @@ public:
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const;
 
+    /// How clear it is there, 0 to 1, in a picture with alpha: POV-Ray 3.7's rules.
+    double sky_clear(const Vec3& direction) const;
+
     /// Whether the lights of a group may light an object of the material.
     bool reaches(std::uint32_t light_group, const Material&) const;
 
@@ -171,8 +174,7 @@ public:
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
-        return light_is_drawn() || !sky_light.empty() || any_scattering ||
-               !other_moments.empty();
+        return light_is_drawn() || !sky_light.empty() || any_scattering || !other_moments.empty();
     }
 
     // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
@@ -202,6 +204,10 @@ public:
     /// them.
     std::vector<Span> light_statements;
     std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
+    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
+    /// the scene makes them. Both are empty unless compile() was asked to remember.
+    std::vector<std::uint32_t> object_of;
+    std::vector<Span> object_spans;
     std::vector<Light> lights;
     std::vector<LightReach> light_reach;      ///< of each light
     std::vector<SourceSet> source_sets;       ///< all of them

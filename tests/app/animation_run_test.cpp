@@ -5,9 +5,122 @@
 
 #include <catch2/catch.hpp>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Calls test() again and again until it gives true; false after some seconds.
+template <class Test>
+bool soon(const Test& test) {
+    for (int i = 0; i < 3000; ++i) {
+        if (test()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("a frame is prepared while the one before it is rendered") {
+    Shell shell;
+    // The second frame includes a pipe: who writes to it knows that it is being read.
+    const std::string pipe = shell.path("pipe.inc");
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    shell.write("moving.pov",
+                std::string(lit_scene) + "#if (frame_number = 2) #include \"pipe.inc\" #end");
+    std::atomic<bool> met = false, once = true;
+    shell.interrupts.take = [&] {
+        if (once.exchange(false))  // from the rendering of the first frame
+            met = soon([&] {
+                const int file = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK);
+                if (file < 0) return false;
+                ::close(file);
+                return true;
+            });
+        return Interrupt::none;
+    };
+    REQUIRE(shell({shell.path("moving.pov"), "-V", "+W16", "+H12", "--samples", "2", "+KFF2",
+                   "+WT2", "+O" + shell.path("f.png"), "--stats", shell.path("s.json")}) == 0);
+    CHECK(met);
+    const auto ahead = [&](const char* name) {
+        return nlohmann::json::parse(shell.content(name))["prepared_ahead"].get<bool>();
+    };
+    CHECK_FALSE(ahead("s1.json"));
+    CHECK(ahead("s2.json"));
+}
+
+TEST_CASE("frames are the same whether they are prepared ahead or not") {
+    Shell shell;
+    shell.write("moving.pov", std::string(lit_scene) +
+                                  "sphere { clock*x, 0.3 pigment { rgb 1 } }\n"
+                                  "#warning concat(\"clock \", str(clock, 0, 2), \"\\n\")");
+    const auto frames = [&](const std::string& threads, const std::string& name) {
+        REQUIRE(shell({shell.path("moving.pov"), "+W16", "+H12", "--samples", "2", "+KFF4", threads,
+                       "+O" + shell.path(name + ".png")}) == 0);
+        std::string all;
+        for (const char* number : {"1", "2", "3", "4"})
+            all += shell.content(name + number + ".png");
+        // What is said comes in the order of the frames.
+        std::size_t at = 0;
+        for (const char* part : {"frame 1 (", "clock 0.00", "a1", "frame 2 (", "clock 0.33"})
+            CHECK((at = shell.err.find(part[0] == 'a' ? name + "1.png: " : part, at)) !=
+                  std::string::npos);
+        return all;
+    };
+    CHECK(frames("+WT2", "a") == frames("+WT1", "b"));
+}
+
+TEST_CASE("a frame that is made from the picture before it waits for that") {
+    Shell shell;
+    shell.write("back.pov", R"(#version 3.7; camera { orthographic location -5*z right 4*x up 3*y }
+        plane { z, 1 #if (frame_number = 1) pigment { rgb 0.25 }
+            #else pigment { image_map { png concat("f", str(frame_number - 1, 0, 0), ".png") } scale 4 translate -2 } #end
+            finish { ambient 2 diffuse 0 } })");
+    const auto run = [&](const std::string& threads) {
+        REQUIRE(shell({shell.path("back.pov"), "-V", "+W16", "+H12", "-A", "+KFF3", threads,
+                       "+O" + shell.path("f.png")}) == 0);
+        return shell.content("f3.png");
+    };
+    const std::string first = run("+WT2");  // there is no picture before
+    CHECK(run("+WT2") == first);            // there are those of the last run
+    CHECK(run("+WT1") == first);
+}
+
+TEST_CASE("an error or a stop in one frame leaves nothing of the next") {
+    Shell shell;
+    shell.write("bad.pov",
+                std::string(lit_scene) + "#if (frame_number = 2) sphere { 0, Sise } #end");
+    CHECK(shell({shell.path("bad.pov"), "-V", "+W16", "+H12", "+KFF3", "+WT2",
+                 "+O" + shell.path("f.png")}) == exit_status::scene);
+    CHECK(fs::exists(shell.path("f1.png")));
+    CHECK_FALSE(fs::exists(shell.path("f3.png")));
+    CHECK(shell.err.find("Sise") != shell.err.npos);
+    CHECK(shell.err.find("error", shell.err.find("Sise") + 200) == shell.err.npos);
+    fs::remove(shell.path("f1.png"));
+    int calls = 0;
+    std::mutex mutex;
+    shell.interrupts.take = [&] {
+        const std::lock_guard lock(mutex);
+        return ++calls == 100 ? Interrupt::stop : Interrupt::none;
+    };
+    CHECK(shell.render({"-V", "+KFF3", "+WT2", "+O" + shell.path("f.png")}) ==
+          exit_status::stopped);
+    CHECK(fs::exists(shell.path("f1.png.state.exr")));
+    for (const char* name : {"f1.png", "f2.png", "f2.png.state.exr", "f3.png.state.exr"})
+        CHECK_FALSE(fs::exists(shell.path(name)));
+}
 
 TEST_CASE("shards of an animation have every so many frames") {
     Shell shell;

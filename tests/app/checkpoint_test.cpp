@@ -14,7 +14,7 @@ Checkpoint example() {
     settings.width = 7;
     settings.height = 5;
     Checkpoint checkpoint{
-        {{"program", "x"}, {"file a b.pov", "12"}}, begin_picture(settings), 3, 9, true};
+        {{"program", "x"}, {"file a b.pov", "12"}}, begin_picture(settings, 2), 3, 9, true};
     checkpoint.state.share = {{0, 1, 7, 5}, 2, 4, 6, 7};
     checkpoint.state.rounds = 2;
     double value = -1;
@@ -22,6 +22,7 @@ Checkpoint example() {
         pixel.target = 5;
         for (int i = 0; i < 3; ++i, value += 0.37) pixel.add(Vec3(value, 1e9 * value, 1e-9));
     }
+    for (std::size_t i = 0; i < 35; ++i) checkpoint.state.film.extra(i)[i % 2].add(-1e6 * value);
     return checkpoint;
 }
 

@@ -313,3 +313,68 @@ TEST_CASE("the manual shows the stages of a scene as they are", "[app]") {
         CHECK(has(manual, shell.out));
     }
 }
+
+TEST_CASE("each form of progress says it to those who listen") {
+    struct Case {
+        const char* form;
+        bool on_out;
+        const char* text;
+    };
+    const Case cases[] = {
+        {"alf", true, "ALF_PROGRESS 100%\n"},
+        {"openjd", true, "openjd_progress: 100\n"},
+        {"json", false, "{\"progress\":1,\"seconds\":"},
+    };
+    for (const Case& each : cases) {
+        Shell shell;
+        CAPTURE(each.form, shell.err, shell.out);
+        REQUIRE(shell.render({"-F", "--progress", each.form}) == 0);
+        CHECK(has(each.on_out ? shell.out : shell.err, each.text));
+        CHECK_FALSE(has(each.on_out ? shell.err : shell.out, each.text));
+    }
+    for (const char* form : {"none", "plain", "auto"}) {
+        Shell shell;  // too quick for a line
+        REQUIRE(shell.render({"-F", "--progress", form}) == 0);
+        CHECK(shell.out.empty());
+        CHECK(shell.err.starts_with("no file: 16 x 12 in "));
+    }
+    Shell shell;
+    CHECK(shell.render({"-F", "--progress", "dots"}) == exit_status::usage);
+    CHECK(has(shell.err, "auto, plain, json, alf, openjd or none"));
+}
+
+TEST_CASE("exit statuses are as the manual has them") {
+    Shell shell;
+    const std::string file = "+O" + shell.path("a.png");
+    CHECK(shell.render({"-V", file}) == 0);
+    shell.write("bad.pov", "sphere { 0, Sise }");
+    CHECK(shell({shell.path("bad.pov"), "-V", file}) == 1);
+    CHECK(shell({shell.path("bad.pov"), "--check"}) == 1);
+    CHECK(shell.render({"+Wx"}) == 2);
+    CHECK(shell({}) == 2);
+    CHECK(shell({shell.path("none.pov")}) == 3);
+    CHECK(shell.render({"-V", "+O" + shell.path("none/a.png")}) == 3);
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    CHECK(shell.render({"-V", file}) == 4);
+    std::ifstream page(std::string(CANDELABRA_SOURCE_DIR) + "/man/candelabra.1.in");
+    const std::string manual{std::istreambuf_iterator<char>(page), {}};
+    const std::string statuses = manual.substr(manual.find(".SH EXIT STATUS"), 700);
+    for (const char* status : {".B 0", ".B 1", ".B 2", ".B 3", ".B 4"})
+        CHECK(has(statuses, status));
+}
+
+TEST_CASE("every picture says what made it, as far as its format has room") {
+    Shell shell;
+    for (const char* ending : {"png", "exr", "jpg", "tga", "ppm", "hdr"}) {
+        CAPTURE(ending);
+        const std::string name = std::string("a.") + ending;
+        REQUIRE(shell.render({"-V", "--seed", "7", "+O" + shell.path(name)}) == 0);
+        const std::string bytes = shell.content(name);
+        for (const char* part : {"Candelabra ", "; scene lit.pov, sha256 ", " width=16;"})
+            CHECK(has(bytes, part));
+        if (std::string_view(ending) != "tga")  // whose texts have 324 characters
+            for (const char* part : {" seed=7;", " samples=2;"}) CHECK(has(bytes, part));
+        Diagnostics diagnostics;
+        CHECK(read_picture(shell.path(name), diagnostics));  // the text is in nobody's way
+    }
+}

@@ -25,6 +25,10 @@ TEST_CASE("what differs between two pictures has a name") {
     CHECK(now([](Options& o) { o.render.noise = 0.1; }) ==
           "sampling was adaptive with threshold 0.3 and depth 3 and is until the noise is below "
           "0.1");
+    CHECK(now([](Options& o) { o.alpha = true; }) == "alpha was not given and is yes");
+    CHECK(now([](Options& o) {
+              o.layers = {PictureLayer::normal, PictureLayer::lights};
+          }) == "layers was not given and is normal,lights");
     CHECK(now([](Options& o) { o.render.threads = 3; }).empty());
     CHECK(now([](Options& o) { o.render.samples = 64; }).empty());
     CHECK(now([](Options& o) { o.output = "other.png"; }).empty());

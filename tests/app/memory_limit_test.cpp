@@ -29,6 +29,15 @@ TEST_CASE("the machine tells how much memory it has", "[app]") {
     CHECK(physical_memory().value_or(0) > std::uint64_t{1} << 26);
 }
 
+TEST_CASE("as much memory again must fit into the limit", "[app]") {
+    CHECK(memory_in_use() > 1 << 20);
+    CHECK(memory_in_use() < physical_memory().value_or(0));
+    CHECK(may_double(100, 200));
+    CHECK_FALSE(may_double(101, 200));
+    CHECK_FALSE(may_double(0, 200));  // unknown
+    CHECK(may_double(1 << 20, {}));
+}
+
 TEST_CASE("a scene that takes too much memory gets a message", "[app]") {
     const Folder folder;
     folder.put("big.pov", R"(#version 3.7; #declare S = "0123456789";

@@ -209,7 +209,6 @@ TEST_CASE("every wrong argument has one message") {
          "`+FX`: `X` is no picture format | N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C "
          "compressed tga, J jpeg, B bmp"},
         {{"+FN12"}, "`+FN12`: a channel can have 8 or 16 bits"},
-        {{"+FNg"}, "`+FNg`: grey output is not offered"},
         {{"--light-sampler", "octree"},
          "`--light-sampler`: there is no light sampler `octree` | there are every_light, "
          "constant_alpha, linear_alpha, light_bvh, light_octree"},
@@ -232,12 +231,10 @@ TEST_CASE("every wrong argument has one message") {
          "`b.pov`: only one scene can be rendered at a time, and there is already `a.pov`"},
         {{"render.ini"}, "`render.ini`: there is no such file that can be read"},
         {{""}, "``: a file name cannot be empty"},
-        {{"+UF"}, "`+UF`: is not offered"},
-        {{"+UF"}, "`+UF`: is not offered"},
         {{"+KIx"}, "`+KIx`: initial_clock must be a number, but it is `x`"},
         {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},
         {{"Create_Ini=on"}, "`Create_Ini=on`: needs the name of a file | +GIall.ini"},
-        {{"+UA"}, "`+UA`: is not offered: pictures have no alpha channel"},
+        {{"+UF"}, "`+UF`: is not offered: no screen has interlaced fields any more"},
         {{"File_Gamma=2.2"},
          "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, "
          "+FH"},

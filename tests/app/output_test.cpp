@@ -74,3 +74,24 @@ TEST_CASE("the folder of the picture") {
     CHECK(folder_of({"-", {}}) == "");
     CHECK(folder_of({"/dev/null", {}}) == "");
 }
+
+TEST_CASE("alpha, grey and layers are for files that can have them") {
+    const auto complaint = [](const char* output, bool alpha, bool grey, bool layers) {
+        Options options;
+        options.scene = "a.pov";
+        options.output = output;
+        options.alpha = alpha;
+        options.grey = grey;
+        if (layers) options.layers = {PictureLayer::depth};
+        Diagnostics diagnostics;
+        output_of(options, diagnostics);
+        return diagnostics.all().empty() ? "" : diagnostics.all()[0].message;
+    };
+    for (const char* name : {"a.png", "a.tga", "a.exr"})
+        CHECK(complaint(name, true, false, false) == "");
+    for (const char* name : {"a.png", "a.ppm"}) CHECK(complaint(name, false, true, false) == "");
+    CHECK(complaint("a.bmp", true, false, false) == "a file of format bmp has no alpha channel");
+    CHECK(complaint("a.exr", false, true, false) == "a file of format exr is not written in grey");
+    for (const char* name : {"a.exr", "a.png"}) CHECK(complaint(name, false, false, true) == "");
+    CHECK(complaint("-", false, false, true) == "layers need a file");
+}

@@ -36,7 +36,13 @@ try:
     assert get("picture.png")[1:4] == b"PNG"
     assert b"<!DOCTYPE html>" in get("")
     assert get("pick?x=3&y=40").startswith(b"<3, 40>: rgb <")
+    under = get("pick?x=32&y=40").decode()
+    assert "\nobject 2: " in under and "pigment { checker" in under and "100 %  " in under, under
     assert get("pick?x=64&y=0") == b""
+    assert "lit.pov:" in status()["lights"] and "%" in status()["lights"]
+    pictures = {get("view.png?name=" + name) for name in status()["views"]}
+    assert len(pictures) == 8 and all(p[1:4] == b"PNG" for p in pictures)
+    assert get("view.png?name=none") == b""
     assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
     before = status()["picture"]
     get("turn?name=Size&value=7")
@@ -56,5 +62,40 @@ assert run.wait(20) == 0
 )");
     const std::string command = "timeout 100 python3 " + shell.path("client.py") +
                                 " " CANDELABRA_BINARY " " + shell.path("lit.pov");
+    CHECK(std::system(command.c_str()) == 0);
+}
+
+TEST_CASE("of an animation the preview shows the frame that is chosen") {
+    if (std::system("command -v python3 > /dev/null") != 0) return;
+    const Shell shell;
+    shell.write("moving.pov",
+                "camera { orthographic location -5*z right 4*x up 3*y }\n"
+                "plane { z, 1 pigment { rgb clock } finish { ambient 1 diffuse 0 } }");
+    shell.write("client.py", R"(
+import json, subprocess, sys, time, urllib.request
+run = subprocess.Popen([sys.argv[1], sys.argv[2], "+W8", "+H6", "--preview", "0", "+KFI3", "+KFF5"],
+                       stderr=subprocess.PIPE, text=True)
+said = ""
+while not said.startswith("preview: "): said = run.stderr.readline()
+address = said.split()[-1]
+def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
+def status(): return json.loads(get("status"))
+def red():
+    for _ in range(300):
+        if status()["progress"] == 1: return get("pick?x=3&y=3").decode().split("rgb <")[1].split(",")[0]
+        time.sleep(0.1)
+try:
+    assert red() == "0"
+    assert [(k["name"], k["low"], k["high"]) for k in status()["knobs"]] == [("frame_number", 3, 5)]
+    before = status()["picture"]
+    get("turn?name=frame_number&value=5")
+    while status()["picture"] == before: time.sleep(0.1)
+    assert red() == "1", red()
+finally:
+    run.terminate()
+assert run.wait(20) == 0
+)");
+    const std::string command = "timeout 100 python3 " + shell.path("client.py") +
+                                " " CANDELABRA_BINARY " " + shell.path("moving.pov");
     CHECK(std::system(command.c_str()) == 0);
 }

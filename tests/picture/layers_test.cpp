@@ -35,8 +35,8 @@ TEST_CASE("planes and texts come back bit by bit; a damaged file is an error") {
     CHECK(read->texts[0].second == "a=1\nb=2\n");
     CHECK(read->texts[1].second.empty());
     REQUIRE(read->planes.size() == 2);
-    for (const Plane& plane : made.planes) {
-        const auto found = std::ranges::find(read->planes, plane.name, &Plane::name);
+    for (const ChannelPlane& plane : made.planes) {
+        const auto found = std::ranges::find(read->planes, plane.name, &ChannelPlane::name);
         REQUIRE(found != read->planes.end());
         CHECK(found->whole == plane.whole);
         CHECK(found->bits == plane.bits);

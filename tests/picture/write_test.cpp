@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/write.h"
 
+#include "base/colour.h"
+
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -129,4 +132,32 @@ TEST_CASE("a picture that cannot be encoded is an error, not a crash") {
     REQUIRE(diagnostics.error_count() == 1);
     CHECK(diagnostics.all()[0].fault == Fault::io);
     CHECK(diagnostics.all()[0].message.starts_with("cannot make a png file of 0 by 0 pixels"));
+}
+
+TEST_CASE("a grey picture has one channel of the brightness") {
+    Image image(1, 1);
+    image.at(0, 0) = Vec3(1, 0.5, 0);
+    Diagnostics diagnostics;
+    PictureFormat format{PictureType::ppm};
+    format.grey = true;
+    const auto bytes = encode(image, format, diagnostics);
+    REQUIRE(bytes);
+    CHECK(bytes->starts_with("P5\n"));
+    CHECK(static_cast<unsigned char>(bytes->back()) == quantised(grey(Vec3(1, 0.5, 0)), 255));
+}
+
+TEST_CASE("what is brighter than its alpha has more alpha") {
+    Image image(2, 1);
+    image.at(0, 0) = Vec3(0.2);
+    image.at(1, 0) = Vec3(0.9);
+    Diagnostics diagnostics;
+    const PictureFormat format{PictureType::tga};
+    const auto bytes = encode(image, format, diagnostics, std::array{0.5, 0.5});
+    REQUIRE(bytes);
+    const std::size_t head = 18;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>((*bytes)[head + i]); };
+    CHECK(byte(0) == quantised(0.4, 255));
+    CHECK(byte(3) == 128);
+    CHECK(byte(4) == 255);
+    CHECK(byte(7) == 230);
 }

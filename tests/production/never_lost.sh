@@ -38,6 +38,8 @@ echo precious > old.png
 full() { (ulimit -f 1; render -V +Oold.png +W300 +H300); }
 expect "a file that grows too large" 3 "cannot write" full
 check "the old picture is as it was" grep -qx precious old.png
+expect "layers for which there is no room" 3 "cannot write" bash -c "ulimit -f 60; '$program' scene.pov -V +Olayers.png +W300 +H200 --layers all --samples 1"
+check "the picture beside them is whole" "$program" scene.pov -V +Oagain.png +W300 +H200 --samples 1
 check "no draft is left" test -z "$(find . -name '.candelabra*')"
 expect "no such folder" 3 "there is no folder" render -V +Onowhere/a.png
 mkdir -m 555 closed
@@ -85,5 +87,14 @@ sleep 0.5
 expect "a second run with the same output" 3 "another run is making" render -V +Oc.png
 kill -TERM $child
 wait $child
+# A second frame at the same time needs as much again.
+echo 'camera { location -9*z look_at 0 } #for (I, 1, 200000) sphere { <mod(I, 7), mod(I, 11), I/1e4>, 0.1 } #end' > many.pov
+ahead() { grep -o '"prepared_ahead": [a-z]*' "$1" | cut -d' ' -f2; }
+for memory in 120M 4G; do
+    "$program" many.pov -V +W64 +H48 --samples 4 +KFF3 +WT2 +Om$memory.png --memory $memory --stats m$memory.json || failures=$((failures + 1))
+done
+check "no frame is prepared ahead where memory is short" test "$(ahead m120M3.json)" = false
+check "frames are prepared ahead where there is memory" test "$(ahead m4G3.json)" = true
+for frame in 1 2 3; do check "frame $frame is the same" cmp -s m120M$frame.png m4G$frame.png; done
 expect "a memory limit" 3 "not enough memory" render -V +Od.png +W20000 +H20000 --memory 300M
 exit $((failures > 0))

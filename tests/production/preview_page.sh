@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The preview's page in a browser without a window: the picture's size and a slider are there, and after a mistake in
-# the scene its message. Ends with 77 where chromium is missing.
-#   preview_page.sh PROGRAM
+# The preview's page in a browser without a window: the picture's size and a slider are there, the report of light, what
+# is under a pixel, and after a mistake in the scene its message. Ends with 77 where chromium is missing. With a folder,
+# it leaves pictures of the page there.
+#   preview_page.sh PROGRAM [FOLDER]
 set -euo pipefail
 
 command -v chromium > /dev/null || { echo "skipped: chromium is not installed"; exit 77; }
 program=$(realpath "$1")
+shots=${2:+$(realpath "$2")}
 folder=$(mktemp -d)
 preview=
 finish() {
@@ -21,23 +23,38 @@ cat > scene.pov << 'SCENE'
 #ifndef (Size) #declare Size = 1; #end  // 0.5 to 2: of the lamp
 camera { location -5*z look_at 0 }
 sphere { 0, Size pigment { rgb 1 } finish { emission 1 } }
+plane { y, -2 pigment { checker rgb 1, rgb <0.3, 0.5, 0.8> } }
+light_source { <-5, 8, -6>, rgb 0.6 }
 SCENE
-"$program" scene.pov +W64 +H48 --preview 0 2> log &
+"$program" scene.pov +W320 +H240 --samples 64 --preview 0 2> log &
 preview=$!
 for _ in $(seq 300); do grep -q http log && break; sleep 0.1; done
 address=$(sed -n 's/^preview: //p' log)
 
-# What the page says, tried until it says what is wanted.
+browse() {
+    timeout 60 chromium --headless --no-sandbox --disable-gpu "--user-data-dir=$folder/profile" \
+        --virtual-time-budget=4000 "$@" 2> /dev/null || true
+}
+
+# What the page says, with something behind its address, tried until it says what is wanted.
 expect() {
     for _ in $(seq 20); do
-        timeout 60 chromium --headless --no-sandbox --disable-gpu "--user-data-dir=$folder/profile" \
-            --virtual-time-budget=3000 --dump-dom "$address" 2> /dev/null > page || true
-        grep -q "$1" page && return
+        browse --dump-dom "$address${2:-}" > page
+        if grep -q -- "$1" page; then
+            [ -z "$shots" ] || browse --window-size=900,600 "--screenshot=$shots/${3:-page}.png" "$address${2:-}"
+            return
+        fi
     done
     echo "the page never says $1"
     exit 1
 }
-expect '<span id="status">[^<]*64 x 48'
+expect '<span id="status">[^<]*320 x 240' '' picture
 expect '<label title="of the lamp">Size '
+expect '<pre id="lights"[^>]*>.*light ' '#lights&view=normal' lights
+expect 'scene.pov:5: light_source' '#lights'
+expect 'object 2: scene.pov:4: plane' '#pick=160,230' pixel
+grep -q 'pigment { checker' page
+grep -q '%  scene.pov:3: sphere' page
+grep -q '%  scene.pov:5: light_source' page
 echo 'sphere { 0, Sise }' >> scene.pov
-expect 'nothing is declared as `Sise`'
+expect 'nothing is declared as `Sise`' '' mistake

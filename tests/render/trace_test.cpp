@@ -11,7 +11,7 @@ namespace {
 Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
           const Vec3& direction = Vec3(0, 0, 1)) {
     const World world = world_of(script);
-    return Tracer(world, 1).radiance({from, unit(direction)}, Key());
+    return Tracer(world, {}).radiance({from, unit(direction)}, Key());
 }
 
 }  // namespace

@@ -8,10 +8,17 @@
 
 namespace {
 
+/// As the evaluator begins it.
+Scene empty_scene() {
+    Scene scene;
+    scene.background.colour.transmit = 1;
+    return scene;
+}
+
 const std::string head = "#version 3.7;\ncamera { perspective }\n";
 
 std::string body(std::vector<ObjectHandle> objects) {
-    Scene scene;
+    Scene scene = empty_scene();
     scene.objects = std::move(objects);
     const std::string text = dump(scene);
     REQUIRE(text.starts_with(head));
@@ -20,7 +27,7 @@ std::string body(std::vector<ObjectHandle> objects) {
 
 }  // namespace
 
-TEST_CASE("an empty scene is all defaults") { CHECK(dump(Scene()) == head); }
+TEST_CASE("an empty scene is all defaults") { CHECK(dump(empty_scene()) == head); }
 
 TEST_CASE("every shape is written with its places in their order") {
     Mesh mesh;
@@ -64,14 +71,14 @@ TEST_CASE("modifiers follow: transformation, switches, interior, texture") {
 }
 
 TEST_CASE("settings, background, camera and lights stand before the objects") {
-    Scene scene;
+    Scene scene = empty_scene();
     scene.language_version = 3.6;
     scene.gamma_handling = false;
     scene.settings.max_trace_level = 7;
     LightOctree octree;
     octree.threshold = 0.1;
     scene.settings.light_sampler = octree;
-    scene.background.colour.rgb = Vec3(0, 0, 1);
+    scene.background.colour = {Vec3(0, 0, 1)};
     Orthographic camera;
     camera.location = Vec3(0, 0, -5);
     camera.look_at = Vec3(0);
@@ -93,7 +100,7 @@ TEST_CASE("settings, background, camera and lights stand before the objects") {
 }
 
 TEST_CASE("a camera is written with its normal, a light with its window") {
-    Scene scene;
+    Scene scene = empty_scene();
     PatternUse bumps;
     bumps.pattern = Bumps{};
     scene.camera_normal.pattern =
@@ -108,7 +115,7 @@ TEST_CASE("a camera is written with its normal, a light with its window") {
 }
 
 TEST_CASE("before version 3.7 it is written that there is a gamma") {
-    Scene scene;
+    Scene scene = empty_scene();
     scene.language_version = 3.6;
     CHECK(dump(scene) ==
           "#version 3.6;\nglobal_settings { assumed_gamma 1 }\ncamera { perspective }\n");
@@ -155,4 +162,11 @@ TEST_CASE("sharing and depth beyond all bounds give a text of a sensible size") 
     const std::string text = body({deep});
     CHECK(text.size() < 500000);
     CHECK(text.find(std::string(4 * 20, ' ')) == std::string::npos);
+}
+
+TEST_CASE("a black background is told from none, which is clear in a picture with alpha") {
+    Scene scene = empty_scene();
+    CHECK(dump(scene).find("background") == std::string::npos);
+    scene.background.colour = {};
+    CHECK(dump(scene).find("background { rgb 0 }") != std::string::npos);
 }

@@ -18,3 +18,25 @@ TEST_CASE("a tree is dumped a node a line", "[syntax]") {
           "call M\n"
           "  with: text \"s\"\n");
 }
+
+TEST_CASE("what is nested deeper than anybody reads tells its depth as a number", "[syntax]") {
+    const std::size_t depth = 20000;
+    const std::string text =
+        Parsed("#declare A = " + std::string(depth, '(') + "1" + std::string(depth, ')') + ";")
+            .dumped();
+    CHECK(text.find("\n" + std::string(200, ' ') + "group\n") != text.npos);
+    CHECK(text.find(" (101 deep) group\n") != text.npos);
+    CHECK(text.ends_with("deep) number 1\n"));
+    CHECK(text.size() < 300 * depth);
+}
+
+TEST_CASE("tokens are dumped with place, kind and text", "[syntax]") {
+    SourceStore sources;
+    Names names;
+    Diagnostics diagnostics;
+    CHECK(dump_tokens(sources.add("test", "box {\n 1 }"), sources, names, diagnostics) ==
+          "1:1 word box\n1:5 { {\n2:2 number 1\n2:4 } }\n");
+    CHECK(dump_tokens(sources.add("test", "\n  1 /* \xC3\xB6\n\xC3\xB6 */ 2 /*\xC3\xB6*/ 3"),
+                      sources, names,
+                      diagnostics) == "2:3 number 1\n3:6 number 2\n3:14 number 3\n");
+}

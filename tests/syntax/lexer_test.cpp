@@ -130,14 +130,6 @@ TEST_CASE("what is no token is reported and left out", "[syntax]") {
     CHECK(lexed.diagnostics.all()[0].message == message);
 }
 
-TEST_CASE("tokens are dumped with place, kind and text", "[syntax]") {
-    SourceStore sources;
-    Names names;
-    Diagnostics diagnostics;
-    CHECK(dump_tokens(sources.add("test", "box {\n 1 }"), sources, names, diagnostics) ==
-          "1:1 word box\n1:5 { {\n2:2 number 1\n2:4 } }\n");
-}
-
 TEST_CASE("numbers of any length are the nearest doubles", "[syntax]") {
     std::uint64_t state = 1;
     const auto next = [&] {

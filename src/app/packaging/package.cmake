@@ -10,7 +10,8 @@ install(FILES ${own}/copyright README.md CITATION.cff DESTINATION ${CMAKE_INSTAL
 set(grammar ${CMAKE_BINARY_DIR}/pov.tmLanguage.json)
 add_custom_command(OUTPUT ${grammar} COMMAND candelabra --describe textmate > ${grammar} DEPENDS candelabra VERBATIM)
 add_custom_target(textmate ALL DEPENDS ${grammar})
-install(FILES ${own}/vscode/package.json ${own}/vscode/language-configuration.json ${grammar}
+install(FILES ${own}/vscode/package.json ${own}/vscode/language-configuration.json
+              ${own}/vscode/extension.js ${own}/vscode/client.js ${grammar}
         DESTINATION ${CMAKE_INSTALL_DATADIR}/candelabra/vscode)
 
 set(CPACK_GENERATOR DEB)

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/frame_run.h"
+
+#include "app/scene_run.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+FrameRun::FrameRun(Options options, const Console& console, Diagnostics problems,
+                   std::string unfinished)
+    : options_(std::move(options)),
+      problems_(std::move(problems)),
+      unfinished_(std::move(unfinished)),
+      thread_([this, &console] { run(console); }) {}
+
+FrameRun::~FrameRun() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        unwanted_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void FrameRun::run(const Console& outer) {
+    Console console = outer;
+    console.out = [&](std::string_view text) {
+        hear([&outer, text = std::string(text)] { outer.out(text); });
+    };
+    console.err = [&](std::string_view text) {
+        hear([&outer, text = std::string(text)] { outer.err(text); });
+    };
+    if (outer.sorted)
+        console.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
+            hear([&outer, stream, text = std::string(text), plain = std::string(plain)] {
+                outer.sorted(stream, text, plain);
+            });
+        };
+    console.interrupts.take = [&] {
+        if (unwanted_) return Interrupt::stop;
+        return outer.interrupts.take ? outer.interrupts.take() : Interrupt::none;
+    };
+    console.files_read = [&](const std::vector<ReadFile>& files) {
+        std::error_code none;
+        for (const ReadFile& file : files)
+            if (!unfinished_.empty() && std::filesystem::equivalent(file.path, unfinished_, none))
+                unwanted_ = true;
+    };
+    console.begins_rendering = [this] { return begin_rendering(); };
+    console.ends_rendering = [this] { end_rendering(); };
+    int status = exit_status::file;
+    try {
+        status = run_scene(options_, console, problems_);
+    } catch (const std::bad_alloc&) {
+        console.err(no_memory_message);
+    }
+    const std::lock_guard lock(mutex_);
+    status_ = status;
+    ended_ = true;
+    changed_.notify_all();
+}
+
+/// Called by the run; false: it shall end.
+bool FrameRun::begin_rendering() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return may_render_ || unwanted_; });
+    if (unwanted_) return false;
+    rendering_ = true;
+    changed_.notify_all();
+    return true;
+}
+
+/// Called by the run. Pictures are written one after the other.
+void FrameRun::end_rendering() {
+    std::unique_lock lock(mutex_);
+    rendered_ = true;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return speaking_ || unwanted_; });
+}
+
+void FrameRun::hear(std::function<void()> said) {
+    const std::lock_guard lock(mutex_);
+    if (speaking_)
+        said();
+    else
+        unheard_.push_back(std::move(said));
+}
+
+bool FrameRun::render() {
+    std::unique_lock lock(mutex_);
+    may_render_ = true;
+    changed_.notify_all();
+    changed_.wait(lock, [this] { return rendering_ || ended_; });
+    return rendering_;
+}
+
+void FrameRun::speak() {
+    const std::lock_guard lock(mutex_);
+    for (const auto& said : unheard_) said();
+    unheard_.clear();
+    speaking_ = true;
+    changed_.notify_all();
+}
+
+bool FrameRun::wait_rendered() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return rendered_ || ended_; });
+    return rendered_;
+}
+
+int FrameRun::finish() {
+    if (thread_.joinable()) thread_.join();
+    return status_;
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/inspect.h"
+
+#include "app/light_report.h"
+#include "base/parallel.h"
+#include "render/film.h"
+#include "render/first_sight.h"
+#include "render/pilot.h"
+#include "render/trace.h"
+#include "scene/dump_texture.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace {
+
+constexpr auto all_views = std::to_array<std::string_view>(
+    {"picture", "albedo", "normal", "depth", "object", "variance", "samples", "shadow_rays"});
+
+std::size_t pixel_count(const Film& film) { return film.pixels().size(); }
+
+/// What the middle of each pixel shows.
+std::vector<FirstSight> sights(const Exhibit& shown) {
+    const int width = shown.film.width(), height = shown.film.height();
+    std::vector<FirstSight> all(pixel_count(shown.film));
+    run_parallel(static_cast<std::size_t>(height), shown.settings.threads, [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < width; ++x)
+            all[shown.film.index(x, y)] =
+                first_sight(shown.world, middle_ray(shown.world, {x, y, width, height}));
+    });
+    return all;
+}
+
+Image blank(const Exhibit& shown) { return Image(shown.film.width(), shown.film.height()); }
+
+/// A colour that tells a number from its neighbours.
+Vec3 colour_of(std::uint32_t number) {
+    if (number == 0) return Vec3(0);
+    const std::uint64_t bits = mix(number);
+    const auto channel = [&](int shift) {
+        return 0.1 + 0.9 * static_cast<double>(bits >> shift & 0xff) / 255;
+    };
+    return {channel(0), channel(8), channel(16)};
+}
+
+template <class Colour>
+Image of_sights(const Exhibit& shown, const Colour& colour) {
+    const std::vector<FirstSight> seen = sights(shown);
+    Image image = blank(shown);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i].met) image.pixels[i] = colour(seen[i]);
+    return image;
+}
+
+Image depths(const Exhibit& shown) {
+    const std::vector<FirstSight> seen = sights(shown);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const FirstSight& each : seen)
+        if (each.met) nearest = std::min(nearest, each.distance);
+    Image image = blank(shown);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i].met) image.pixels[i] = Vec3(nearest / seen[i].distance);
+    return image;
+}
+
+template <class Value>
+Image of_film(const Exhibit& shown, const Value& value) {
+    Image image = blank(shown);
+    double most = 0;
+    for (const PixelSum& pixel : shown.film.pixels()) most = std::max(most, value(pixel));
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = Vec3(most > 0 ? value(shown.film.pixels()[i]) / most : 0);
+    return image;
+}
+
+std::string vector_text(const Vec3& v) {
+    const auto number = [](double value) { return static_cast<float>(value); };
+    return message("<", number(v.x), ", ", number(v.y), ", ", number(v.z), ">");
+}
+
+/// Of the light that comes to the pixel, what each statement gives, by many samples of it.
+std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
+    constexpr std::uint32_t tries = 256;
+    const World& world = shown.world;
+    Tracer tracer(world, {shadow_rays_per_hit(world, shown.settings), true, false});
+    Key key;
+    key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
+    double all = 0;
+    std::vector<double> share(world.light_statements.size());
+    for (key.sample = 0; key.sample < tries; ++key.sample) {
+        const Vec2 place{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
+        all += grey(tracer.radiance(ray_through(world, at, place, key), key));
+        tracer.take_lights(
+            [&](std::size_t statement, const Vec3& light) { share[statement] += grey(light); });
+    }
+    std::vector<std::size_t> order(share.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return share[i]; });
+    std::string text;
+    constexpr double least = 0.0005;
+    const auto line = [&](double light, const std::string& what) {
+        if (all > 0 && light / all >= least)
+            text += message("  ", std::round(1000 * light / all) / 10, " %  ", what, "\n");
+    };
+    for (const std::size_t i : order)
+        line(share[i], statement_text(world.light_statements[i], shown.sources));
+    line(all - std::accumulate(share.begin(), share.end(), 0.0), "sky, ambient light and fog");
+    return text.empty() ? "" : message("light:\n", text);
+}
+
+}  // namespace
+
+std::vector<std::string_view> views() { return {all_views.begin(), all_views.end()}; }
+
+std::optional<Image> view(const Exhibit& shown, std::string_view name) {
+    if (name == "picture") return shown.film.image();
+    if (name == "albedo")
+        return of_sights(shown, [](const FirstSight& seen) { return seen.albedo; });
+    if (name == "normal")
+        return of_sights(shown, [](const FirstSight& seen) { return 0.5 * (seen.normal + 1.0); });
+    if (name == "depth") return depths(shown);
+    if (name == "object")
+        return of_sights(shown, [](const FirstSight& seen) { return colour_of(seen.object); });
+    if (name == "variance")
+        return of_film(shown, [](const PixelSum& pixel) {
+            return pixel.samples > 1 ? pixel.variance_of_mean() : 0.0;
+        });
+    if (name == "samples")
+        return of_film(shown, [](const PixelSum& pixel) { return double(pixel.samples); });
+    if (name == "shadow_rays")
+        return of_film(shown, [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
+    return std::nullopt;
+}
+
+std::string what_is_under(const Exhibit& shown, int x, int y) {
+    const Film& film = shown.film;
+    if (x < 0 || y < 0 || x >= film.width() || y >= film.height()) return {};
+    const PicturePoint at{x, y, film.width(), film.height()};
+    std::string text = message("<", x, ", ", y, ">: rgb ", vector_text(film.at(x, y).mean()), "\n");
+    const FirstSight seen = first_sight(shown.world, middle_ray(shown.world, at));
+    if (seen.object > 0)
+        text +=
+            message("object ", seen.object, ": ",
+                    statement_text(shown.world.object_spans[seen.object - 1], shown.sources), "\n");
+    if (seen.met)
+        text +=
+            message("at ", vector_text(seen.hit.position), ", normal ", vector_text(seen.normal),
+                    ", distance ", static_cast<float>(seen.distance), "\n");
+    if (const Texture* texture = texture_at(shown.world, seen)) text += dump(*texture) + "\n";
+    return text + lights_of(shown, at);
+}

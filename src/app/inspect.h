@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What people want to know who look at a picture on its way: layers as pictures, and what is under
+// a pixel and who lights it. Asked by the preview while nothing is being rendered.
+#pragma once
+
+#include "app/console.h"
+#include "base/image.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What can be looked at: "picture", and the layers that need no light of their own.
+std::vector<std::string_view> views();
+
+/// One of these, in colours for a screen: directions from -1 to 1 as 0 to 1, near things bright,
+/// each object in a colour of its own, and numbers as shares of their greatest. Nothing for
+/// another name.
+std::optional<Image> view(const Exhibit&, std::string_view name);
+
+/// Colour, place, object and texture under a pixel, and the statements that light it with their
+/// shares, each on a line; empty outside of the picture.
+std::string what_is_under(const Exhibit&, int x, int y);

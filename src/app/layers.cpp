@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/layers.h"
+
+#include "picture/file.h"
+#include "picture/layers.h"
+#include "render/extras.h"
+#include "render/film.h"
+#include "text/message.h"
+#include "text/source.h"
+#include "vocabulary/words.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+namespace {
+
+constexpr auto infos = std::to_array<LayerInfo>({
+    {PictureLayer::albedo, "albedo", "colours of the first surface without light"},
+    {PictureLayer::normal, "normal", "its direction towards the viewer, as it is shaded"},
+    {PictureLayer::depth, "depth",
+     "distance of what the middle of the pixel shows; infinite: nothing"},
+    {PictureLayer::object, "object",
+     "number of its object in the order of the scene, from 1; 0: none"},
+    {PictureLayer::lights, "lights",
+     "light.NAME for each statement that makes lights, and light.rest: together the picture"},
+    {PictureLayer::variance, "variance",
+     "of the pixel as a display shows it, 0 to 1; the greatest of the channels"},
+    {PictureLayer::samples, "samples", "how many rays of the camera went through the pixel"},
+    {PictureLayer::shadow_rays, "shadow_rays", "how many rays they sent towards lights"},
+});
+
+bool in_name(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The word that the text begins with, taken off; blanks and opening brackets go first.
+std::string_view next_word(std::string_view& text) {
+    while (!text.empty() && std::string_view(" \t\r\n{#").find(text[0]) != text.npos)
+        text.remove_prefix(1);
+    const auto end = std::ranges::find_if_not(text, in_name);
+    const std::string_view word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+/// What people would call the statement.
+std::string name_of(const Span& span, const SourceStore& sources, const Names& names) {
+    if (!span.known()) return "light";
+    const Place place = sources.place(span.source, span.first);
+    std::string_view line = sources.line(span.source, place.line);
+    const std::size_t column = std::min(line.size(), static_cast<std::size_t>(place.column - 1));
+    std::string_view before = line.substr(0, column), text = line.substr(column);
+    const std::string_view directive = next_word(before);
+    if (directive == "declare" || directive == "local") return std::string(next_word(before));
+    const std::string first(next_word(text));
+    if (names.find(first) == no_name) return first.empty() ? "light" : first;
+    // object { Lamp ... }, light_group { Lamp ... }, union { object { Lamp ... } ... }
+    for (int depth = 0; depth < 4; ++depth) {
+        const std::string_view word = next_word(text);
+        if (word.empty()) break;
+        if (names.find(std::string(word)) == no_name) return std::string(word);
+        if (word != "object" && word != "union" && word != "light_group") break;
+    }
+    return first;
+}
+
+class LayerWriter {
+public:
+    LayerWriter(const Film& film, const FilmFiles& files)
+        : film_(film), files_(files), extras_(extras_for(files.layers, files.alpha)) {}
+
+    LayeredPicture picture() {
+        made_.width = film_.width();
+        made_.height = film_.height();
+        if (!files_.format.description.empty())
+            made_.texts.emplace_back("ImageDescription", files_.format.description);
+        const Image image = linear(film_.image(), files_.format);
+        for (int c = 0; c < 3; ++c) add(rgb[c], [&](std::size_t i) { return image.pixels[i][c]; });
+        if (files_.alpha) add("A", [&](std::size_t i) { return 1 - mean(i, 0); });
+        for (const PictureLayer layer : files_.layers) add(layer);
+        return std::move(made_);
+    }
+
+private:
+    static constexpr auto rgb = std::array{"R", "G", "B"};
+    static constexpr auto xyz = std::array{"X", "Y", "Z"};
+
+    template <class Value>
+    void add(const std::string& name, const Value& value) {
+        ChannelPlane plane{name, false, {}};
+        plane.bits.reserve(film_.pixels().size());
+        for (std::size_t i = 0; i < film_.pixels().size(); ++i)
+            plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value(i))));
+        made_.planes.push_back(std::move(plane));
+    }
+
+    double sum(std::size_t pixel, std::size_t which) const {
+        return film_.extra(pixel)[which].value();
+    }
+
+    double mean(std::size_t pixel, std::size_t which) const {
+        const std::uint32_t samples = film_.pixels()[pixel].samples;
+        return samples == 0 ? 0 : sum(pixel, which) / samples;
+    }
+
+    void add(PictureLayer layer) {
+        const std::string name(infos[static_cast<std::size_t>(layer)].name);
+        const auto of_film = [&](const auto& value) {
+            add(name, [&](std::size_t i) { return value(film_.pixels()[i]); });
+        };
+        switch (layer) {
+            case PictureLayer::albedo:
+                return add_three(name, rgb, extras_.albedo());
+            case PictureLayer::normal:
+                return add_three(name, xyz, extras_.normal());
+            case PictureLayer::depth:
+                return add(name, [&](std::size_t i) {
+                    const double depth = sum(i, extras_.depth());
+                    return depth > 0 ? depth : std::numeric_limits<double>::infinity();
+                });
+            case PictureLayer::object:
+                return add(name, [&](std::size_t i) { return sum(i, extras_.object()); });
+            case PictureLayer::lights:
+                return add_lights();
+            case PictureLayer::variance:
+                return of_film(
+                    [](const PixelSum& p) { return p.samples > 1 ? p.variance_of_mean() : 0.0; });
+            case PictureLayer::samples:
+                return of_film([](const PixelSum& p) { return p.samples; });
+            case PictureLayer::shadow_rays:
+                return of_film([](const PixelSum& p) { return p.shadow_rays; });
+        }
+    }
+
+    void add_three(const std::string& name, const std::array<const char*, 3>& channels,
+                   std::size_t first) {
+        for (std::size_t c = 0; c < 3; ++c)
+            add(message(name, ".", channels[c]), [&](std::size_t i) { return mean(i, first + c); });
+    }
+
+    /// The last one has what no statement gave, so that all of them are the picture.
+    void add_lights() {
+        for (std::size_t k = 0; k < files_.lights.size(); ++k)
+            add_three("light." + files_.lights[k], rgb, extras_.first_light() + 3 * k);
+        for (std::size_t c = 0; c < 3; ++c)
+            add(message("light.rest.", rgb[c]), [&](std::size_t i) {
+                double rest = film_.pixels()[i].mean()[static_cast<int>(c)];
+                for (std::size_t k = 0; k < files_.lights.size(); ++k)
+                    rest -= mean(i, extras_.first_light() + 3 * k + c);
+                return rest;
+            });
+    }
+
+    const Film& film_;
+    const FilmFiles& files_;
+    Extras extras_;
+    LayeredPicture made_;
+};
+
+std::vector<double> alpha_of(const Film& film) {
+    std::vector<double> alpha;
+    alpha.reserve(film.pixels().size());
+    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+        const std::uint32_t samples = film.pixels()[i].samples;
+        alpha.push_back(samples == 0 ? 0 : 1 - film.extra(i)[0].value() / samples);
+    }
+    return alpha;
+}
+
+}  // namespace
+
+std::span<const LayerInfo> all_layers() { return infos; }
+
+std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view text) {
+    std::array<bool, infos.size()> wanted{};
+    while (!text.empty()) {
+        const std::string_view name = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(text.size(), name.size() + 1));
+        const auto found = std::ranges::find(infos, name, &LayerInfo::name);
+        if (name == "all")
+            wanted.fill(true);
+        else if (found == infos.end())
+            return std::nullopt;
+        else
+            wanted[static_cast<std::size_t>(found - infos.begin())] = true;
+    }
+    std::vector<PictureLayer> layers;
+    for (const LayerInfo& info : infos)
+        if (wanted[static_cast<std::size_t>(info.layer)]) layers.push_back(info.layer);
+    return layers;
+}
+
+std::string layer_list(std::span<const PictureLayer> layers) {
+    std::string text;
+    for (const PictureLayer layer : layers)
+        text += message(text.empty() ? "" : ",", infos[static_cast<std::size_t>(layer)].name);
+    return text;
+}
+
+Extras extras_for(std::span<const PictureLayer> layers, bool alpha) {
+    Extras extras;
+    extras.alpha = alpha;
+    for (const PictureLayer layer : layers) {
+        extras.surface |= layer <= PictureLayer::object;
+        extras.lights |= layer == PictureLayer::lights;
+    }
+    return extras;
+}
+
+std::vector<std::string> light_names(const World& world, const SourceStore& sources) {
+    const Names words;
+    std::vector<std::string> names;
+    std::set<std::string> taken = {"rest"};
+    for (const Span& statement : world.light_statements) {
+        const std::string called = name_of(statement, sources, words);
+        std::string name = called;
+        for (int i = 2; !taken.insert(name).second; ++i) name = message(called, "_", i);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+std::string layers_path(const FilmFiles& files) {
+    if (files.layers.empty()) return {};
+    if (files.format.type == PictureType::exr) return files.path;
+    return std::filesystem::path(files.path).replace_extension(".layers.exr").string();
+}
+
+bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
+    const std::string layers = layers_path(files);
+    if (layers != files.path &&
+        !write_picture(film.image(), files.path, files.format, diagnostics,
+                       files.alpha ? alpha_of(film) : std::vector<double>()))
+        return false;
+    if (layers.empty()) return true;
+    const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
+    return bytes && write_file(layers, *bytes, diagnostics);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a film becomes as files: the picture, and named layers beside its colours, in an OpenEXR
+// file. Called when a picture is finished, and by merge.
+#pragma once
+
+#include "picture/write.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class Film;
+class SourceStore;
+class World;
+struct Extras;
+
+enum class PictureLayer { albedo, normal, depth, object, lights, variance, samples, shadow_rays };
+
+struct LayerInfo {
+    PictureLayer layer;
+    std::string_view name;
+    std::string_view help;
+};
+
+/// All of them, in the order of the type.
+std::span<const LayerInfo> all_layers();
+
+/// Names with commas between them, or `all`; each layer once. Nothing when a name is none of them.
+std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
+std::string layer_list(std::span<const PictureLayer>);
+
+/// What the film has to gather for these layers.
+Extras extras_for(std::span<const PictureLayer>, bool alpha);
+
+/// Names of the layers of light, one for each of World::light_statements: of the declared name or
+/// the macro that a statement shows, or of its first word; a number tells equal ones apart.
+std::vector<std::string> light_names(const World&, const SourceStore&);
+
+struct FilmFiles {
+    std::string path;  ///< of the picture
+    PictureFormat format;
+    bool alpha = false;
+    std::vector<PictureLayer> layers = {};
+    std::vector<std::string> lights = {};  ///< names of statements, when there are layers of light
+};
+
+/// Where the layers go: into the picture, if that is an OpenEXR file; otherwise beside it,
+/// "a.png" to "a.layers.exr". Empty: there are none.
+std::string layers_path(const FilmFiles&);
+
+/// Writes picture and layers. False, with a diagnostic, when that fails.
+bool write_film(const Film&, const FilmFiles&, Diagnostics&);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What flattening writes down beside the primitives: which statement made each light, and which
+// object each primitive belongs to.
+#pragma once
+
+#include "world/world.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+/// Numbers of the statements that make lights, in the order in which they do.
+class LightStatements {
+public:
+    explicit LightStatements(World& world) : all_(world.light_statements) {}
+
+    void begin(Span statement) { now_ = statement; }
+
+    /// Of the statement that is at work; they come one after the other, mostly.
+    std::uint32_t number() {
+        if (!all_.empty() && all_[last_] == now_) return last_;
+        const std::pair<SourceId, std::uint64_t> place{now_.source,
+                                                       std::uint64_t{now_.first} << 32 | now_.last};
+        const auto [found, added] =
+            numbers_.try_emplace(place, static_cast<std::uint32_t>(all_.size()));
+        if (added) all_.push_back(now_);
+        return last_ = found->second;
+    }
+
+private:
+    std::vector<Span>& all_;
+    Span now_;
+    std::uint32_t last_ = 0;
+    std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> numbers_;
+};
+
+/// Fills World::object_of and World::object_spans, if that is wanted.
+class ObjectMemory {
+public:
+    ObjectMemory(World& world, bool wanted) : world_(world), wanted_(wanted) {}
+
+    /// What is placed from now on belongs to another object.
+    void begin(Span object) {
+        if (wanted_) world_.object_spans.push_back(object);
+    }
+    /// A primitive of that kind was placed: 0 sphere, 1 triangle, 2 shape, 3 leaf.
+    void placed(std::size_t kind) {
+        if (wanted_)
+            objects_[kind].push_back(static_cast<std::uint32_t>(world_.object_spans.size() - 1));
+    }
+    void finish() {
+        for (const auto& objects : objects_)
+            world_.object_of.insert(world_.object_of.end(), objects.begin(), objects.end());
+    }
+
+private:
+    World& world_;
+    bool wanted_;
+    std::array<std::vector<std::uint32_t>, 4> objects_;
+};

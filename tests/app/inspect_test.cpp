@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/inspect.h"
+
+#include "render/render.h"
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+const std::string scene = R"(#version 3.7;
+camera { location -5*z look_at 0 angle 50 }
+sphere { <-1, 0, 0>, 0.8 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 1 } }
+plane { z, 3 pigment { rgb 1 } finish { ambient 0.5 diffuse 0 } }
+light_source { <-1, 0, -5>, 3 }
+light_source { <-1, 0, -5>, 1 }
+)";
+
+/// A picture of the scene that is ready to be looked at.
+struct Look {
+    World world;
+    SourceStore sources;
+    RenderSettings settings;
+    RenderState state;
+    RayCounts rays;
+
+    Look() {
+        CompileOptions options;
+        options.remembers_objects = true;
+        Diagnostics diagnostics;
+        world = compile(scene_of(scene), options, diagnostics);
+        sources.add("scene.pov", scene);
+        settings.width = 32;
+        settings.height = 24;
+        settings.samples = 2;
+        state = begin_picture(settings);
+        advance(world, settings, state, rays, {});
+    }
+    Exhibit exhibit() const { return {world, sources, settings, state.film, rays, 1}; }
+};
+
+}  // namespace
+
+TEST_CASE("a pixel tells its colour, object and texture, and who lights it", "[app]") {
+    const Look look;
+    const std::string ball = what_is_under(look.exhibit(), 10, 12);
+    INFO(ball);
+    const auto says = [&](std::string_view part) { return ball.find(part) != ball.npos; };
+    CHECK(ball.starts_with("<10, 12>: rgb <"));
+    CHECK(says("\nobject 1: scene.pov:3: sphere { <-1, 0, 0>"));
+    CHECK(says("normal <"));
+    CHECK(says("pigment { rgb <1, 0.5, 0>"));
+    CHECK(says("\n  75 %  scene.pov:5: light_source"));
+    CHECK(says("\n  25 %  scene.pov:6: light_source"));
+    CHECK(ball.find("scene.pov:5") < ball.find("scene.pov:6"));
+    const std::string wall = what_is_under(look.exhibit(), 30, 2);
+    CHECK(wall.find("100 %  sky, ambient light and fog") != wall.npos);
+    CHECK(what_is_under(look.exhibit(), 32, 0).empty());
+    CHECK(what_is_under(look.exhibit(), -1, 0).empty());
+}
+
+TEST_CASE("layers can be looked at, each in a way that a screen shows", "[app]") {
+    const Look look;
+    const Exhibit shown = look.exhibit();
+    const auto colour = [&](std::string_view name, int x, int y) {
+        const auto image = view(shown, name);
+        REQUIRE(image);
+        CHECK(image->width == 32);
+        return image->at(x, y);
+    };
+    for (const std::string_view name : views()) {
+        CAPTURE(name);
+        for (const Vec3& pixel : view(shown, name)->pixels) CHECK(std::isfinite(pixel.x));
+    }
+    CHECK(colour("picture", 10, 12) == look.state.film.at(10, 12).mean());
+    CHECK(colour("albedo", 10, 12).y == Approx(0.5));
+    CHECK(colour("normal", 30, 2).z == Approx(0));  // towards the camera
+    CHECK(colour("depth", 10, 12).x > colour("depth", 30, 2).x);
+    CHECK(colour("object", 10, 12) != colour("object", 30, 2));
+    CHECK(colour("samples", 0, 0).x == 1);
+    CHECK_FALSE(view(shown, "nothing like it"));
+}
