@@ -8,10 +8,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles. The cosine is
-/// that of the light.
+/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles, and less again
+/// beyond them, where a disturbed normal looks away.
 double metal_fresnel(double cosine) {
-    const double x = std::acos(std::clamp(cosine, 0.0, 1.0)) / (pi / 2);
+    const double x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (pi / 2);
     return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
 }
 
@@ -127,9 +127,10 @@ double scattered_density(const Shading& s, const Vec3& direction) {
 Vec3 reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
     if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
-    const double cosine = std::clamp(-dot(s.view, s.normal), 0.0, 1.0);
-    const double grazing =
-        r.fresnel ? fresnel(cosine, 1 / ior_ratio) : std::pow(1 - cosine, r.falloff);
+    // Below 0 where a disturbed normal looks away: there POV-Ray reflects more than at grazing angles.
+    const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
+    const double grazing = r.fresnel ? fresnel(std::fmax(cosine, 0), 1 / ior_ratio)
+                                     : std::pow(1 - cosine, r.falloff);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }
