@@ -15,16 +15,16 @@ body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow
 #stage { position: absolute; inset: 0 0 2em 0; overflow: hidden; cursor: grab; }
 #picture { position: absolute; transform-origin: 0 0; image-rendering: pixelated; }
 #errors { position: absolute; left: 2em; right: 2em; top: 2em; max-height: 80%; overflow: auto;
-  margin: 0; padding: 1em; background: #300c; border-left: 4px solid #f44; white-space: pre-wrap;
+  margin: 0; padding: 1em; background: #300e; border-left: 4px solid #f44; white-space: pre-wrap;
   font-family: monospace; }
 #errors:empty { display: none; }
 #line { position: absolute; left: 0; right: 0; bottom: 0; height: 2em; line-height: 2em;
-  padding: 0 1em; background: #111; white-space: nowrap; }
+  padding: 0 1em; background: #111; white-space: nowrap; display: flex; gap: 1em; }
+#status { flex: 1; overflow: hidden; text-overflow: ellipsis; }
 #bar { position: absolute; left: 0; bottom: 2em; height: 3px; background: #fb4; width: 0; }
-#tools { float: right; }
 #tools button, #tools select { background: #333; color: #ddd; border: 1px solid #555; }
-pre.panel { position: absolute; left: 1em; bottom: 1em; max-width: 60%; max-height: 70%;
-  overflow: auto; margin: 0; padding: 0.7em 1em; background: #111d; white-space: pre-wrap;
+pre.panel { position: absolute; left: 1em; bottom: 1em; max-width: 90%; max-height: 70%;
+  overflow: auto; margin: 0; padding: 0.7em 1em; background: #111d; white-space: pre;
   font: 12px monospace; cursor: text; user-select: text; }
 #lights { left: auto !important; right: 1em; }
 pre.panel:empty, pre.panel.closed { display: none; }
@@ -41,9 +41,9 @@ pre.panel:empty, pre.panel.closed { display: none; }
 <pre id="lights" class="panel closed" style="bottom: 3em"></pre></div>
 <form id="knobs"></form>
 <div id="bar"></div>
-<div id="line"><span id="tools"><select id="view" title="what is shown"></select>
-<button id="report" title="what each light gives and costs">lights</button></span>
-<span id="status">waiting</span></div>
+<div id="line"><span id="status">waiting</span>
+<span id="tools"><select id="view" title="what is shown"></select>
+<button id="report" title="what each light gives and costs">lights</button></span></div>
 <script>
 "use strict";
 const element = name => document.getElementById(name);
