@@ -194,11 +194,9 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
                    .with_help(help()));
         return false;
     }
-    Diagnostic unknown =
-        error(Fault::unknown_name, element.span, message("nothing is declared as `", word, "`"));
-    unknown.with_help(declared.empty() ? message("declare it first: #declare ", word, " = ...")
-                                       : message("did you mean `", declared, "`?"));
-    report(std::move(unknown));
+    // As in an expression: the evaluator knows what the library would have declared.
+    binder.evaluator.value_of(element);
+    broken = true;
     passing_over_ = false;
     return true;
 }

@@ -30,7 +30,7 @@ bool equal_plain(const Texture& a, const Texture& b) {
 }  // namespace
 
 Handle<Texture> TextureStore::share(Handle<Texture> texture) {
-    if (!texture->plain()) return texture;
+    if (!texture->plain() || !pays()) return texture;
     make_room();
     Slot& place = slot(*texture);
     if (!place.texture) {
@@ -41,6 +41,7 @@ Handle<Texture> TextureStore::share(Handle<Texture> texture) {
 }
 
 Handle<Texture> TextureStore::share(Texture texture, Pool<Texture>& pool) {
+    if (!pays()) return pool.make(std::move(texture));
     make_room();
     Slot& place = slot(texture);
     if (!place.texture) {
@@ -52,6 +53,7 @@ Handle<Texture> TextureStore::share(Texture texture, Pool<Texture>& pool) {
 
 /// Where an equal texture is, or may be put.
 TextureStore::Slot& TextureStore::slot(const Texture& texture) {
+    ++asked_;
     const std::uint64_t hash = hash_of(texture);
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash & mask;

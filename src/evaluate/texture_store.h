@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Textures by content: a loop that writes the same plain texture a million times gets one. Called
-// by the readers of objects.
+// Textures by content: a loop that writes the same plain texture a million times gets one. Where
+// hardly any are equal, as in a loop of random colours, it stops to look for more. Called by the
+// readers of objects.
 #pragma once
 
 #include "base/pool.h"
@@ -22,10 +23,15 @@ private:
         std::uint64_t hash = 0;
         Handle<Texture> texture;  ///< null: free
     };
+    /// How many are looked at before it is judged whether that pays.
+    static constexpr std::size_t trial = 16384;
+    /// Whether at least one in so many was there already.
+    bool pays() const { return asked_ < trial || 16 * (asked_ - count_) >= asked_; }
     Slot& slot(const Texture&);
     Slot& free_slot(std::uint64_t hash);
     void make_room();
 
     std::vector<Slot> slots_;  ///< open addressing; a power of two, at most half of them taken
     std::size_t count_ = 0;
+    std::size_t asked_ = 0;
 };

@@ -72,7 +72,9 @@ Token Brackets::next() {
         pending_.push_back(token);
         token = {TokenKind::between, 0, token.first, token.first, 0};
     }
-    return last_ = token;
+    // Not `return last_ = token`: reading back what has just been written in parts is slow.
+    last_ = token;
+    return token;
 }
 
 Token Brackets::take() {

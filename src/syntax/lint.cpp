@@ -18,6 +18,14 @@ NameId name_in(const NodeContent& content) {
     return no_name;
 }
 
+/// Whether a node from `first` on, up to the macro at `end`, names the parameter.
+bool is_used(const Tree& tree, NodeId first, std::size_t end, NameId parameter) {
+    const auto begin = tree.nodes.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto last = tree.nodes.begin() + static_cast<std::ptrdiff_t>(end);
+    return std::any_of(begin, last,
+                       [&](const Node& node) { return name_in(node.content) == parameter; });
+}
+
 }  // namespace
 
 void lint(const Tree& tree, const Names& names, Diagnostics& diagnostics) {
@@ -27,16 +35,12 @@ void lint(const Tree& tree, const Names& names, Diagnostics& diagnostics) {
         if (!macro || macro->body == no_node) continue;
         for (NodeId id = macro->parameters; id != no_node; id = tree[id].next) {
             const NameId name = tree.get<node::Parameter>(id).name;
-            // A node lies behind those that it consists of: the body is between them.
-            const auto first = tree.nodes.begin() + static_cast<std::ptrdiff_t>(id);
-            const auto last = tree.nodes.begin() + static_cast<std::ptrdiff_t>(end);
-            if (std::any_of(first, last,
-                            [&](const Node& node) { return name_in(node.content) == name; }))
-                continue;
-            const std::string_view macro_name = names.spelling(macro->name);
-            diagnostics.add(warning(Fault::unused_parameter, tree.span(id),
-                                    message("macro `", macro_name, "` does not use its parameter `",
-                                            names.spelling(name), "`")));
+            // A node lies behind those that it consists of: the body is between the two.
+            if (is_used(tree, id, end, name)) continue;
+            diagnostics.add(
+                warning(Fault::unused_parameter, tree.span(id),
+                        message("macro `", names.spelling(macro->name),
+                                "` does not use its parameter `", names.spelling(name), "`")));
         }
     }
 }

@@ -4,29 +4,24 @@
 #include "text/message.h"
 
 List ParseState::append(List list, NodeId node) {
-    list.comma = false;
-    if (node == no_node) return list;
-    if (list.first == no_node)
-        list.first = node;
-    else
-        tree[list.last].next = node;
-    list.last = node;
-    return list;
+    if (node == no_node) return list.with_comma(false);
+    if (list.empty()) return {node, node, false};
+    tree[list.last()].next = node;
+    return {list.first(), node, false};
 }
 
 List ParseState::joined(List a, List b) {
-    if (a.first == no_node) return b;
-    if (b.first == no_node) return a;
-    tree[a.last].next = b.first;
-    return {a.first, b.last, b.comma};
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    tree[a.last()].next = b.first();
+    return {a.first(), b.last(), b.comma()};
 }
 
 List ParseState::comma(List list, Stretch place) {
-    if (list.comma)
+    if (list.comma())
         diagnostics.add(error(Fault::syntax, span(place), "two commas in a row")
                             .with_help("leave one out, or put the missing value between them"));
-    list.comma = true;
-    return list;
+    return list.with_comma(true);
 }
 
 NodeId ParseState::chain(NodeId first, NodeId node) {
@@ -46,22 +41,23 @@ NodeId ParseState::negative(NodeId operand, Stretch place) {
 }
 
 NodeId ParseState::group(List directives, List values, Stretch place) {
-    if (values.first != values.last)
-        return add(place, node::Tuple{joined(directives, values).first});
-    return add(place, node::Group{joined(directives, values).first});
+    if (!values.empty() && values.first() != values.last())
+        return add(place, node::Tuple{joined(directives, values).first()});
+    return add(place, node::Group{joined(directives, values).first()});
 }
 
 NodeId ParseState::vector(List components, Stretch place) {
     // Numbers only: the same as the token that the lexer makes of the plainest form.
     std::uint32_t count = 0;
-    for (NodeId id = components.first; id != no_node; id = tree[id].next, ++count)
-        if (!tree.get_if<node::Number>(id)) return add(place, node::Vector{components.first});
-    if (count < 2 || count > 5) return add(place, node::Vector{components.first});
-    return add(place, node::Literal{tree.get<node::Number>(components.first).number, count});
+    for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count)
+        if (!tree.get_if<node::Number>(id)) return add(place, node::Vector{components.first()});
+    if (count < 2 || count > 5) return add(place, node::Vector{components.first()});
+    return add(place, node::Literal{tree.get<node::Number>(components.first()).number, count});
 }
 
 NodeId ParseState::layered(List blocks, Stretch place) {
-    return blocks.first == blocks.last ? blocks.first : add(place, node::Layers{blocks.first});
+    return blocks.first() == blocks.last() ? blocks.first()
+                                           : add(place, node::Layers{blocks.first()});
 }
 
 NodeId ParseState::declared(NodeId declare, bool local, Stretch place) {
@@ -80,21 +76,21 @@ NodeId ParseState::with_channel(NodeId colour, NodeId channel, Stretch place) {
 }
 
 List ParseState::word_first(NameId word, Stretch place, List rest) {
-    const auto* braces = tree.get_if<node::Braces>(rest.first);
+    const auto* braces = tree.get_if<node::Braces>(rest.first());
     if (!braces) return joined(append({}, add(place, node::Word{word})), rest);
-    tree[rest.first].content = node::Block{word, braces->body};
-    tree[rest.first].first = place.first;
+    tree[rest.first()].content = node::Block{word, braces->body};
+    tree[rest.first()].first = place.first;
     return rest;
 }
 
 List ParseState::parameter(List list, NameId name, Stretch place) {
     // `optional` is no reserved word: a parameter of that name that another follows without a comma
     // was the word.
-    if (list.first != no_node && !list.comma) {
-        auto* before = std::get_if<node::Parameter>(&tree[list.last].content);
+    if (!list.empty() && !list.comma()) {
+        auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
         if (!before->optional && names.spelling(before->name) == "optional") {
             *before = {name, true};
-            tree[list.last].last = place.last;
+            tree[list.last()].last = place.last;
             return list;
         }
     }

@@ -34,25 +34,71 @@ constexpr TokenKind token_kind(int symbol) {
     return symbol == 0 ? TokenKind::end_of_file : static_cast<TokenKind>(symbol - 2);
 }
 
+// What the parser copies from place to place, millions of times, is one word of 64 bits each: a
+// word that is read back right after a part of it has been written makes the processor wait.
+
 /// A list of nodes that is being made.
-struct List {
-    NodeId first = no_node;
-    NodeId last = no_node;
-    bool comma = false;  ///< its last token is a comma
+class List {
+public:
+    List() = default;
+    List(NodeId first, NodeId last, bool comma)
+        : bits_(static_cast<std::uint64_t>(last) << 33 | std::uint64_t{comma} << 32 |
+                static_cast<std::uint64_t>(first)) {}
+
+    /// no_node when it is empty.
+    NodeId first() const { return NodeId{static_cast<std::uint32_t>(bits_)}; }
+    /// Precondition: not empty.
+    NodeId last() const { return NodeId{static_cast<std::uint32_t>(bits_ >> 33)}; }
+    /// Whether its last token is a comma.
+    bool comma() const { return (bits_ >> 32 & 1) != 0; }
+    bool empty() const { return first() == no_node; }
+    List with_comma(bool comma) const { return {first(), last(), comma}; }
+
+private:
+    std::uint64_t bits_ = static_cast<std::uint64_t>(no_node);
 };
 
-/// What a symbol of the grammar stands for, which of them the grammar says: copied from place to
-/// place as it is, for there are millions.
+/// A small value that takes a whole word.
+template <class T>
+class Wide {
+public:
+    Wide& operator=(T value) {
+        bits_ = static_cast<std::uint64_t>(value);
+        return *this;
+    }
+    operator T() const { return static_cast<T>(bits_); }
+
+private:
+    std::uint64_t bits_;
+};
+
+/// The numbers of a vector in the tree.
+class WideLiteral {
+public:
+    WideLiteral& operator=(const node::Literal& literal) {
+        bits_ = std::uint64_t{literal.count} << 32 | literal.first_number;
+        return *this;
+    }
+    operator node::Literal() const {
+        return {static_cast<std::uint32_t>(bits_), static_cast<std::uint32_t>(bits_ >> 32)};
+    }
+
+private:
+    std::uint64_t bits_;
+};
+
+/// What a symbol of the grammar stands for, which of them the grammar says.
 union SemanticValue {
     SemanticValue() : list() {}
 
     List list;
-    NodeId node;
-    NameId name;
-    std::uint32_t number;
-    node::Literal literal;
-    bool flag;
+    Wide<NodeId> node;
+    Wide<NameId> name;
+    Wide<std::uint32_t> number;
+    WideLiteral literal;
+    Wide<bool> flag;
 };
+static_assert(sizeof(SemanticValue) == 8);
 
 struct ParseState {
     Tree& tree;

@@ -173,7 +173,7 @@ static std::optional<Token> take_row(Token vector, ParseState& state, List& row)
         }
         row = state.append(
             row, state.add({vector.first, vector.last}, node::Literal{vector.value, vector.count}));
-        row.comma = true;
+        row = row.with_comma(true);
         end = comma;
         vector = state.brackets.next();
         if (vector.kind != TokenKind::literal) {
@@ -209,7 +209,7 @@ int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
             value->name = NameId(token.value);
             break;
         case TokenKind::literal:
-            value->literal = {token.value, token.count};
+            value->literal = node::Literal{token.value, token.count};
             break;
         default:
             value->number = token.value;

@@ -3,72 +3,22 @@
 
 #include <array>
 
-std::string_view name(TokenKind kind) {
-    constexpr std::array<std::string_view, static_cast<std::size_t>(TokenKind::between) + 1>
-        names = {"end of file",
-                 "name",
-                 "word",
-                 "layer",
-                 "constant",
-                 "unary function",
-                 "function",
-                 "colour prefix",
-                 "channel",
-                 "number",
-                 "vector",
-                 "string",
-                 "colour",
-                 "array",
-                 "function literal",
-                 "deprecated",
-                 "once",
-                 "unofficial",
-                 "#declare",
-                 "#message",
-                 "#undef",
-                 "#if",
-                 "#ifdef",
-                 "#elseif",
-                 "#else",
-                 "#end",
-                 "#while",
-                 "#for",
-                 "#switch",
-                 "#case",
-                 "#range",
-                 "#break",
-                 "#macro",
-                 "#include",
-                 "#default",
-                 "#version",
-                 "#fopen",
-                 "#fclose",
-                 "#read",
-                 "#write",
-                 "{",
-                 "}",
-                 "(",
-                 ")",
-                 "[",
-                 "]",
-                 "<",
-                 ">",
-                 "<=",
-                 ">=",
-                 "=",
-                 "!=",
-                 "&",
-                 "|",
-                 "?",
-                 ":",
-                 "+",
-                 "-",
-                 "*",
-                 "/",
-                 "!",
-                 ".",
-                 ",",
-                 ";",
-                 "between"};
-    return names[static_cast<std::size_t>(kind)];
-}
+namespace {
+
+/// In the order of TokenKind.
+// clang-format off
+constexpr auto names = std::to_array<std::string_view>({
+    "end of file", "name", "word", "layer", "constant", "unary function", "function",
+    "colour prefix", "channel", "number", "vector", "string", "colour", "array",
+    "function literal", "deprecated", "once", "unofficial", "#declare", "#message", "#undef",
+    "#if", "#ifdef", "#elseif", "#else", "#end", "#while", "#for", "#switch", "#case", "#range",
+    "#break", "#macro", "#include", "#default", "#version", "#fopen", "#fclose", "#read",
+    "#write", "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "&", "|", "?", ":",
+    "+", "-", "*", "/", "!", ".", ",", ";", "between",
+});
+// clang-format on
+static_assert(names.size() == static_cast<std::size_t>(TokenKind::between) + 1);
+
+}  // namespace
+
+std::string_view name(TokenKind kind) { return names[static_cast<std::size_t>(kind)]; }

@@ -37,6 +37,25 @@ TEST_CASE("many textures keep apart", "[evaluate]") {
     }
 }
 
+TEST_CASE("where hardly any are equal, no more are looked for", "[evaluate]") {
+    TextureStore store;
+    Pool<Texture> pool;
+    const auto share = [&](double red) {
+        Texture texture;
+        texture.pigment.colour.rgb = Vec3(red, 0, 0);
+        return store.share(std::move(texture), pool);
+    };
+    for (int i = 0; i < 20'000; ++i) share(i);
+    const Handle<Texture> late = share(30'000);
+    CHECK(late->pigment.colour.rgb == Vec3(30'000, 0, 0));
+    CHECK(share(30'000) != late);
+
+    TextureStore other;
+    std::swap(store, other);
+    for (int i = 0; i < 50'000; ++i) share(i % 1000);
+    CHECK(share(999) == share(999));
+}
+
 TEST_CASE("a loop that writes the same texture each time makes one", "[evaluate]") {
     const Script done =
         run("#version 3.7; #for (I, 1, 3) sphere { I*x, 1 pigment { rgb 1 } finish { emission 2 } "
