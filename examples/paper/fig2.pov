@@ -10,12 +10,12 @@ global_settings { assumed_gamma 1.0 }
 #declare Radii = array[4] { 0.08, 0.25, 0.5, 0.8 };
 
 camera {
-    orthographic
-    location <0, 10, 0>
-    up 8*y
-    right 8*x
+    location <0, 40, 0>
+    up y
+    right x
     sky z
     look_at <0, 0, 0>
+    angle 11.4
 }
 
 plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } }

@@ -24,6 +24,11 @@ constexpr std::string_view sampler_form =
     "{ light_octree [threshold n] ... }, or one of: every_light, constant_alpha, linear_alpha, "
     "light_bvh";
 
+/// Parameters of light_octree that only the paper's version looks at, and those that it does not.
+constexpr auto words_of_paper =
+    std::to_array<std::string_view>({"threshold", "white", "max_bright", "representatives"});
+constexpr auto words_of_cuts = std::to_array<std::string_view>({"eta", "cut", "outlook", "alone"});
+
 /// The name of a sampler, alone, with its parameters behind it or in braces.
 class SamplerReader {
 public:
@@ -58,6 +63,7 @@ public:
 
     void finish() {
         fields_.finish();
+        warn_of_idle(fields_, block_.span);
         if (!chosen_ && !block_.broken)
             block_.report(
                 error(Fault::missing, block_.span, "`light_sampler` needs the name of a strategy")
@@ -76,6 +82,24 @@ private:
         ItemReader fields(inner, info, Kinds<LightSampler>::address(sampler_));
         inner.read(element.body, fields);
         block_.broken |= inner.broken;
+        warn_of_idle(fields, element.word_span);
+    }
+
+    /// Tells of parameters that the others leave without effect.
+    void warn_of_idle(const ItemReader& fields, Span span) {
+        const auto* octree = std::get_if<LightOctree>(&sampler_);
+        if (!octree) return;
+        const auto check = [&](std::string_view word, std::string_view why) {
+            if (fields.given(word))
+                block_.report(
+                    warning(Fault::no_effect, span,
+                            message('`', word, "` of `light_octree` has no effect ", why)));
+        };
+        for (const std::string_view word : words_of_paper)
+            if (!octree->paper) check(word, "without `paper`");
+        for (const std::string_view word : words_of_cuts)
+            if (octree->paper) check(word, "with `paper`");
+        if (octree->alone && !octree->paper) check("outlook", "with `alone`");
     }
 
     OpenBlock& block_;

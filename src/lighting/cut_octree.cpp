@@ -14,29 +14,32 @@ constexpr double near_radii = 2;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
 constexpr double divided_above = 20;
-/// Cells that look bigger than so many pixels to the eye are divided at once when their noise is
-/// above the bound: there are many hits in them, and what is seen from them differs. Smaller ones
-/// are not surveyed one by one, so that the survey's rays stay a small part of all.
+/// Cells that look bigger than so many pixels to the eye are divided: there are many hits in them,
+/// and what is seen from them differs. Smaller ones are not surveyed one by one, so that the
+/// survey's rays stay a small part of all.
 constexpr double coarse_pixels = 32;
-/// The same as an angle (size over distance): bounds for large and for small pictures.
+/// As an angle (size over distance): bounds for large and for small pictures.
 constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
-/// What is near is seen in many ways from a cell, and so counts more than the survey says: up to
-/// so many times what all entries count together by the survey.
-constexpr double most_raised = 1;
+/// What is near is seen in many ways from a cell, and so counts more than the survey says: all of
+/// it up to so many times what all entries count by the survey, and each alone so many times. So
+/// what is hidden makes little noise, however bright, and what shows against the survey is not too
+/// rare.
+constexpr double most_raised = 1, most_raised_alone = 0.1;
 /// Shadow rays that tell how noisy the choice of luminaires is in a cell.
 constexpr std::uint32_t trials = 48;
 /// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
 constexpr double least_noise = 0.02;
+/// How many times as much the noise of the choice counts: what told it taught the choice as well.
+constexpr double doubt = 3;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
-/// luminaire that nearly touches the point.
-constexpr double least_by_direction = 0.1;
-
-/// Surfaces may ask for light as they scatter it, which knows nothing of single luminaires, where
-/// none is brighter than so many times the mean of what is seen: then no ray can bring much more
-/// than others, and in a room that glows evenly all bring the same.
+/// luminaire that nearly touches the point. Only where the choice has no noise at all, there is
+/// nothing to be found.
+constexpr double least_by_direction = 0.1, no_noise = 1e-6;
+/// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
+/// the mean of what is seen: then no ray can bring much more than others.
 constexpr double most_glare = 16;
 
 /// Around the middle of a box, as tight as spheres around the luminaires in it allow.
@@ -85,9 +88,9 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 /// What rays that were tried tell of a cell, for it and for the cells that it is divided into.
 struct BuiltCutOctree::Survey {
     LightCut cut;
-    std::vector<float> shares;  ///< see arriving_shares()
+    std::vector<float> shares;       ///< see arriving_shares()
     std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
-    double by_direction = 0;  ///< see Weights
+    double by_direction = 0;         ///< see Weights
     bool as_scattered = false;
 
     std::size_t memory_bytes() const {
@@ -119,7 +122,8 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
-    double coarse = 0;
+    double coarse =
+        0;  ///< size of cells that are small, at distance 1 from the eye if there is one
     double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;
@@ -160,33 +164,39 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     cell->box = box;
     cell->depth = parent ? parent->depth + 1 : 0;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
-    const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0,
-                 size = length(box.size());
-    const bool small = size <= limit;
-    const double bound = state_->rule.noise * (state_->eye && !small ? 1 : divided_above);
-    const bool divided = cell->cut->noise() > bound && cell->depth < state_->settings.max_depth;
+    const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0;
+    const bool small = length(box.size()) <= limit, large = state_->eye && !small,
+               learns = probe && !state_->settings.alone;
+    const double bound = state_->rule.noise * (large ? 1 : divided_above);
+    const bool divided =
+        cell->depth < state_->settings.max_depth &&
+        (cell->cut->noise() > bound || (learns && large && cell->cut->entries() > 1));
     if (parent) cell->survey = parent->survey;
-    if (probe && !state_->settings.alone && !cell->survey && (small || !divided))
+    if (learns && !cell->survey && (small || !divided))
         cell->survey = survey(box, *cell->cut, *probe);
     if (divided)
         cell->cut.reset();
     else if (cell->survey)
-        adopt(*cell->survey, *cell);
+        cell->cut->scale(counted(*cell->survey, *cell->cut, box));
     return cell;
 }
 
 std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const Box& box, const LightCut& cut, const LightProbe& probe) const {
-    const std::vector<Receiver> receivers = receivers_in(box, probe);
+    const std::vector<Receiver> receivers = receivers_in(box, state_->eye, probe);
     if (state_->tree.falloff(state_->tree.root())) return survey_of_sources(cut, receivers, probe);
     const auto result = std::make_shared<Survey>(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
                Outlook(box, state_->ball, receivers, probe)});
-    const double choice = noise_of_choice(cut, receivers, probe) + least_noise,
+    LightCut learned = cut;
+    learned.scale(counted(*result, cut, box));
+    const double found = noise_of_choice(learned, receivers, probe),
+                 choice = doubt * found + least_noise,
                  outlook = result->outlook->noise() + least_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
-    result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    if (found > no_noise)
+        result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
     const double scattering = result->outlook->noise_of_scattering();
     result->as_scattered = scattering <= std::fmin(outlook, choice) &&
                            state_->brightest <= most_glare * result->outlook->mean_luminance();
@@ -195,36 +205,41 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
 
 std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
     const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
-    const auto result = std::make_shared<Survey>(
+    return std::make_shared<Survey>(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
-    return result;
 }
 
-/// Lets the entries of a cell count as the survey says of those that they are part of.
-void BuiltCutOctree::adopt(const Survey& survey, Cell& cell) const {
-    const std::size_t count = cell.cut->entries();
-    std::vector<float> shares(count), cautious(count);
-    const Vec3 middle = cell.box.centre();
-    const double radius = 0.5 * length(cell.box.size());
+/// By what the weights of the entries of a cell are to be multiplied, by a survey of the cell or of
+/// one around it: as it says of those that they are part of, with caution.
+std::vector<float> BuiltCutOctree::counted(const Survey& survey, const LightCut& cut,
+                                           const Box& box) const {
+    const std::size_t count = cut.entries();
+    std::vector<double> shares(count), given(count), raise(count);
+    const Vec3 middle = box.centre();
+    const double radius = 0.5 * length(box.size());
     double learned = 0, raised = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const LightCluster& cluster = cell.cut->cluster(i);
+        const LightCluster& cluster = cut.cluster(i);
         const std::size_t entry = survey.cut.entry_of(cluster.first);
         const Glow g = state_->tree.glow(cluster);
-        shares[i] = entry < survey.shares.size() ? survey.shares[entry] : 1.0f;
-        cautious[i] = cautious_share(shares[i], cell.box, g);
+        shares[i] = entry < survey.shares.size() ? survey.shares[entry] : 1;
         const Vec3 v = g.centre - middle;
-        double given = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+        given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
         if (const Falloff* falloff = state_->tree.falloff(cluster))
-            given *= against_square_law(*falloff, v, radius + g.radius);
-        learned += given * shares[i];
-        raised += given * (cautious[i] - shares[i]);
+            given[i] *= against_square_law(*falloff, v, radius + g.radius);
+        learned += given[i] * shares[i];
     }
-    // However strong what is raised is: the rest keeps its chance.
+    for (std::size_t i = 0; i < count; ++i) {
+        raise[i] = cautious_share(shares[i], box, state_->tree.glow(cut.cluster(i))) - shares[i];
+        if (raise[i] * given[i] > most_raised_alone * learned)
+            raise[i] = most_raised_alone * learned / given[i];
+        raised += given[i] * raise[i];
+    }
     const double kept = raised > most_raised * learned ? most_raised * learned / raised : 1;
+    std::vector<float> result(count);
     for (std::size_t i = 0; i < count; ++i)
-        shares[i] += static_cast<float>(kept) * (cautious[i] - shares[i]);
-    cell.cut->scale(shares);
+        result[i] = static_cast<float>(shares[i] + kept * raise[i]);
+    return result;
 }
 
 double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Receiver> receivers,
@@ -232,7 +247,7 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Rece
     Weights weights;
     weights.cut = &cut;
     LightPicks picks;
-    double sum = 0, squares = 0;
+    std::vector<double> found(trials, 0), at_place(receivers.size(), 0);
     for (std::uint32_t i = 0; i < trials; ++i) {
         const auto number = [&](std::uint32_t n) {
             return uniform(Key{n, i, 0, 0}, Purpose::light_representative);
@@ -246,7 +261,13 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Rece
         const double light =
             arriving(state_->luminaires, pick.light, from, {number(4), number(5)}, probe);
         if (!(light > 0)) continue;
-        const double given = light / (pick.expected * weights.total);
+        found[i] = light / (pick.expected * weights.total);
+        at_place[i % receivers.size()] += found[i];
+    }
+    const std::vector<double> counts = balanced(at_place);
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < trials; ++i) {
+        const double given = counts[i % receivers.size()] * found[i];
         sum += given;
         squares += given * given;
     }
@@ -293,8 +314,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
-    if (weights.as_scattered) return;
-    if (!(weights.by_direction > 0)) return;
+    if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }

@@ -54,7 +54,7 @@ private:
     std::shared_ptr<const Survey> survey(const Box&, const LightCut&, const LightProbe&) const;
     std::shared_ptr<const Survey> survey_of_sources(const LightCut&, std::span<const Receiver>,
                                                     const LightProbe&) const;
-    void adopt(const Survey&, Cell&) const;
+    std::vector<float> counted(const Survey&, const LightCut&, const Box&) const;
     double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
                           double& probability) const;

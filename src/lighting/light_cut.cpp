@@ -13,6 +13,9 @@ constexpr double least_strength = 1e-24;
 /// Radius over distance at which rounding in single precision may still lift an entry over the
 /// horizon.
 constexpr float slack = 1e-6f;
+/// Single luminaires that outshine all clusters so many times are left out when the noise of these
+/// is judged: they may turn out to be hidden.
+constexpr double outshining = 20;
 
 struct Columns {
     const float *x, *y, *z, *radius, *strength;
@@ -157,13 +160,12 @@ public:
     void refine(const CutRule& rule) {
         const auto most = std::min(static_cast<std::size_t>(rule.most_entries), CutWeights::most);
         add(tree_.root());
-        while (heap_.size() < most && excess_ > rule.noise * weight_) {
+        // A block of entries takes the same time whether it is full or not.
+        while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
             std::pop_heap(heap_.begin(), heap_.end());
             const Entry coarse = heap_.back();
             if (coarse.excess <= 0) break;
             heap_.pop_back();
-            weight_ -= coarse.weight;
-            excess_ -= coarse.excess;
             const auto [first, second] = tree_.halves(coarse.cluster);
             add(first);
             add(second);
@@ -171,7 +173,16 @@ public:
         std::ranges::sort(heap_, {}, [](const Entry& e) { return e.cluster.first; });
     }
     const std::vector<Entry>& entries() const { return heap_; }
-    double noise() const { return weight_ > 0 ? std::fmax(excess_, 0) / weight_ : 0; }
+    double noise() const {
+        double clusters = 0, singles = 0, excess = 0;
+        for (const Entry& e : heap_) {
+            if (e.cluster.count > 1) clusters += e.weight;
+            excess += e.excess;
+        }
+        for (const Entry& e : heap_)
+            if (e.cluster.count == 1 && e.weight < outshining * clusters) singles += e.weight;
+        return excess > 0 ? excess / (clusters + singles) : 0;
+    }
 
 private:
     void add(const LightCluster& cluster) {
@@ -188,8 +199,6 @@ private:
             const double spread = g.radius / std::fmax(d - radius_, g.radius);
             entry.excess = entry.weight * spread * spread;
         }
-        weight_ += entry.weight;
-        excess_ += entry.excess;
         heap_.push_back(entry);
         std::push_heap(heap_.begin(), heap_.end());
     }
@@ -198,7 +207,6 @@ private:
     Vec3 centre_;
     double radius_;
     std::vector<Entry> heap_;
-    double weight_ = 0, excess_ = 0;
 };
 
 }  // namespace

@@ -28,7 +28,8 @@ public:
     LightCut(const LightTree&, std::span<const Luminaire>, const Box& cell, const CutRule&,
              double unit);
 
-    /// Expected variance of the choice over the squared mean, by a rough bound.
+    /// Expected variance of the choice over the squared mean, by a rough bound; without single
+    /// luminaires that outshine all others.
     double noise() const { return noise_; }
     std::size_t entries() const { return clusters_.size(); }
     const LightCluster& cluster(std::size_t entry) const { return clusters_[entry]; }

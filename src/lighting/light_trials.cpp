@@ -11,15 +11,44 @@ namespace {
 constexpr std::uint32_t rays = 6;
 /// Places that these rays start from.
 constexpr std::size_t most_places = 8;
-/// Greatest share of an entry as a multiple of the mean of those of which something arrives, and
-/// the least for what is far.
-constexpr double least = 0.02, greatest = 4;
-/// What all entries of which nothing arrives may count together, as a share of what the others do:
-/// a sun behind shutters must not take all rays.
+/// Greatest share of an entry as a multiple of the mean, and the least for what is far.
+constexpr double least = 0.1, greatest = 4;
+/// What all entries that have the least share may count together, as a share of what arrives: a sun
+/// behind shutters must not take all rays.
 constexpr double most_unseen = 0.1;
 
 double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key{a, b, c, 1}, Purpose::light_representative);
+}
+
+/// What was found of an entry: the share of its weight that arrives, and its mean weight.
+struct Trial {
+    double share = 0, weight = 0;
+};
+
+std::vector<float> judged(std::span<const Trial> trials) {
+    double sum = 0, squares = 0;
+    for (const Trial& t : trials) {
+        sum += t.share * t.weight;
+        squares += t.share * t.share * t.weight;
+    }
+    if (!(sum > 0)) return std::vector<float>(trials.size(), 1.0f);
+    // Of what arrives, so that what is strong and hidden does not count.
+    const double mean = squares / sum;
+    // First each of those that little arrives of for itself, so that one does not make the others
+    // lose their chance.
+    const double most = most_unseen * sum / mean;
+    const auto dark = [&](const Trial& t) {
+        return t.weight * least > most ? most / t.weight : least;
+    };
+    double faint = 0;
+    for (const Trial& t : trials)
+        if (t.share < least * mean) faint += dark(t) * t.weight;
+    const double kept = faint > most ? most / faint : 1;
+    std::vector<float> shares;
+    for (const Trial& t : trials)
+        shares.push_back(static_cast<float>(std::clamp(t.share / mean, kept * dark(t), greatest)));
+    return shares;
 }
 
 }  // namespace
@@ -53,36 +82,37 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     const std::size_t places = std::min(receivers.size(), most_places);
     std::vector<CutWeights> weights(places);
     for (std::size_t i = 0; i < places; ++i) cut.weigh(receivers[i].point, weights[i]);
-    std::vector<float> shares(cut.entries(), 0);
-    double sum = 0, seen = 0, unseen = 0;
+    const auto place_of = [&](std::size_t entry, std::size_t i) { return (i + entry) % places; };
+    std::vector<std::array<double, rays>> given(cut.entries());
+    std::vector<double> at_place(places, 0);
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry)
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            const auto n = static_cast<std::uint32_t>(entry);
+            const LightCluster& cluster = cut.cluster(entry);
+            const std::size_t place = place_of(entry, i);
+            const double weight = weights[place].weight[entry];
+            if (!(weight > 0)) continue;
+            const std::uint32_t member = tree.draw(cluster, number(n, i, 0));
+            const double light = arriving(luminaires, tree.light(member), receivers[place],
+                                          {number(n, i, 1), number(n, i, 2)}, probe) /
+                                 tree.share(cluster, member);
+            given[entry][i] = light / weight;
+            at_place[place] += light;
+        }
+    const std::vector<double> counts = balanced(at_place);
+    std::vector<Trial> trials(cut.entries());
     for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
         double squares = 0, weight_sum = 0;
         int tried = 0;
-        const LightCluster& cluster = cut.cluster(entry);
-        for (std::uint32_t i = 0; i < rays; ++i) {
-            const auto n = static_cast<std::uint32_t>(entry);
-            const std::size_t place = (i + entry) % places;
-            const Receiver& from = receivers[place];
+        for (std::size_t i = 0; i < rays; ++i) {
+            const std::size_t place = place_of(entry, i);
             const double weight = weights[place].weight[entry];
             if (!(weight > 0)) continue;
             ++tried;
             weight_sum += weight;
-            const std::uint32_t member = tree.draw(cluster, number(n, i, 0));
-            const double given = arriving(luminaires, tree.light(member), from,
-                                          {number(n, i, 1), number(n, i, 2)}, probe) /
-                                 (tree.share(cluster, member) * weight);
-            squares += given * given;
+            squares += std::pow(counts[place] * given[entry][i], 2);
         }
-        if (tried == 0) continue;
-        const double share = std::sqrt(squares / tried);
-        shares[entry] = static_cast<float>(share);
-        sum += share * weight_sum / tried;
-        (share > 0 ? seen : unseen) += weight_sum / tried;
+        if (tried > 0) trials[entry] = {std::sqrt(squares / tried), weight_sum / tried};
     }
-    if (!(sum > 0)) return std::vector<float>(cut.entries(), 1.0f);
-    const double mean = sum / seen;
-    const double dark = unseen > 0 ? std::fmin(least, most_unseen * seen / unseen) : least;
-    for (float& share : shares)
-        share = static_cast<float>(share > 0 ? std::clamp(share / mean, least, greatest) : dark);
-    return shares;
+    return judged(trials);
 }

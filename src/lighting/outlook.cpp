@@ -14,6 +14,8 @@ using std::numbers::pi;
 constexpr std::size_t rings = Outlook::rings, sectors = Outlook::sectors;
 /// Lines that look for surfaces in a cell, and places that are enough.
 constexpr std::uint32_t lines = 48, enough = 12;
+/// How many times as much as the place with the least light others may count.
+constexpr double most_counted = 4;
 /// Rays tried for each bin: what some tell is held against what the others tell.
 constexpr std::size_t tries = 2;
 /// The luminaires' ball is looked at as such from so many of its radii on.
@@ -120,17 +122,16 @@ double noise_of(const Picture& guess, const Picture& seen) {
     return sum > 0 && all > 0 ? std::fmax(second * all / (sum * sum) - 1, 0) : INFINITY;
 }
 
-}  // namespace
+/// What lines meet in a cell: outsides of solids that do not glow, which are looked at most, then
+/// what glows, then insides.
+using Found = std::array<std::vector<Receiver>, 3>;
 
-std::vector<Receiver> receivers_in(const Box& cell, const LightProbe& probe) {
-    // Outsides of solids that do not glow are what is looked at most.
-    std::array<std::vector<Receiver>, 3> found;
+template <class Line>
+Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
+    Found found;
     for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
         const Vec3 place(number(i, 0, 1), number(i, 0, 2), number(i, 0, 3));
-        const double height = 2 * number(i, 0, 4) - 1, angle = 2 * pi * number(i, 0, 5);
-        const double across = std::sqrt(1 - height * height);
-        const Ray ray{cell.low + place * cell.size(),
-                      Vec3(across * std::cos(angle), across * std::sin(angle), height)};
+        const Ray ray = line(i, cell.low + place * cell.size());
         const auto sight = probe(ray, 0);
         if (!sight) continue;
         const Vec3 position = ray.at(sight->distance);
@@ -139,13 +140,42 @@ std::vector<Receiver> receivers_in(const Box& cell, const LightProbe& probe) {
         const ShadingPoint point{position, within ? -sight->normal : sight->normal};
         found[within ? 2 : (sight->light ? 1 : 0)].push_back({point, sight->tolerance});
     }
+    return found;
+}
+
+}  // namespace
+
+std::vector<double> balanced(std::span<const double> arriving) {
+    double least = INFINITY;
+    for (const double light : arriving)
+        if (light > 0) least = std::fmin(least, light);
+    std::vector<double> result;
+    for (const double light : arriving)
+        result.push_back(light > most_counted * least ? most_counted * least / light : 1);
+    return result;
+}
+
+std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& eye,
+                                   const LightProbe& probe) {
+    if (eye) {
+        Found seen = met_by(cell, probe, [&](std::uint32_t, const Vec3& place) {
+            return Ray{*eye, unit(place - *eye)};
+        });
+        if (!seen[0].empty()) return std::move(seen[0]);
+    }
+    Found found = met_by(cell, probe, [&](std::uint32_t i, const Vec3& place) {
+        const double height = 2 * number(i, 0, 4) - 1, angle = 2 * pi * number(i, 0, 5);
+        const double across = std::sqrt(1 - height * height);
+        return Ray{place, Vec3(across * std::cos(angle), across * std::sin(angle), height)};
+    });
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
+    std::vector<Receiver> anywhere;
     for (std::uint32_t i = 0; i < enough; ++i) {
         const Vec3 place(number(i, 1, 1), number(i, 1, 2), number(i, 1, 3));
-        found[0].push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
+        anywhere.push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
     }
-    return std::move(found[0]);
+    return anywhere;
 }
 
 Vec3 Outlook::Cone::direction(double ring, double sector) const {
@@ -166,11 +196,16 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
     if (!around_)
         pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
                                 : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
+    const auto receiver_of = [&](std::size_t bin, std::size_t i) {
+        return (tries * bin + i) * 5 % receivers.size();
+    };
     std::array<Picture, tries> seen{};
+    std::vector<double> arriving(receivers.size(), 0);
     double cosines = 0, sum = 0, squares = 0;
     for (std::uint32_t bin = 0; bin < bins; ++bin)
         for (std::uint32_t i = 0; i < tries; ++i) {
-            const Receiver& from = receivers[(tries * bin + i) * 5 % receivers.size()];
+            const std::size_t place = receiver_of(bin, i);
+            const Receiver& from = receivers[place];
             const Cone cone = cone_at(from.point.position);
             const Vec3 direction = cone.direction(bin / sectors + number(bin, i, 10),
                                                   bin % sectors + number(bin, i, 11));
@@ -181,6 +216,7 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
             const auto sight = probe({from.point.position, direction}, from.tolerance);
             if (!sight || !sight->light) continue;
             seen[i][bin] = sight->luminance;
+            arriving[place] += cosine * sight->luminance;
             sum += cosine * sight->luminance;
             squares += cosine * sight->luminance * sight->luminance;
         }
@@ -188,6 +224,9 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
         mean_luminance_ = sum / cosines;
         noise_of_scattering_ = std::fmax(squares * cosines / (sum * sum) - 1, 0);
     }
+    const std::vector<double> counts = balanced(arriving);
+    for (std::size_t bin = 0; bin < bins; ++bin)
+        for (std::size_t i = 0; i < tries; ++i) seen[i][bin] *= counts[receiver_of(bin, i)];
     noise_ = INFINITY;
     double best = caution[0];
     for (const double care : caution) {

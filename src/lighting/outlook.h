@@ -28,7 +28,15 @@ struct Receiver {
     double tolerance = 0;
 };
 /// Places on the surfaces in a cell, or, where none are found, anywhere in it. The same each time.
-std::vector<Receiver> receivers_in(const Box& cell, const LightProbe&);
+/// Only those that the eye sees, if it sees some: there may be sunshine on the other side of a
+/// wall.
+std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& eye,
+                                   const LightProbe&);
+
+/// By what the light that arrives at each of several places is to be multiplied when they are
+/// looked at together: none of them counts much more than the one that gets the least. Else the
+/// rays of all would go to what shines on some of them.
+std::vector<double> balanced(std::span<const double> arriving);
 
 /// Where luminaires are.
 struct LightBall {

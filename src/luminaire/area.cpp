@@ -108,6 +108,36 @@ void flatten(const AreaEmitter& e, const Cuboid& box, LightBounds& result) {
     result.evenness = 0.5 * others / area;
 }
 
+std::vector<BrightFace> own_faces(const Cuboid& cuboid) {
+    const Box box = bounds(cuboid);
+    std::vector<BrightFace> faces;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool high : {false, true}) {
+            BrightFace face{box.low, Vec3(0), Vec3(0)};
+            if (high) face.corner[axis] = box.high[axis];
+            const int first = (axis + (high ? 1 : 2)) % 3, second = 3 - axis - first;
+            face.side1[first] = box.size()[first];
+            face.side2[second] = box.size()[second];
+            faces.push_back(face);
+        }
+    return faces;
+}
+std::vector<BrightFace> own_faces(const Disc& d) {
+    const auto [x, y] = perpendiculars(unit(d.normal));
+    return {{d.centre - d.radius * (x + y), 2 * d.radius * x, 2 * d.radius * y, BrightFace::disc,
+             d.hole / d.radius}};
+}
+std::vector<BrightFace> own_faces(const Triangle& t) {
+    return {{t.corner1, t.corner2 - t.corner1, t.corner3 - t.corner1, BrightFace::triangle}};
+}
+std::vector<BrightFace> own_faces(const SmoothTriangle& t) {
+    return own_faces(Triangle{t.corner1, t.corner2, t.corner3});
+}
+template <ShapeKind T>
+std::vector<BrightFace> own_faces(const T&) {
+    return {};
+}
+
 /// Density per steradian of a point with this share per area of the shape's own space.
 double solid_angle_density(double per_area, double distance, double seen) {
     return per_area * distance * distance / seen;
@@ -197,4 +227,17 @@ double emitting_area(const AreaEmitter& e) {
             sum += length(stretched_normal(
                 e, sample_area(e.shape, {(i + 0.5) / steps, (j + 0.5) / steps}).normal));
     return area * sum / (steps * steps);
+}
+
+std::vector<BrightFace> flat_faces(const AreaEmitter& e) {
+    auto faces = visit_shape([](const auto& s) { return own_faces(s); }, e.shape);
+    if (!e.transform) return faces;
+    const bool mirrored = e.transform->determinant() < 0;
+    for (BrightFace& face : faces) {
+        face.corner = e.transform->point(face.corner);
+        face.side1 = e.transform->direction(face.side1);
+        face.side2 = e.transform->direction(face.side2);
+        if (mirrored) std::swap(face.side1, face.side2);
+    }
+    return faces;
 }

@@ -2,6 +2,7 @@
 // Any other glowing shape. Called through luminaire.h, which states what each function promises.
 #pragma once
 
+#include "luminaire/brightness.h"
 #include "luminaire/luminaire.h"
 
 LightBounds bounds(const AreaEmitter&, double luminance);
@@ -9,3 +10,4 @@ double unoccluded(const AreaEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
 void meet(const AreaEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const AreaEmitter&);
+std::vector<BrightFace> flat_faces(const AreaEmitter&);

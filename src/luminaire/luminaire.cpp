@@ -3,10 +3,65 @@
 
 #include "base/colour.h"
 #include "luminaire/area.h"
+#include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "luminaire/source.h"
 #include "luminaire/sphere.h"
 #include "luminaire/triangle.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Share of the points of a luminaire that are drawn as if it glowed evenly when a map says where
+/// it is bright. What the map misses makes noise by one over this.
+constexpr double evenly = 0.25;
+/// The least that the mean brightness counts for, as a share of the greatest.
+constexpr double least_mean = 1e-3;
+
+/// What the luminance of the brightest point must be multiplied by to have the mean.
+double mean_share(const Luminaire& luminaire) {
+    if (!luminaire.brightness) return 1;
+    return std::clamp(luminaire.brightness->mean() / luminance(luminaire.radiance), least_mean,
+                      1.0);
+}
+
+std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const ShadingPoint& point,
+                                        const Vec2& u) {
+    if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
+        return sample(*sphere, point, u);
+    return std::visit([&](const auto& e) { return sample(e, point.position, u); },
+                      luminaire.emitter);
+}
+
+void meet_evenly(const Luminaire& luminaire, const ShadingPoint& point, const Vec3& direction,
+                 LightMeetings& met) {
+    std::visit([&](const auto& e) { meet(e, point, direction, met); }, luminaire.emitter);
+}
+
+/// By the map or evenly, with the density that both have together.
+std::optional<LightPoint> sample_bright(const Luminaire& luminaire, const Brightness::View& view,
+                                        const ShadingPoint& point, const Vec2& u) {
+    if (u.x < evenly) {
+        auto drawn = sample_evenly(luminaire, point, {u.x / evenly, u.y});
+        if (drawn)
+            drawn->density = evenly * drawn->density + (1 - evenly) * view.density(drawn->position);
+        return drawn;
+    }
+    const auto drawn = view.draw({(u.x - evenly) / (1 - evenly), u.y});
+    const Vec3 offset = drawn.position - point.position;
+    const double distance = length(offset);
+    if (!(drawn.density > 0)) return {};
+    LightMeetings met;
+    meet_evenly(luminaire, point, offset / distance, met);
+    for (const LightMeeting& meeting : met)
+        if (std::abs(meeting.distance - distance) < 1e-6 * distance)
+            return LightPoint{drawn.position, offset / distance, distance,
+                              evenly * meeting.density + (1 - evenly) * drawn.density};
+    return {};
+}
+
+}  // namespace
 
 double luminance(const Vec3& radiance) {
     const Vec3 shining(std::fmax(radiance.x, 0), std::fmax(radiance.y, 0),
@@ -18,32 +73,59 @@ double luminance(const Vec3& radiance) {
 }
 
 LightBounds bounds(const Luminaire& luminaire) {
-    return std::visit([&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); },
-                      luminaire.emitter);
+    LightBounds result = std::visit(
+        [&](const auto& e) { return bounds(e, luminance(luminaire.radiance)); }, luminaire.emitter);
+    result.intensity *= mean_share(luminaire);
+    return result;
 }
 
 double unoccluded(const Luminaire& luminaire, const ShadingPoint& point) {
-    return std::visit(
-        [&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); },
-        luminaire.emitter);
+    return mean_share(luminaire) *
+           std::visit(
+               [&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); },
+               luminaire.emitter);
 }
 
 std::optional<LightPoint> sample(const Luminaire& luminaire, const Vec3& from, const Vec2& u) {
+    if (luminaire.brightness) return sample(luminaire, ShadingPoint{from, Vec3(0)}, u);
     return std::visit([&](const auto& e) { return sample(e, from, u); }, luminaire.emitter);
 }
 
 std::optional<LightPoint> sample(const Luminaire& luminaire, const ShadingPoint& point,
                                  const Vec2& u) {
-    if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
-        return sample(*sphere, point, u);
-    return sample(luminaire, point.position, u);
+    if (luminaire.brightness) {
+        const Brightness::View view(*luminaire.brightness, point.position);
+        if (view.any()) return sample_bright(luminaire, view, point, u);
+    }
+    return sample_evenly(luminaire, point, u);
 }
 
 void meet(const Luminaire& luminaire, const ShadingPoint& point, const Vec3& direction,
           LightMeetings& met) {
-    std::visit([&](const auto& e) { meet(e, point, direction, met); }, luminaire.emitter);
+    const std::size_t before = met.size();
+    meet_evenly(luminaire, point, direction, met);
+    if (!luminaire.brightness || met.size() == before) return;
+    const Brightness::View view(*luminaire.brightness, point.position);
+    if (!view.any()) return;
+    for (std::size_t i = before; i < met.size(); ++i)
+        met[i].density = evenly * met[i].density +
+                         (1 - evenly) * view.density(point.position + met[i].distance * direction);
 }
 
 double emitting_area(const Emitter& emitter) {
     return std::visit([](const auto& e) { return emitting_area(e); }, emitter);
+}
+
+std::vector<BrightFace> flat_faces(const Emitter& emitter) {
+    if (const auto* t = std::get_if<TriangleEmitter>(&emitter))
+        return {
+            {t->corner1, t->corner2 - t->corner1, t->corner3 - t->corner1, BrightFace::triangle}};
+    const auto* area = std::get_if<AreaEmitter>(&emitter);
+    return area ? flat_faces(*area) : std::vector<BrightFace>();
+}
+
+Handle<Brightness> brightness_of(const Luminaire& luminaire, int cells,
+                                 FunctionRef<double(const Vec3&)> luminance) {
+    const std::vector<BrightFace> faces = flat_faces(luminaire.emitter);
+    return make_handle<Brightness>(faces, faces.size() > 1, cells, luminance);
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/box.h"
+#include "base/function_ref.h"
 #include "base/transform.h"
 #include "base/vector.h"
 #include "luminaire/falloff.h"
@@ -68,14 +69,18 @@ struct SourceEmitter {
     Falloff falloff;
 };
 
+class Brightness;
+struct BrightFace;
+
 using Emitter =
     std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, SourceEmitter>;
 
 /// A luminaire as the samplers see it. Surfaces emit on both sides, as they look in POV-Ray.
 struct Luminaire {
     Emitter emitter;
-    Vec3 radiance;            ///< greatest radiance anywhere on it, per channel; a source's colour
-    bool varying = false;     ///< whether the radiance changes over the surface
+    Vec3 radiance;         ///< greatest radiance anywhere on it, per channel; a source's colour
+    bool varying = false;  ///< whether the radiance changes over the surface
+    Handle<Brightness> brightness = nullptr;  ///< where it is bright; null: not known
     std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light
 };
 
@@ -125,3 +130,10 @@ void meet(const Luminaire&, const ShadingPoint&, const Vec3& direction, LightMee
 
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);
+
+/// The flat faces of boxes, discs and triangles, which a map of brightness can be made of. None for
+/// other emitters.
+std::vector<BrightFace> flat_faces(const Emitter&);
+/// A map of the brightness of a luminaire that has such faces: see there.
+Handle<Brightness> brightness_of(const Luminaire&, int cells,
+                                 FunctionRef<double(const Vec3&)> luminance);

@@ -9,7 +9,7 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
         "interior", "What is inside a solid.",
         F{"ior", &Interior::ior, item, "index of refraction", above(0)},
         F{"fade_distance", &Interior::fade_distance, item,
-          "way by which light is dimmed to half; 0: it is not"},
+          "way by which light is dimmed to half; 0: it is not", at_least(0)},
         F{"fade_power", &Interior::fade_power, item,
           "how fast it is dimmed; from 1000 on exponentially, as nature does", at_least(0)},
         as_colour(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "luminaire/brightness.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"
@@ -88,6 +89,23 @@ void note_luminaires(World& world) {
         world.luminaire_of[world.luminaires[light].primitive] = light;
 }
 
+/// Finds out where luminaires are bright whose glow varies, unless they are too many.
+void map_brightness(World& world) {
+    // Points that are asked for their glow, and the fewest cells that tell something.
+    constexpr double most_points = 1 << 19, least_cells = 4;
+    double faces = 0;
+    for (const Luminaire& luminaire : world.luminaires)
+        if (luminaire.varying) faces += static_cast<double>(flat_faces(luminaire.emitter).size());
+    const double cells = std::fmin(std::sqrt(most_points / (4 * faces)), Brightness::most_cells);
+    if (!(faces > 0 && cells >= least_cells)) return;
+    for (Luminaire& luminaire : world.luminaires)
+        if (luminaire.varying && !flat_faces(luminaire.emitter).empty())
+            luminaire.brightness =
+                brightness_of(luminaire, static_cast<int>(cells), [&](const Vec3& point) {
+                    return luminance(world.emission(luminaire.primitive, point));
+                });
+}
+
 /// Between the rays through the middles of two pixels in the middle of the picture.
 double pixel_angle(const Projection& camera, const CompileOptions& options) {
     const Vec3 middle = camera.ray(0, 0).direction;
@@ -107,6 +125,7 @@ void build_indices(World& world, const CompileOptions& options) {
         boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
         {}, options.threads);
     note_luminaires(world);
+    map_brightness(world);
     if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)
         world.sky_light =
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });

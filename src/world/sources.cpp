@@ -49,7 +49,7 @@ Luminaire emitter(const PointLight& light, std::uint32_t number) {
     SourceEmitter source{light.location, radius(light), falloff(light)};
     // Light of one direction comes from a point of the sphere of directions.
     if (same_direction_everywhere(light)) source = {unit(light.location - light.point_at), 0, {}};
-    return {source, light.colour, false, number};
+    return {source, light.colour, false, nullptr, number};
 }
 
 const PointLight& point_light(const Light& light) { return std::get<PointLight>(light); }

@@ -43,7 +43,7 @@ TEST_CASE("a word of a block means itself, though the scene has declared the nam
         run("#version 3.7; #declare max_depth = 5; #declare light_octree = 1; #declare "
             "representatives = 2; "
             "global_settings { light_sampler { light_octree { max_depth max_depth representatives "
-            "3 } } }");
+            "3 paper } } }");
     REQUIRE(done.text.empty());
     const auto& octree = std::get<LightOctree>(done.scene.settings.light_sampler);
     CHECK(octree.max_depth == 5);

@@ -22,14 +22,14 @@ const auto sight = [](const Ray& ray, double tolerance) -> std::optional<LightSi
 const LightBall ball{Vec3(0), 1.2};
 
 Outlook outlook_of(const Box& cell) {
-    return Outlook(cell, ball, receivers_in(cell, sight), sight);
+    return Outlook(cell, ball, receivers_in(cell, {}, sight), sight);
 }
 
 }  // namespace
 
 TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]") {
     const Box cell{Vec3(2, -2, 2), Vec3(4, 0, 4)};
-    const std::vector<Receiver> found = receivers_in(cell, sight);
+    const std::vector<Receiver> found = receivers_in(cell, {}, sight);
     REQUIRE(found.size() > 3);
     for (const Receiver& each : found) {
         CHECK(each.point.position.y == Approx(-1.5));
@@ -37,7 +37,7 @@ TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]")
         CHECK(contains(cell, each.point.position));
     }
     // Nothing there: anywhere will do.
-    for (const Receiver& each : receivers_in({Vec3(5, 5, 5), Vec3(6)}, sight))
+    for (const Receiver& each : receivers_in({Vec3(5, 5, 5), Vec3(6)}, {}, sight))
         CHECK(each.point.both_sides);
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
     const auto even = [](const Ray& ray, double) -> std::optional<LightSight> {
         return LightSight{3, -ray.direction, 1e-9, 0, 2.5};
     };
-    const Outlook all(cell, ball, receivers_in(cell, even), even);
+    const Outlook all(cell, ball, receivers_in(cell, {}, even), even);
     CHECK(all.mean_luminance() == Approx(2.5));
     CHECK(all.noise_of_scattering() == Approx(0).margin(1e-12));
     const Outlook some = outlook_of(cell);
@@ -106,7 +106,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
 TEST_CASE("no direction is drawn where nothing shines", "[lighting]") {
     const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
     const Box cell{Vec3(3, -2, 3), Vec3(4, -1, 4)};
-    const Outlook outlook(cell, ball, receivers_in(cell, dark), dark);
+    const Outlook outlook(cell, ball, receivers_in(cell, {}, dark), dark);
     Outlook::Weights weights;
     outlook.weigh({Vec3(3.5, -1.5, 3.5), Vec3(0, 1, 0)}, weights);
     CHECK(weights.total == 0);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/brightness.h"
+
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// One in a hundred squares of a raster of 40 x 40 is bright, the others glow a little.
+double sparse(double x, double y) {
+    const auto i = static_cast<int>(std::floor(40 * x)), j = static_cast<int>(std::floor(40 * y));
+    return (i * 7 + j * 13) % 100 == 0 ? 100 : 0.01;
+}
+
+const auto pattern = [](const Vec3& p) {
+    return sparse(0.5 + p.x / 4, 0.5 + (p.y + 0.7 * p.z) / 4);
+};
+
+Luminaire lamp(const Emitter& emitter, bool mapped) {
+    Luminaire result = glowing(emitter, 100);
+    result.varying = true;
+    if (mapped) result.brightness = brightness_of(result, 80, pattern);
+    return result;
+}
+
+struct Moments {
+    double mean = 0, relative_variance = 0;
+};
+/// Of the light that samples bring to a point.
+Moments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            const auto s = sample(luminaire, point, {(i + 0.5) / steps, (j + 0.5) / steps});
+            if (!s) continue;
+            const double light =
+                pattern(s->position) * std::fmax(dot(s->direction, point.normal), 0) / s->density;
+            sum += light;
+            squares += light * light;
+        }
+    const double count = steps * steps, mean = sum / count;
+    return {mean, squares / count / (mean * mean) - 1};
+}
+
+const std::vector<Emitter>& flat_emitters() {
+    static const std::vector<Emitter> all = {
+        TriangleEmitter{Vec3(-2, -1, 0), Vec3(2, -1, 0), Vec3(-1, 1.5, 0.2)},
+        AreaEmitter{Cuboid{Vec3(-2, -1, -0.1), Vec3(2, 1, 0.1)}, {}},
+        AreaEmitter{
+            Cuboid{Vec3(-1), Vec3(1)},
+            make_handle<Transform>(
+                Transform::scaling({1.5, 0.8, -0.5}).then(Transform::rotation({10, 40, 20})))},
+        AreaEmitter{Disc{Vec3(0), Vec3(0, 0.2, 1), 1.5, 0.4}, {}}};
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a screen with few bright spots makes little noise, and the same light", "[luminaire]") {
+    for (const Emitter& emitter : flat_emitters())
+        for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5), Vec3(0.4, -3, -0.7)}) {
+            const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
+            const Moments even = moments(lamp(emitter, false), point, 2000),
+                          mapped = moments(lamp(emitter, true), point, 700);
+            CAPTURE(emitter.index(), place.x, even.relative_variance, mapped.relative_variance);
+            CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
+            CHECK(even.relative_variance > 20 * mapped.relative_variance);
+        }
+}
+
+TEST_CASE("points of a screen are met again with the density that they were drawn with",
+          "[luminaire]") {
+    Draw draw(1);
+    for (const Emitter& emitter : flat_emitters()) {
+        const Luminaire luminaire = lamp(emitter, true);
+        for (int i = 0; i < 2000; ++i) {
+            const ShadingPoint point{5.0 * draw.point(), draw.direction()};
+            const auto s = sample(luminaire, point, {draw.number(), draw.number()});
+            if (!s) continue;
+            LightMeetings met;
+            meet(luminaire, point, s->direction, met);
+            REQUIRE(!met.empty());
+            double nearest = INFINITY, density = 0;
+            for (const LightMeeting& m : met)
+                if (std::abs(m.distance - s->distance) < nearest) {
+                    nearest = std::abs(m.distance - s->distance);
+                    density = m.density;
+                }
+            CHECK(nearest < 1e-6 * s->distance);
+            CHECK(density == Approx(s->density).epsilon(1e-4));
+            CHECK(length(point.position + s->distance * s->direction - s->position) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("a screen counts by its mean, and a dark one by something", "[luminaire]") {
+    const Emitter screen = AreaEmitter{Disc{Vec3(0), Vec3(0, 0, 1), 1, 0}, {}};
+    Luminaire half = glowing(screen, 8);
+    half.brightness = brightness_of(half, 64, [](const Vec3& p) { return p.x > 0 ? 8.0 : 0.0; });
+    CHECK(bounds(half).intensity ==
+          Approx(0.5 * bounds(glowing(screen, 8)).intensity).epsilon(0.01));
+    Luminaire dark = glowing(screen, 8);
+    dark.brightness = brightness_of(dark, 16, [](const Vec3&) { return 0.0; });
+    CHECK(bounds(dark).intensity > 0);
+    const ShadingPoint point{Vec3(0.3, 0.2, 2), Vec3(0, 0, -1)};
+    CHECK(unoccluded(dark, point) > 0);
+    CHECK(sample(dark, point, {0.3, 0.7})->density ==
+          Approx(sample(glowing(screen, 8), point, {0.3, 0.7})->density));
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A luminaire that outshines all others: hidden it must make next to no noise, and where it comes
+// through a gap all of its light must arrive.
+#include "render/render.h"
+
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+constexpr int size = 48;
+
+World room(double sun, double gap, const LightSampler& sampler) {
+    return world_of_file("tests/bench/sun.pov", {{"Sun", sun}, {"Gap", gap}}, sampler, size);
+}
+
+Image picture(const World& world, int samples, int seed) {
+    RenderSettings settings;
+    settings.width = settings.height = size;
+    settings.antialias = false;
+    settings.samples = samples;
+    settings.shadow_rays = 1;
+    settings.seed = seed;
+    return render(world, settings).image;
+}
+
+double rmse(const World& world) {
+    const Image a = picture(world, 16, 0), b = picture(world, 16, 1);
+    double squares = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        squares += std::pow(grey(a.pixels[i]) - grey(b.pixels[i]), 2) / 2;
+    return std::sqrt(squares / static_cast<double>(a.pixels.size()));
+}
+
+double mean(const Image& image) {
+    double sum = 0;
+    for (const auto& pixel : image.pixels) sum += grey(pixel);
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+}  // namespace
+
+TEST_CASE("a hidden sun makes little more noise than none", "[statistics]") {
+    const double without = rmse(room(0, 0, LightOctree{})), with = rmse(room(1, 0, LightOctree{}));
+    CAPTURE(without, with);
+    CHECK(without > 0.001);
+    CHECK(with < 1.25 * without);
+}
+
+TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") {
+    const double exact = mean(picture(room(1, 0.1, EveryLight{}), 4, 0));
+    const World world = room(1, 0.1, LightOctree{});
+    constexpr int runs = 16;
+    double sum = 0, squares = 0;
+    for (int seed = 0; seed < runs; ++seed) {
+        const double found = mean(picture(world, 8, seed)) / exact;
+        sum += found;
+        squares += found * found;
+    }
+    const double found = sum / runs, variance = (squares / runs - found * found) / (runs - 1);
+    CAPTURE(exact, found, variance);
+    CHECK(exact > 1);
+    CHECK(std::abs(found - 1) < 4.5 * std::sqrt(variance) + 1e-3);
+    CHECK(variance < 0.01);
+}
+
+TEST_CASE("spheres of which nothing hides any make no noise", "[statistics]") {
+    // Figure 2 from nearer by: the floor between four spheres of equal power. Each is sampled by
+    // projected solid angle, and the choice among them is exact.
+    const World world = world_of(R"(#version 3.7;
+        global_settings { assumed_gamma 1 }
+        camera { location <0, 0.9, 0> look_at <0, 0, 0> sky z right x up y angle 60 }
+        plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } }
+        #declare Radii = array[4] { 0.08, 0.25, 0.5, 0.8 };
+        #for (I, 0, 3)
+            sphere {
+                <(mod(I, 2) - 0.5)*4, 1, (0.5 - div(I, 2))*4>, Radii[I] pigment { rgb 1 }
+                finish { ambient 0 diffuse 0 emission 60/pow(2*pi*Radii[I], 2) }
+            }
+        #end)");
+    const Image a = picture(world, 1, 0), b = picture(world, 1, 1);
+    double worst = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        worst = std::fmax(worst, std::abs(grey(a.pixels[i]) / grey(b.pixels[i]) - 1));
+    CHECK(mean(a) > 0.1);
+    CHECK(worst < 1e-3);
+}
