@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/noise.h"
 
+#include "base/every_machine.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <random>
 #include <vector>
 
@@ -87,35 +90,50 @@ Place place_of(double t) {
     return {{index & hash_mask, (index + 1) & hash_mask}, {fraction, fraction - 1}, {1 - far, far}};
 }
 
-/// Calls use(coefficients of the corner, its weight, offset from it) for the corners of the
-/// lattice's cell around the point.
-template <class Use>
-void for_corners(const Vec3& point, Use use) {
+/// Numbers that are computed with at once.
+using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+
+/// One or more noises at a point. At each corner of the lattice's cell a noise has four
+/// coefficients; their product with (1/2, offset from the corner) is weighed by how near the corner
+/// is.
+template <std::size_t count>
+[[gnu::always_inline]] inline void add_corners(const Vec3& point,
+                                               std::array<double, count>& noises) {
     const Place px = place_of(point.x), py = place_of(point.y), pz = place_of(point.z);
+    std::array<Four, count> sums{};
     for (std::size_t i = 0; i < 2; ++i) {
         const std::uint32_t hash_x = tables.hash[px.index[i]];
         for (std::size_t j = 0; j < 2; ++j) {
             const std::uint32_t hash_y = tables.hash[hash_x ^ py.index[j]];
-            const double weight = px.weight[i] * py.weight[j];
+            const double weight_xy = px.weight[i] * py.weight[j];
             for (std::size_t k = 0; k < 2; ++k) {
                 const std::size_t hash = tables.hash[hash_y ^ pz.index[k]] & 255;
-                use(tables.coefficients.data() + hash, weight * pz.weight[k],
-                    Vec3(px.offset[i], py.offset[j], pz.offset[k]));
+                const double* c = tables.coefficients.data() + hash;
+                const double weight = weight_xy * pz.weight[k];
+                const Four weighed = weight * Four{0.5, px.offset[i], py.offset[j], pz.offset[k]};
+                for (std::size_t n = 0; n < count; ++n) {
+                    Four own;
+                    std::memcpy(&own, c + 4 * n, sizeof own);
+                    sums[n] += weighed * own;
+                }
             }
         }
     }
+    for (std::size_t n = 0; n < count; ++n)
+        noises[n] = (sums[n][0] + sums[n][2]) + (sums[n][1] + sums[n][3]);
 }
 
-double corner_value(const double* c, const Vec3& offset) {
-    return 0.5 * c[0] + c[1] * offset.x + c[2] * offset.y + c[3] * offset.z;
+CANDELABRA_EVERY_MACHINE void one_noise(const Vec3& point, std::array<double, 1>& noise) {
+    add_corners(point, noise);
+}
+CANDELABRA_EVERY_MACHINE void three_noises(const Vec3& point, std::array<double, 3>& noises) {
+    add_corners(point, noises);
 }
 
 double raw_noise(const Vec3& point) {
-    double sum = 0;
-    for_corners(point, [&](const double* c, double weight, const Vec3& offset) {
-        sum += weight * corner_value(c, offset);
-    });
-    return sum;
+    std::array<double, 1> noise;
+    one_noise(point, noise);
+    return noise[0];
 }
 
 /// The tables of Perlin's noise: unit vectors, and the indices that choose among them.
@@ -214,13 +232,9 @@ double noise(const Vec3& point, NoiseGenerator generator) {
 }
 
 Vec3 vector_noise(const Vec3& point) {
-    Vec3 sum(0);
-    const Vec3 p = usable(point) ? point : Vec3(0);
-    for_corners(p, [&](const double* c, double weight, const Vec3& offset) {
-        sum += weight * Vec3(corner_value(c, offset), corner_value(c + 4, offset),
-                             corner_value(c + 8, offset));
-    });
-    return sum;
+    std::array<double, 3> noises;
+    three_noises(usable(point) ? point : Vec3(0), noises);
+    return {noises[0], noises[1], noises[2]};
 }
 
 Vec3 turbulence(const Vec3& point, const Octaves& octaves) {

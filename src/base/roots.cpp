@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/roots.h"
 
+#include <optional>
+
 namespace {
 
 using Coefficients = std::array<double, greatest_degree + 1>;
@@ -52,17 +54,50 @@ Roots of_quadratic(double c0, double c1, double c2, const Interval& range) {
     return found;
 }
 
+/// binomials[n][k]: n over k.
+constexpr auto binomials = [] {
+    std::array<std::array<double, greatest_degree + 1>, greatest_degree + 1> table{};
+    for (std::size_t n = 0; n <= greatest_degree; ++n) {
+        table[n][0] = 1;
+        for (std::size_t k = 1; k <= n; ++k) table[n][k] = table[n - 1][k - 1] + table[n - 1][k];
+    }
+    return table;
+}();
+
 /// The k-th derivative over k!, so that the numbers stay small.
 std::span<double> derivative(std::span<const double> c, std::size_t k, Coefficients& space) {
     const std::size_t count = c.size() - k;
-    for (std::size_t i = 0; i < count; ++i) space[i] = c[i + k];
-    // The binomial coefficients (i + k over k), one from the other.
-    double binomial = 1;
-    for (std::size_t i = 1; i < count; ++i) {
-        binomial *= static_cast<double>(i + k) / static_cast<double>(i);
-        space[i] *= binomial;
-    }
+    for (std::size_t i = 0; i < count; ++i) space[i] = c[i + k] * binomials[i + k][k];
     return {space.data(), count};
+}
+
+/// The polynomial's coefficients in Bernstein's basis on the range.
+void to_bernstein(std::span<const double> c, const Interval& range, Coefficients& b) {
+    const std::size_t degree = c.size() - 1;
+    std::copy(c.begin(), c.end(), b.begin());
+    for (std::size_t i = 0; i < degree; ++i)
+        for (std::size_t j = degree; j-- > i;) b[j] += range.min * b[j + 1];
+    double power = 1;
+    for (std::size_t i = 0; i <= degree; ++i, power *= range.max - range.min)
+        b[i] *= power / binomials[degree][i];
+    for (std::size_t i = 0; i < degree; ++i)
+        for (std::size_t j = degree; j > i; --j) b[j] += b[j - 1];
+}
+
+/// How often those coefficients change their sign: none or once means as many roots (Descartes'
+/// rule). Nothing when rounding may have decided a sign.
+std::optional<int> variations(std::span<const double> c, const Interval& range) {
+    Coefficients b;
+    to_bernstein(c, range, b);
+    const double farthest = std::fmax(std::abs(range.min), std::abs(range.max));
+    double greatest = 0;
+    for (std::size_t i = c.size(); i-- > 0;) greatest = greatest * farthest + std::abs(c[i]);
+    int changes = 0;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+        if (!(std::abs(b[i]) > 0x1p-40 * greatest)) return std::nullopt;
+        changes += i > 0 && (b[i] < 0) != (b[i - 1] < 0);
+    }
+    return changes;
 }
 
 /// Whether the polynomial is below 0; where its value is not above its rounding error, what it was
@@ -77,8 +112,7 @@ bool negative_at(std::span<const double> c, double x, bool before) {
 }
 
 /// The roots in a finite range, from those of the derivative.
-Roots between(std::span<const double> c, const Roots& turns, const Interval& range) {
-    Roots found;
+void between(std::span<const double> c, const Roots& turns, const Interval& range, Roots& found) {
     double low = range.min;
     bool negative = polynomial(c, low) < 0;
     for (std::size_t i = 0; i <= turns.size(); ++i) {
@@ -89,17 +123,26 @@ Roots between(std::span<const double> c, const Roots& turns, const Interval& ran
         low = high;
         negative = there;
     }
-    return found;
 }
 
 Roots in_finite_range(std::span<const double> c, const Interval& range) {
-    if (!(range.min < range.max)) return {};
+    Roots found;
+    if (!(range.min < range.max)) return found;
+    const std::optional<int> changes = variations(c, range);
+    if (changes == 0) return found;
+    if (changes == 1) {
+        found.add(root_between(c, range.min, range.max, polynomial(c, range.min) < 0));
+        return found;
+    }
     Coefficients space;
     const std::size_t degree = c.size() - 1;
     const auto quadratic = derivative(c, degree - 2, space);
-    Roots found = of_quadratic(quadratic[0], quadratic[1], quadratic[2], range);
-    for (std::size_t k = degree - 2; k-- > 0;)
-        found = between(derivative(c, k, space), found, range);
+    found = of_quadratic(quadratic[0], quadratic[1], quadratic[2], range);
+    for (std::size_t k = degree - 2; k-- > 0;) {
+        const Roots turns = found;
+        found.clear();
+        between(derivative(c, k, space), turns, range, found);
+    }
     return found;
 }
 

@@ -14,10 +14,19 @@ inline constexpr std::size_t greatest_degree = 35;
 /// Numbers in ascending order.
 class Roots {
 public:
+    Roots() = default;
+    Roots(const Roots& other) { *this = other; }
+    Roots& operator=(const Roots& other) {
+        std::copy(other.begin(), other.end(), at_.begin());
+        count_ = other.count_;
+        return *this;
+    }
+
     /// Where rounding errors make more roots than a polynomial can have, the last are left out.
     void add(double root) {
         if (count_ < at_.size()) at_[count_++] = root;
     }
+    void clear() { count_ = 0; }
     std::size_t size() const { return count_; }
     bool empty() const { return count_ == 0; }
     double operator[](std::size_t i) const { return at_[i]; }
@@ -40,7 +49,8 @@ inline double polynomial(std::span<const double> c, double x) {
 /// at most greatest_degree; leading zeros are allowed. Between two neighbouring roots of its
 /// derivative a polynomial has at most one root, which bisection finds for certain and Newton's
 /// method soon; so the roots of all derivatives are found, from the linear one up (Yuksel,
-/// "High-Performance Polynomial Root Finding for Graphics", 2022).
+/// "High-Performance Polynomial Root Finding for Graphics", 2022), unless Descartes' rule of signs
+/// says that there is none, or one.
 Roots sign_changes(std::span<const double> c, const Interval& range);
 
 /// The same in a finite range at whose ends the values are known, or their signs at least. There is

@@ -57,7 +57,8 @@ Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.locat
 
 double faded(const PointLight& light, double distance) {
     if (light.fade_power <= 0 || light.fade_distance <= 0) return 1;
-    return 2 / (1 + std::pow(distance / light.fade_distance, light.fade_power));
+    const double share = distance / light.fade_distance, power = light.fade_power;
+    return 2 / (1 + (power == 2 ? share * share : std::pow(share, power)));
 }
 
 /// The share of a cone's light in the direction of a point.

@@ -33,6 +33,7 @@ const ItemInfo Facets::vocabulary = described<Facets>([] {
 namespace {
 
 constexpr double tolerance = 1e-10;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Cell {
     std::int64_t x, y, z;
@@ -41,24 +42,6 @@ struct Cell {
 Cell cell_of(const Vec3& p) {
     return {static_cast<std::int64_t>(std::floor(p.x)), static_cast<std::int64_t>(std::floor(p.y)),
             static_cast<std::int64_t>(std::floor(p.z))};
-}
-
-/// Calls use(offset of the nucleus from the point) for the 81 cells around: all neighbours, and
-/// those two steps away along one axis.
-template <class Use>
-void for_nuclei(const Vec3& point, Use use) {
-    const Cell home = cell_of(point - Vec3(tolerance));
-    const std::span<const double> random = random_table();
-    const Vec3 corner = Vec3(static_cast<double>(home.x), static_cast<double>(home.y),
-                             static_cast<double>(home.z)) -
-                        point;
-    for (int i = -2; i <= 2; ++i)
-        for (int j = -2; j <= 2; ++j)
-            for (int k = -2; k <= 2; ++k) {
-                if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
-                const std::size_t hash = cell_hash(home.x + i, home.y + j, home.z + k);
-                use(corner + Vec3(i + random[hash], j + random[hash + 1], k + random[hash + 2]));
-            }
 }
 
 double power(double base, double exponent) {
@@ -76,6 +59,59 @@ double root(double raised, double metric) {
     return metric == 1 ? raised : std::pow(raised, 1 / metric);
 }
 
+/// Steps along the axes, -2 to 2.
+struct CellStep {
+    int x, y, z;
+};
+
+/// To all neighbours of a cell, and to those two steps away along one axis, near ones first.
+constexpr auto make_steps() {
+    std::array<CellStep, 81> steps{};
+    std::size_t count = 0;
+    for (int x = -2; x <= 2; ++x)
+        for (int y = -2; y <= 2; ++y)
+            for (int z = -2; z <= 2; ++z)
+                if ((x * x == 4) + (y * y == 4) + (z * z == 4) <= 1) steps[count++] = {x, y, z};
+    std::ranges::sort(steps, {}, [](const CellStep& s) {
+        return 125 * (s.x * s.x + s.y * s.y + s.z * s.z) + 25 * s.x + 5 * s.y + s.z;
+    });
+    return steps;
+}
+
+/// How far from a point cells begin that lie -2 to 2 steps away, to the power of the metric.
+struct Gaps {
+    Gaps(double corner, double metric) {
+        for (int step = -2; step <= 2; ++step) {
+            const double gap = std::max({corner + step, -(corner + step + 1), 0.0});
+            raised[static_cast<std::size_t>(step + 2)] = metric > 0 ? power(gap, metric) : 0;
+        }
+    }
+    double at(int step) const { return raised[static_cast<std::size_t>(step + 2)]; }
+
+    std::array<double, 5> raised;
+};
+
+/// Calls use(offset of the nucleus from the point, distance to the power of the metric) for the
+/// nuclei in the cells around the point, except where they are surely farther away than `farthest`,
+/// which may shrink meanwhile.
+template <class Use>
+void for_nuclei(const Vec3& point, double metric, const double& farthest, Use use) {
+    static constexpr auto steps = make_steps();
+    const Cell home = cell_of(point - Vec3(tolerance));
+    const std::span<const double> random = random_table();
+    const Vec3 corner = Vec3(static_cast<double>(home.x), static_cast<double>(home.y),
+                             static_cast<double>(home.z)) -
+                        point;
+    const Gaps x(corner.x, metric), y(corner.y, metric), z(corner.z, metric);
+    for (const CellStep& step : steps) {
+        if (x.at(step.x) + y.at(step.y) + z.at(step.z) > farthest) continue;
+        const std::size_t hash = cell_hash(home.x + step.x, home.y + step.y, home.z + step.z);
+        const Vec3 offset = corner + Vec3(step.x + random[hash], step.y + random[hash + 1],
+                                          step.z + random[hash + 2]);
+        use(offset, raised_distance(offset, metric));
+    }
+}
+
 }  // namespace
 
 double evaluate(const Cells&, const Vec3& point) {
@@ -85,11 +121,14 @@ double evaluate(const Cells&, const Vec3& point) {
 
 double evaluate(const Crackle& crackle, const PatternPoint& at) {
     const double metric = crackle.metric.x;
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     std::array<double, 3> nearest = {infinite, infinite, infinite};
+    // More of the nearest are not asked for.
+    const std::size_t last = crackle.solid         ? 0
+                             : crackle.form.z != 0 ? 2
+                             : crackle.form.y != 0 ? 1
+                                                   : 0;
     Vec3 to_nucleus(0);
-    for_nuclei(at.position, [&](const Vec3& offset) {
-        const double distance = raised_distance(offset, metric);
+    for_nuclei(at.position, metric, nearest[last], [&](const Vec3& offset, double distance) {
         if (!(distance < nearest[2])) return;
         if (distance < nearest[0]) {
             to_nucleus = offset;
@@ -112,14 +151,16 @@ double evaluate(const Crackle& crackle, const PatternPoint& at) {
 double evaluate(const Facets&, const Vec3&) { return 0; }
 
 Vec3 nearest_nucleus(const Vec3& point, double metric) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinite;
     Vec3 result(0);
-    for_nuclei(point, [&](const Vec3& offset) {
-        const double distance =
-            metric == 1 ? offset.x + offset.y + offset.z : raised_distance(offset, metric);
-        if (!(distance < least)) return;
-        least = distance;
-        result = offset;
-    });
+    // By the metric 1, what lies behind counts as near, as in POV-Ray.
+    const bool signed_sum = metric == 1;
+    for_nuclei(point, metric, signed_sum ? infinite : least,
+               [&](const Vec3& offset, double raised) {
+                   const double distance = signed_sum ? offset.x + offset.y + offset.z : raised;
+                   if (!(distance < least)) return;
+                   least = distance;
+                   result = offset;
+               });
     return point + result;
 }

@@ -20,6 +20,9 @@ std::vector<Region> tiles_of(int width, int height) {
     return tiles;
 }
 
+/// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
+constexpr std::uint64_t samples_between_questions = 16;
+
 /// The camera's rule for samples, when it is in force.
 std::optional<BlurRule> blur_rule(const World& world, const RenderSettings& settings) {
     if (!world.camera.blurs() || settings.samples > 0 || settings.noise > 0) return std::nullopt;
@@ -69,15 +72,21 @@ private:
         }
     }
 
+    /// On one tile.
+    struct Work {
+        std::vector<Tracer> tracers;  ///< one for each moment
+        std::uint64_t made = 0;       ///< samples
+    };
+
     void over_tiles(std::uint32_t level) {
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            std::vector<Tracer> tracers = tracers_of_moments();
-            const std::uint64_t made = make_tile(tracers, tiles[i], level);
+            Work work{tracers_of_moments()};
+            const std::uint64_t made = make_tile(work, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
-                for (const Tracer& tracer : tracers) rays_ += tracer.rays();
+                for (const Tracer& tracer : work.tracers) rays_ += tracer.rays();
             }
             const std::uint64_t done = done_ += made;
             if (hooks_.progress && made > 0)
@@ -109,23 +118,22 @@ private:
         return false;
     }
 
-    std::uint64_t make_tile(std::vector<Tracer>& tracers, const Region& tile, std::uint32_t level) {
-        std::uint64_t made = 0;
+    /// Gives the number of samples.
+    std::uint64_t make_tile(Work& work, const Region& tile, std::uint32_t level) {
         for (int y = tile.top; y < tile.bottom; ++y)
             for (int x = tile.left; x < tile.right; ++x)
-                made += add_samples(tracers, x, y, std::min(level, state_.film.at(x, y).target));
-        return made;
+                add_samples(work, x, y, std::min(level, state_.film.at(x, y).target));
+        return work.made;
     }
 
     /// The samples of a pixel take turns with the moments.
-    std::uint64_t add_samples(std::vector<Tracer>& tracers, int x, int y, std::uint32_t wanted) {
+    void add_samples(Work& work, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
-        const std::uint32_t before = pixel.samples;
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
-        while (pixel.samples < wanted && !stop()) {
+        for (; pixel.samples < wanted && !stop(work); ++work.made) {
             key.sample = state_.share.first_sample + pixel.samples;
-            const std::size_t moment = key.sample % tracers.size();
+            const std::size_t moment = key.sample % work.tracers.size();
             const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
             // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
             const bool spread = settings_.antialias || world.camera.lens_radius > 0;
@@ -133,7 +141,7 @@ private:
             const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
             const PicturePoint at{x, y, state_.film.width(), state_.film.height()};
             const Ray ray = ray_through(world, at, {dx, dy}, key);
-            Tracer& tracer = tracers[moment];
+            Tracer& tracer = work.tracers[moment];
             const std::uint64_t before_rays = tracer.rays().shadow;
             pixel.add(tracer.radiance(ray, key));
             pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
@@ -142,11 +150,11 @@ private:
             gather_sample(hooks_.extras, world, ray, tracer, extra);
             if (key.sample == 0) gather_middle(hooks_.extras, world_, at, extra);
         }
-        return pixel.samples - before;
     }
 
-    bool stop() {
-        if (!stopped_ && hooks_.cancelled && hooks_.cancelled()) stopped_ = true;
+    bool stop(const Work& work) {
+        const bool asks = work.made % samples_between_questions == 0;
+        if (asks && !stopped_ && hooks_.cancelled && hooks_.cancelled()) stopped_ = true;
         return stopped_;
     }
 

@@ -15,7 +15,7 @@
 /// threads, and may be empty.
 struct RenderHooks {
     std::function<void(double fraction)> progress;  ///< of the whole picture
-    std::function<bool()> cancelled;                ///< true: stop within a few samples
+    std::function<bool()> cancelled;                ///< true: stop within some samples
     bool counts_lights = false;                     ///< fills RayCounts::lights
     Extras extras = {};                             ///< the film has sums for them
 };

@@ -177,8 +177,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                      std::span<const Layer> layers) {
     if (world_.quality < quality_light) return layers.front().colour.rgb;
     const double bailout = world_.settings.adc_bailout;
-    const bool asks = world_.material(hit.primitive).transparent ||
-                      std::ranges::any_of(layers, [](const Layer& layer) {
+    const bool transparent = world_.material(hit.primitive).transparent;
+    const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
                           return layer.finish->reflection.fresnel;
                       });
     const Interface surface = asks ? interface_at(path, hit.primitive) : Interface{1, {}};
@@ -188,8 +188,9 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                    ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.ratio), Vec3(0), Vec3(1))
                    : clear;
     };
-    Vec3 behind(1);
-    for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
+    Vec3 behind(transparent ? 1 : 0);
+    if (transparent)
+        for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
     const bool clear = grey(behind) > bailout && world_.quality >= quality_pigments;
     const bool counted = path.counted && !world_.luminaires.empty() &&
                          world_.luminaire_of[hit.primitive] != no_primitive;
@@ -198,15 +199,16 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     const bool total = clear && surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
     Vec3 result(0), through(1);
     for (const Layer& layer : layers) {
-        const double share = &layer == layers.data() ? 1 : grey(through);
+        const bool first = &layer == layers.data();
+        const double share = first ? 1 : grey(through);
         if (share <= bailout) break;
-        const Shading s = with_layer(world_, common, layer);
+        const Shading s = first ? top : with_layer(world_, common, layer);
         result += through * lit(path, hit, s, through, !counted);
         const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
         if (amount != Vec3(0)) result += reflected(path, s, amount, share);
         if (s.finish->microfacet.on && world_.quality >= quality_reflection)
             result += through * scattered(path, s, share, through);
-        through *= kept(s);
+        if (&layer != &layers.back()) through *= kept(s);
     }
     if (!total && !clear) return result;
     const Vec3 left = faded(path, hit);

@@ -27,6 +27,20 @@ void crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range
         [&](const auto& s) {
             if constexpr (requires { nearest_crossings(s, ray, range, found); })
                 nearest_crossings(s, ray, range, found);
+            else if constexpr (requires { crossings_between(s, ray, range, found); })
+                crossings_between(s, ray, range, found);
+            else
+                crossings(s, ray, found);
+        },
+        shape);
+}
+
+void all_crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range,
+                      Crossings& found) {
+    visit_shape(
+        [&](const auto& s) {
+            if constexpr (requires { crossings_between(s, ray, range, found); })
+                crossings_between(s, ray, range, found);
             else
                 crossings(s, ray, found);
         },

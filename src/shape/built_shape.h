@@ -77,6 +77,9 @@ Box bounds(const BuiltShape& shape);
 void crossings(const BuiltShape& shape, const Ray& ray, Crossings& found);
 /// Some of the crossings: the nearest one in the range is among them, if there is one.
 void crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range, Crossings& found);
+/// All crossings in the range, and maybe others.
+void all_crossings_in(const BuiltShape& shape, const Ray& ray, const Interval& range,
+                      Crossings& found);
 /// Whether the point is in the solid; always false for shapes without an inside.
 bool inside(const BuiltShape& shape, const Vec3& point);
 /// A box outside of which no point is inside; for half spaces it is infinite in some directions.

@@ -24,8 +24,14 @@ public:
           inverse_(Vec3(1) / ray.direction),
           size_(max_abs_component(ray.origin)) {}
 
-    /// Rounding errors included.
     bool miss(const Box& box, const Interval& range) const {
+        const Interval left = within(box, range);
+        return left.min > left.max;
+    }
+
+    /// The part of the range in the box and a little more, for rounding errors; when there is none,
+    /// it ends before it begins.
+    Interval within(const Box& box, const Interval& range) const {
         double near = range.min, far = range.max;
         for (int axis = 0; axis < 3; ++axis) {
             const double a = (box.low[axis] - origin_[axis]) * inverse_[axis];
@@ -35,7 +41,8 @@ public:
             near = in > near ? in : near;
             far = out < far ? out : far;
         }
-        return near > far + 1e-9 * (size_ + std::abs(near));
+        const double rounding = 0.5e-9 * (size_ + std::abs(near));
+        return {near - rounding, far + rounding};
     }
 
 private:
@@ -43,12 +50,19 @@ private:
     double size_;
 };
 
-bool equal(const Box& a, const Box& b) { return a.low == b.low && a.high == b.high; }
-
 /// The plane in the space of the whole.
 Plane moved(const Plane& plane, const Transform& transform) {
     const Vec3 normal = unit(plane.normal), turned = unit(transform.normal(normal));
     return {turned, dot(turned, transform.point(plane.distance * normal))};
+}
+
+/// Around what can be inside of the leaf in a box, which may be infinite.
+Box within(const CompositeLeaf& leaf, const Box& box) {
+    const auto* quadric = std::get_if<Shared<Quadric>>(&leaf.shape);
+    if (!quadric || leaf.inverse) return box;
+    const Transform* transform = leaf.transform.get();
+    if (!transform) return bounds_within(**quadric, box);
+    return clip(box, transform->box(bounds_within(**quadric, transform->inverse().box(box))));
 }
 
 }  // namespace
@@ -95,6 +109,9 @@ PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
         shared = clip(shared, r.box);
         decided = true;
     }
+    if (decided && !decisive)
+        for (const PartRef& part : flat)
+            if (part.leaf) shared = within(made_.leaves_[part.index], shared);
     region = {decided ? shared : joined, decided == decisive};
     Composite::Node node;
     node.how = how;
@@ -137,14 +154,15 @@ void CompositeBuilder::show(const PartRef& part, const Box& within) {
     if (part.leaf) {
         const CompositeLeaf& leaf = made_.leaves_[part.index];
         const Box box = ::bounds(leaf.shape);
-        made_.seen_[part.index] = clip(leaf.transform ? leaf.transform->box(box) : box, within);
+        made_.seen_[part.index] =
+            ::within(leaf, clip(leaf.transform ? leaf.transform->box(box) : box, within));
         return;
     }
     Composite::Node& node = made_.nodes_[part.index];
     settle(part.index);
     Box inner = within;
-    if (node.how == Combination::common)
-        for (const Composite::Part& each : node.always) inner = clip(inner, each.region.box);
+    if (node.how == Combination::common && !node_regions_[part.index].outside)
+        inner = clip(inner, node_regions_[part.index].box);
     if (node.limit != Composite::nothing) inner = clip(inner, made_.limits_[node.limit]->bounds());
     for (const PartRef& child : parts_[part.index]) {
         (child.leaf ? made_.parents_[child.index] : made_.nodes_[child.index].parent) = part.index;
@@ -245,13 +263,14 @@ bool Composite::within_limits(std::uint32_t leaf, const Ray& ray) const {
     return true;
 }
 
+/// In the range; `seen` is the part of the ray where there can be any.
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
-                          Take take) const {
+                          const Interval& seen, Take take) const {
     const CompositeLeaf& leaf = leaves_[index];
     const Transform* transform = leaf.transform.get();
     Crossings found;
-    ::crossings(leaf.shape, transform ? transform->inverse_ray(ray) : ray, found);
+    all_crossings_in(leaf.shape, transform ? transform->inverse_ray(ray) : ray, seen, found);
     bool limits_asked = !limited_;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Crossing& c = found[i];
@@ -270,15 +289,15 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
     std::optional<Meeting> nearest;
     Interval left = range;
     const auto ask = [&](std::uint32_t leaf) {
-        if (!wanted(leaf)) return;
-        meet_leaf(leaf, ray, left, [&](const Meeting& met) {
+        const Interval seen = slabs.within(seen_[leaf], left);
+        if (seen.min > seen.max || !wanted(leaf)) return;
+        meet_leaf(leaf, ray, left, seen, [&](const Meeting& met) {
             if (nearest && met.t >= nearest->t) return;
             nearest = met;
         });
         if (nearest) left.max = nearest->t;
     };
-    for (const std::uint32_t leaf : apart_)
-        if (equal(seen_[leaf], bounds_) || !slabs.miss(seen_[leaf], left)) ask(leaf);
+    for (const std::uint32_t leaf : apart_) ask(leaf);
     tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
         for (const std::uint32_t leaf : items) ask(leaf);
         rest.max = left.max;
@@ -301,5 +320,6 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     for (const std::uint32_t leaf : candidates)
         if (wanted(leaf))
-            meet_leaf(leaf, ray, range, [&](const Meeting& each) { met.push_back(each); });
+            meet_leaf(leaf, ray, range, slabs.within(seen_[leaf], range),
+                      [&](const Meeting& each) { met.push_back(each); });
 }

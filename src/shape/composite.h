@@ -91,7 +91,8 @@ private:
     bool within_limits(std::uint32_t leaf, const Ray&) const;
     bool meets(const Ray&) const;
     template <class Take>
-    void meet_leaf(std::uint32_t leaf, const Ray&, const Interval&, Take) const;
+    void meet_leaf(std::uint32_t leaf, const Ray&, const Interval& range, const Interval& seen,
+                   Take) const;
 
     std::vector<CompositeLeaf> leaves_;
     std::vector<std::uint32_t> parents_;  ///< of the leaves

@@ -35,6 +35,9 @@ struct Rectangle {
     Vec2 high = Vec2(-std::numeric_limits<double>::infinity());
 };
 Rectangle join(const Rectangle&, const Rectangle&);
+inline bool overlap(const Rectangle& a, const Rectangle& b) {
+    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
 Rectangle bounds(const CurvePiece&);
 
 CurvePiece line_piece(const Vec2& from, const Vec2& to);

@@ -46,7 +46,7 @@ namespace {
 /// Steps along one ray.
 constexpr int most_steps = 100'000;
 
-Vec3 normal_at(const JuliaFractal& julia, const Vec3& p, const Vec3& direction, bool entering) {
+Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool entering) {
     constexpr double step = 1e-6;
     Vec3 slope;
     for (int axis = 0; axis < 3; ++axis) {
@@ -59,13 +59,47 @@ Vec3 normal_at(const JuliaFractal& julia, const Vec3& p, const Vec3& direction, 
 }
 
 /// Where between two places of a ray the set begins or ends.
-double border(const JuliaFractal& julia, const Ray& ray, double first, double last, bool stays) {
-    constexpr int enough = 60;
+double border(const JuliaSet& julia, const Ray& ray, double first, double last, bool stays) {
+    constexpr int enough = 32;
     for (int i = 0; i < enough; ++i) {
         const double middle = 0.5 * (first + last);
         (julia_orbit(julia, ray.at(middle)).stays == stays ? first : last) = middle;
     }
     return 0.5 * (first + last);
+}
+
+/// Calls take(crossing) for the crossings in the range, in their order, as long as it is true.
+template <class Take>
+void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Take take) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    const Vec3 u = ray.direction / speed;
+    const double start = -dot(ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    Crossings ends;
+    crossings(Sphere{Vec3(0), julia_radius(fractal)}, near, ends);
+    if (ends.size() != 2) return;
+    const JuliaSet julia(fractal);
+    const double first = std::fmin(ends[0].t, ends[1].t), last = std::fmax(ends[0].t, ends[1].t);
+    const double least = 1 / fractal.precision;
+    const double until = std::fmin(last, range.max * speed - start);
+    double t = std::fmax(first, range.min * speed - start);
+    // At the sphere nothing stays, whatever rounding says.
+    JuliaOrbit here = julia_orbit(julia, near.at(t));
+    here.stays = here.stays && t > first;
+    for (int n = 0; n < most_steps && t < until; ++n) {
+        const double next = std::fmin(last, t + std::fmax(least, here.stays ? 0 : here.step));
+        const JuliaOrbit there = next < last ? julia_orbit(julia, near.at(next)) : JuliaOrbit{};
+        if (there.stays != here.stays) {
+            const double at = border(julia, near, t, next, here.stays);
+            const Vec3 normal = normal_at(julia, near.at(at), u, there.stays);
+            if (!take({(start + at) / speed, normal, there.stays})) return;
+        }
+        here = there;
+        t = next;
+    }
+    // Out of steps within the set: it ends at the sphere.
+    if (here.stays && t < until) take({(start + last) / speed, u, false});
 }
 
 }  // namespace
@@ -86,30 +120,19 @@ Box bounds(const JuliaFractal& julia) {
 }
 
 void crossings(const JuliaFractal& julia, const Ray& ray, Crossings& found) {
-    const double speed = length(ray.direction);
-    if (!(speed > 0)) return;
-    const Vec3 u = ray.direction / speed;
-    const double start = -dot(ray.origin, u);
-    const Ray near{ray.origin + start * u, u};
-    Crossings ends;
-    crossings(Sphere{Vec3(0), julia_radius(julia)}, near, ends);
-    if (ends.size() != 2) return;
-    const double last = std::fmax(ends[0].t, ends[1].t), least = 1 / julia.precision;
-    double t = std::fmin(ends[0].t, ends[1].t);
-    bool stays = false;  // at the sphere, whatever rounding says
-    for (int n = 0; n < most_steps && t < last; ++n) {
-        const JuliaOrbit here = julia_orbit(julia, near.at(t));
-        const double next = std::fmin(last, t + std::fmax(least, stays ? 0 : here.step));
-        const bool after = next < last && julia_orbit(julia, near.at(next)).stays;
-        if (after != stays) {
-            const double at = border(julia, near, t, next, stays);
-            found.add({(start + at) / speed, normal_at(julia, near.at(at), u, after), after});
-            stays = after;
-        }
-        t = next;
-    }
-    // Out of steps within the set: it ends at the sphere.
-    if (stays && t < last) found.add({(start + last) / speed, u, false});
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    walk(julia, ray, {-infinity, infinity}, [&](const Crossing& crossing) {
+        found.add(crossing);
+        return true;
+    });
+}
+
+void nearest_crossings(const JuliaFractal& julia, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    walk(julia, ray, range, [&](const Crossing& crossing) {
+        found.add(crossing);
+        return !range.contains(crossing.t);
+    });
 }
 
 bool inside(const JuliaFractal& julia, const Vec3& point) {

@@ -75,23 +75,36 @@ bool by_formula(const JuliaFractal& julia) {
            function_of(julia) != julia_cube;
 }
 
-Vec4 next(const JuliaFractal& julia, const Vec4& q) {
-    const double x = q.x, y = q.y, z = q.z, w = q.w;
-    if (by_formula(julia)) return by_halves(julia, q);
-    if (julia.algebra == hypercomplex_numbers)
-        return {x * x - y * y - z * z + w * w, 2 * (x * y - z * w), 2 * (x * z - y * w),
-                2 * (x * w + y * z)};
-    if (function_of(julia) == julia_sqr)
-        return {x * x - y * y - z * z - w * w, 2 * x * y, 2 * x * z, 2 * x * w};
-    const double d = y * y + z * z + w * w, sum = 3 * x * x - d;
-    return {x * (x * x - 3 * d), y * sum, z * sum, w * sum};
+Vec4 hypercomplex_square(const Vec4& q) {
+    return {q.x * q.x - q.y * q.y - q.z * q.z + q.w * q.w, 2 * (q.x * q.y - q.z * q.w),
+            2 * (q.x * q.z - q.y * q.w), 2 * (q.x * q.w + q.y * q.z)};
 }
 
-Vec4 start(const JuliaFractal& julia, const Vec3& p) {
-    const bool shifted = by_formula(julia) && function_of(julia) != julia_reciprocal;
+Vec4 square(const Vec4& q) {
+    return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z,
+            2 * q.x * q.w};
+}
+
+Vec4 cube(const Vec4& q) {
+    const double d = q.y * q.y + q.z * q.z + q.w * q.w, sum = 3 * q.x * q.x - d;
+    return {q.x * (q.x * q.x - 3 * d), q.y * sum, q.z * sum, q.w * sum};
+}
+
+/// Calls use(F), where F gives the image of a point: it is chosen once for a whole orbit.
+template <class Use>
+auto with_function(const JuliaFractal& julia, Use use) {
+    if (by_formula(julia)) return use([&](const Vec4& q) { return by_halves(julia, q); });
+    if (julia.algebra == hypercomplex_numbers)
+        return use([](const Vec4& q) { return hypercomplex_square(q); });
+    if (function_of(julia) == julia_sqr) return use([](const Vec4& q) { return square(q); });
+    return use([](const Vec4& q) { return cube(q); });
+}
+
+Vec4 start(const JuliaSet& set, const Vec3& p) {
+    const bool shifted = set.by_formula && function_of(set.julia) != julia_reciprocal;
     const double z = shifted ? p.y : p.z;
-    const Vec4 s = julia.slice / std::sqrt(size2(julia.slice));
-    return {p.x, p.y, z, (julia.distance - s.x * p.x - s.y * p.y - s.z * z) / s.w};
+    const Vec4& s = set.slice;
+    return {p.x, p.y, z, (set.julia.distance - s.x * p.x - s.y * p.y - s.z * z) / s.w};
 }
 
 double limit2(const JuliaFractal& julia) {
@@ -107,28 +120,40 @@ double julia_radius(const JuliaFractal& julia) {
     return std::fmin(2, 1 + std::sqrt(size2(julia.parameter)) + 1e-7);
 }
 
-JuliaOrbit julia_orbit(const JuliaFractal& julia, const Vec3& point) {
-    const double most2 = limit2(julia), degree = function_of(julia) == julia_cube ? 3 : 2;
-    Vec4 q = start(julia, point);
-    double product2 = 1, share = 1;
-    for (int n = 0;; ++n) {
-        const double distance2 = size2(q);
-        if (n == julia.max_iteration) return {true, distance2, 0};
-        if (distance2 > most2) {
-            const double step = by_formula(julia) ? 0
-                                                  : 0.25 * share * std::sqrt(distance2 / product2) *
-                                                        std::log(distance2);
-            return {false, distance2, std::isfinite(step) ? step : 0};
+JuliaSet::JuliaSet(const JuliaFractal& fractal)
+    : julia(fractal),
+      by_formula(::by_formula(fractal)),
+      slice(fractal.slice / std::sqrt(size2(fractal.slice))),
+      limit2(::limit2(fractal)) {}
+
+JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
+    const JuliaFractal& julia = set.julia;
+    const double degree = function_of(julia) == julia_cube ? 3 : 2;
+    return with_function(julia, [&](const auto& image) -> JuliaOrbit {
+        Vec4 q = start(set, point);
+        double product2 = 1;
+        for (int n = 0; n < julia.max_iteration; ++n) {
+            const double distance2 = size2(q);
+            if (distance2 > set.limit2) {
+                const double step = set.by_formula
+                                        ? 0
+                                        : 0.25 * std::pow(degree, -n) *
+                                              std::sqrt(distance2 / product2) * std::log(distance2);
+                return {false, distance2, std::isfinite(step) ? step : 0};
+            }
+            product2 *= distance2;
+            q = image(q) + julia.parameter;
         }
-        product2 *= distance2;
-        share /= degree;
-        q = next(julia, q) + julia.parameter;
-    }
+        return {true, size2(q), 0};
+    });
 }
 
-double julia_size(const JuliaFractal& julia, const Vec3& point) {
-    Vec4 q = start(julia, point);
-    for (int n = 0; n < julia.max_iteration && size2(q) < 1e100; ++n)
-        q = next(julia, q) + julia.parameter;
-    return size2(q);
+double julia_size(const JuliaSet& set, const Vec3& point) {
+    const JuliaFractal& julia = set.julia;
+    return with_function(julia, [&](const auto& image) {
+        Vec4 q = start(set, point);
+        for (int n = 0; n < julia.max_iteration && size2(q) < 1e100; ++n)
+            q = image(q) + julia.parameter;
+        return size2(q);
+    });
 }

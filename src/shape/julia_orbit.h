@@ -11,11 +11,21 @@ struct JuliaOrbit {
     double step = 0;       ///< how far the set is at least, where that is known (0 where it is not)
 };
 
-JuliaOrbit julia_orbit(const JuliaFractal&, const Vec3&);
+/// A Julia fractal with what all of its orbits have in common.
+struct JuliaSet {
+    JuliaSet(const JuliaFractal& fractal);
+
+    const JuliaFractal& julia;
+    bool by_formula;  ///< of complex numbers
+    Vec4 slice;       ///< unit normal
+    double limit2;    ///< the square of a distance from which no orbit comes back
+};
+
+JuliaOrbit julia_orbit(const JuliaSet&, const Vec3&);
 
 /// The square of the distance from 0 after all steps, also behind the escape: what normals are the
 /// slope of.
-double julia_size(const JuliaFractal&, const Vec3&);
+double julia_size(const JuliaSet&, const Vec3&);
 
 /// No point outside of the sphere with this radius is in the set.
 double julia_radius(const JuliaFractal&);

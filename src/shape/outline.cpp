@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/outline.h"
 
+#include <algorithm>
+
 namespace {
 
 double length(const Vec2& v) { return std::hypot(v.x, v.y); }
@@ -21,6 +23,8 @@ Outline::Outline(const std::vector<std::vector<CurvePiece>>& loops) {
         for (const CurvePiece& piece : loop) {
             edges_.push_back({piece, ::bounds(piece)});
             bounds_ = join(bounds_, edges_.back().bounds);
+            groups_.resize((edges_.size() + group_size - 1) / group_size);
+            groups_.back() = join(groups_.back(), edges_.back().bounds);
             add_strands(static_cast<std::uint32_t>(edges_.size() - 1));
         }
     // Curves that do not cross themselves have the outside on one side all the way: it is tested
@@ -75,8 +79,17 @@ bool Outline::contains(const Vec2& p) const {
     if (!(p.x >= bounds_.low.x && p.x <= bounds_.high.x && p.y >= bounds_.low.y &&
           p.y <= bounds_.high.y))
         return false;
+    // Strands are in the order of their edges.
+    const auto first_of = [&](std::size_t group) {
+        return std::ranges::lower_bound(strands_, group * group_size, {}, &Strand::edge);
+    };
     bool result = false;
-    for (const Strand& strand : strands_)
-        if ((strand.y_first < p.y) != (strand.y_last < p.y)) result ^= right_of(strand, p);
+    for (std::size_t group = 0; group < groups_.size(); ++group) {
+        const Rectangle& box = groups_[group];
+        if (p.y < box.low.y || p.y > box.high.y || p.x >= box.high.x) continue;
+        const auto last = first_of(group + 1);
+        for (auto strand = first_of(group); strand != last; ++strand)
+            if ((strand->y_first < p.y) != (strand->y_last < p.y)) result ^= right_of(*strand, p);
+    }
     return result;
 }

@@ -23,7 +23,17 @@ public:
         /// Unit vector to the outside.
         Vec2 normal(double u) const;
     };
-    const std::vector<Edge>& edges() const { return edges_; }
+    /// Calls use(edge) for the edges whose bounds beside(Rectangle) is false for; it is asked about
+    /// groups of them first.
+    template <class Beside, class Use>
+    void for_edges(Beside beside, Use use) const {
+        for (std::size_t group = 0; group < groups_.size(); ++group) {
+            if (beside(groups_[group])) continue;
+            const std::size_t last = std::min(edges_.size(), (group + 1) * group_size);
+            for (std::size_t i = group * group_size; i < last; ++i)
+                if (!beside(edges_[i].bounds)) use(edges_[i]);
+        }
+    }
 
 private:
     /// A part of an edge along which y only grows or only falls.
@@ -35,7 +45,10 @@ private:
     void add_strands(std::uint32_t edge);
     bool right_of(const Strand&, const Vec2&) const;
 
+    static constexpr std::size_t group_size = 16;
+
     std::vector<Edge> edges_;
+    std::vector<Rectangle> groups_;  ///< around so many edges each
     std::vector<Strand> strands_;
     Rectangle bounds_;
 };

@@ -12,20 +12,31 @@ const ItemInfo Plane::vocabulary = described<Plane>([] {
                            "distance from the origin along the unit normal"});
 });
 
+namespace {
+
+/// Most normals are unit, and stay as they are.
+Vec3 unit_normal(const Plane& plane) {
+    constexpr double rounding = 1e-15;
+    const double size2 = dot(plane.normal, plane.normal);
+    return std::abs(size2 - 1) < rounding ? plane.normal : unit(plane.normal);
+}
+
+}  // namespace
+
 Box bounds(const Plane&) {
     const Vec3 everywhere(std::numeric_limits<double>::infinity());
     return {-everywhere, everywhere};
 }
 
 void crossings(const Plane& plane, const Ray& ray, Crossings& found) {
-    const Vec3 normal = unit(plane.normal);
+    const Vec3 normal = unit_normal(plane);
     const double approach = dot(ray.direction, normal);
     if (approach == 0) return;
     found.add({(plane.distance - dot(ray.origin, normal)) / approach, normal, approach < 0});
 }
 
 bool inside(const Plane& plane, const Vec3& point) {
-    return dot(unit(plane.normal), point) <= plane.distance;
+    return dot(unit_normal(plane), point) <= plane.distance;
 }
 
 Box inside_bounds(const Plane& plane) {

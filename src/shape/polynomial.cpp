@@ -65,19 +65,28 @@ struct WithSlope {
 /// A polynomial of the ray's parameter.
 struct AlongRay {
     struct Sum {
-        std::array<double, greatest_degree + 2> at{};
+        std::array<double, greatest_degree + 2> at;  ///< beyond the count, they have no value
         std::size_t count = 1;
+
+        Sum() { at[0] = 0; }
+        bool zero() const { return count == 1 && at[0] == 0; }
     };
     Ray ray;
 
     Sum start() const { return {}; }
     void times(Sum& sum, int axis) const {
+        // Most factors are 0.
+        if (sum.zero()) return;
         const double here = ray.origin[axis], step = ray.direction[axis];
-        for (std::size_t i = ++sum.count; i-- > 0;)
-            sum.at[i] = sum.at[i] * here + (i > 0 ? sum.at[i - 1] * step : 0);
+        sum.at[sum.count] = sum.at[sum.count - 1] * step;
+        for (std::size_t i = sum.count; i-- > 1;)
+            sum.at[i] = sum.at[i] * here + sum.at[i - 1] * step;
+        sum.at[0] *= here;
+        ++sum.count;
     }
     void add(Sum& sum, const Sum& other) const {
-        sum.count = std::max(sum.count, other.count);
+        if (other.zero()) return;
+        for (; sum.count < other.count; ++sum.count) sum.at[sum.count] = 0;
         for (std::size_t i = 0; i < other.count; ++i) sum.at[i] += other.at[i];
     }
     void add(Sum& sum, double other) const { sum.at[0] += other; }
@@ -128,6 +137,11 @@ std::string problem(const Poly& poly) { return wrong_count("poly", poly.degree, 
 Box bounds(const AlgebraicSurface&) { return {Vec3(-infinity), Vec3(infinity)}; }
 
 void crossings(const AlgebraicSurface& surface, const Ray& ray, Crossings& found) {
+    crossings_between(surface, ray, {-infinity, infinity}, found);
+}
+
+void crossings_between(const AlgebraicSurface& surface, const Ray& ray, const Interval& range,
+                       Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
     // From the point nearest to the origin, where such surfaces are.
@@ -135,7 +149,8 @@ void crossings(const AlgebraicSurface& surface, const Ray& ray, Crossings& found
     const double start = -dot(ray.origin, u);
     const Ray near{ray.origin + start * u, u};
     const AlongRay::Sum along = horner(surface, AlongRay{near});
-    for (const double s : sign_changes({along.at.data(), along.count}, {-infinity, infinity})) {
+    const Interval wanted{range.min * speed - start, range.max * speed - start};
+    for (const double s : sign_changes({along.at.data(), along.count}, wanted)) {
         const Vec3 normal = unit(horner(surface, WithSlope{near.at(s)}).slope);
         if (normal != Vec3(0)) found.add({(start + s) / speed, normal, dot(u, normal) < 0});
     }

@@ -54,4 +54,5 @@ std::string problem(const Poly&);
 /// Infinite: where the surface ends, if it does, is not known.
 Box bounds(const AlgebraicSurface&);
 void crossings(const AlgebraicSurface&, const Ray&, Crossings&);
+void crossings_between(const AlgebraicSurface&, const Ray&, const Interval&, Crossings&);
 bool inside(const AlgebraicSurface&, const Vec3&);

@@ -53,6 +53,23 @@ bool misses(const Trace& line, const Rectangle& box) {
            reach + 1e-12 * (reach + glm::dot(size, glm::abs(middle)));
 }
 
+/// Where the ray, seen so, is between the ends: its shadow on the outline's plane. Everywhere when
+/// that has no end.
+Rectangle shadow(const BuiltPrism& prism, const Ray& ray) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Rectangle everywhere{Vec2(-infinity), Vec2(infinity)};
+    const bool through_apex = prism.conic && prism.bottom <= 0 && prism.top >= 0;
+    if (ray.direction.y == 0 || through_apex) return everywhere;
+    Rectangle seen;
+    for (const double y : {prism.bottom, prism.top}) {
+        const Vec2 p = flat(ray.at((y - ray.origin.y) / ray.direction.y));
+        if (!std::isfinite(p.x) || !std::isfinite(p.y)) return everywhere;
+        seen = join(seen, {prism.conic ? p / y : p, prism.conic ? p / y : p});
+    }
+    const Vec2 rounding = 1e-9 * glm::max(glm::abs(seen.low), glm::abs(seen.high));
+    return {seen.low - rounding, seen.high + rounding};
+}
+
 /// The ray parameter at which the ray is above the point of the outline.
 double parameter(const BuiltPrism& prism, const Ray& ray, const Vec2& q) {
     const Vec3 &o = ray.origin, &d = ray.direction;
@@ -71,8 +88,11 @@ Vec3 side_normal(const BuiltPrism& prism, const Outline::Edge& edge, double u, d
 void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
     const Trace line = trace(prism, ray);
     if (line.weights == Vec2(0)) return;
-    for (const Outline::Edge& edge : prism.outline.edges()) {
-        if (misses(line, edge.bounds)) continue;
+    const Rectangle seen = shadow(prism, ray);
+    const auto beside = [&](const Rectangle& box) {
+        return !overlap(seen, box) || misses(line, box);
+    };
+    prism.outline.for_edges(beside, [&](const Outline::Edge& edge) {
         const auto at_point = [&](const Vec2& p) {
             return glm::dot(line.weights, p) + line.constant;
         };
@@ -84,7 +104,7 @@ void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
             const Vec3 normal = side_normal(prism, edge, u, y);
             found.add({t, normal, dot(ray.direction, normal) < 0});
         }
-    }
+    });
 }
 
 void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+#include <optional>
+
 const ItemInfo Quadric::vocabulary = described<Quadric>([] {
     using F = Field<Quadric>;
     return schema<Quadric>("quadric",
@@ -64,7 +66,69 @@ Box ellipsoid_bounds(const Quadric& q, const std::array<bool, 3>& uses) {
     return box;
 }
 
+/// The least value of c t^2 + l t for t from low to high.
+double least_square(double c, double l, double low, double high) {
+    const auto at = [&](double t) {
+        if (c == 0 && l == 0) return 0.0;
+        if (std::isfinite(t)) return (c * t + l) * t;
+        return c != 0 ? std::copysign(infinity, c) : l * t;
+    };
+    const double bottom = c > 0 ? -0.5 * l / c : low;
+    const double least = std::min(at(low), at(high));
+    return bottom > low && bottom < high ? std::min(least, at(bottom)) : least;
+}
+
+/// From the least to the greatest value of a factor times a coordinate in a range.
+Interval times(double factor, double low, double high) {
+    if (factor == 0) return {0, 0};
+    return factor > 0 ? Interval{factor * low, factor * high}
+                      : Interval{factor * high, factor * low};
+}
+
+/// The greatest t with c t^2 + l t + rest <= 0; nothing when there is no greatest.
+std::optional<double> last_below(double c, double l, double rest) {
+    if (!std::isfinite(l) || !std::isfinite(rest)) return std::nullopt;
+    if (c == 0) return l > 0 ? std::optional(-rest / l) : std::nullopt;
+    const double inner = l * l - 4 * c * rest;
+    return c > 0 && inner >= 0 ? std::optional((std::sqrt(inner) - l) / (2 * c)) : std::nullopt;
+}
+
+/// The range of one coordinate, from those of the others.
+Interval range_within(const Quadric& q, int axis, const Box& box) {
+    const int b = (axis + 1) % 3, c = (axis + 2) % 3;
+    const auto product = [&](int i, int j) { return q.products[i + j - 1]; };
+    const double rest = q.constant +
+                        least_square(q.squares[b], q.linear[b], box.low[b], box.high[b]) +
+                        least_square(q.squares[c], q.linear[c], box.low[c], box.high[c]) +
+                        (product(b, c) == 0 ? 0 : -infinity);
+    const Interval slope_b = times(product(axis, b), box.low[b], box.high[b]),
+                   slope_c = times(product(axis, c), box.low[c], box.high[c]);
+    const double flattest = q.linear[axis] + slope_b.min + slope_c.min,
+                 steepest = q.linear[axis] + slope_b.max + slope_c.max;
+    Interval range{box.low[axis], box.high[axis]};
+    // Of slopes in a range, only one counts on each side of 0. And a little more, for rounding.
+    const auto widened = [&](double t) {
+        const double end = flattest == steepest ? t : std::max(t, 0.0);
+        return end + 1e-9 * (1 + std::abs(end));
+    };
+    if (const auto last = last_below(q.squares[axis], flattest, rest))
+        range.max = std::min(range.max, widened(*last));
+    if (const auto first = last_below(q.squares[axis], -steepest, rest))
+        range.min = std::max(range.min, -widened(*first));
+    return range;
+}
+
 }  // namespace
+
+Box bounds_within(const Quadric& q, const Box& box) {
+    Box result = box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Interval range = range_within(q, axis, result);
+        result.low[axis] = range.min;
+        result.high[axis] = range.max;
+    }
+    return result;
+}
 
 Box bounds(const Quadric& q) {
     const Vec3 mixed(std::abs(q.products.x) + std::abs(q.products.y),

@@ -21,6 +21,8 @@ struct Quadric {
 Box bounds(const Quadric&);
 void crossings(const Quadric&, const Ray&, Crossings&);
 bool inside(const Quadric&, const Vec3&);
+/// Around the part of the solid that is in a box, which may be infinite, as far as that is known.
+Box bounds_within(const Quadric&, const Box&);
 /// What is wrong beyond the ranges of single fields (no factor but the constant), as a sentence;
 /// empty when nothing is.
 std::string problem(const Quadric&);

@@ -20,23 +20,37 @@ double norm(double a, double b, double p) {
     return greater * std::pow(1 + std::pow(less / greater, p), 1 / p);
 }
 
+double power(double base, double exponent) {
+    return exponent == 1 ? base : exponent == 2 ? base * base : std::pow(base, exponent);
+}
+
 /// The distance function: 0 on the surface, -1 in the middle; it grows in proportion along rays
 /// from there.
 class Depth {
 public:
     explicit Depth(const Superellipsoid& s) : p_(2 / s.exponents.x), q_(2 / s.exponents.y) {}
 
+    struct Place {
+        double value;
+        Vec3 gradient;
+    };
+    Place at(const Vec3& v) const {
+        const double size = max_abs_component(v);
+        if (size == 0) return {-1, Vec3(0)};
+        const Vec3 part = glm::abs(v) / size;
+        const double x = power(part.x, p_), y = power(part.y, p_), z = power(part.z, q_);
+        const double round = x + y, raised = power(round, q_ / p_), sum = raised + z;
+        const double whole = power(sum, 1 / q_);
+        // Of a power, the derivative is the power again over its base.
+        const auto slope = [](double raised, double part, double sign) {
+            return part == 0 ? 0.0 : std::copysign(raised / part, sign);
+        };
+        const double outer = whole / sum, inner = round == 0 ? 0.0 : outer * raised / round;
+        return {size * whole - 1, Vec3(inner * slope(x, part.x, v.x), inner * slope(y, part.y, v.y),
+                                       outer * slope(z, part.z, v.z))};
+    }
     double value(const Vec3& v) const {
         return norm(norm(std::abs(v.x), std::abs(v.y), p_), std::abs(v.z), q_) - 1;
-    }
-    Vec3 gradient(const Vec3& v) const {
-        const double r = norm(std::abs(v.x), std::abs(v.y), p_), all = norm(r, std::abs(v.z), q_);
-        const auto share = [](double part, double whole, double power) {
-            return part == 0 ? 0.0 : std::copysign(std::pow(std::abs(part) / whole, power), part);
-        };
-        const double round = share(r, all, q_ - 1);
-        return {round * share(v.x, r, p_ - 1), round * share(v.y, r, p_ - 1),
-                share(v.z, all, q_ - 1)};
     }
     /// Then it is a norm, and convex along every line.
     bool convex() const { return p_ >= 1 && q_ >= 1; }
@@ -50,16 +64,21 @@ struct Profile {
     const Depth& depth;
     const Ray& ray;
 
-    double value(double t) const { return depth.value(ray.at(t)); }
-    double slope(double t) const { return dot(depth.gradient(ray.at(t)), ray.direction); }
+    struct Place {
+        double value, slope;
+    };
+    Place at(double t) const {
+        const Depth::Place here = depth.at(ray.at(t));
+        return {here.value, dot(here.gradient, ray.direction)};
+    }
 
     /// The root between two places with values of different signs.
     double root(double low, double high, bool negative_at_low) const {
         double t = 0.5 * (low + high);
         for (int step = 0; step < 100; ++step) {
-            const double here = value(t);
-            ((here < 0) == negative_at_low ? low : high) = t;
-            double next = t - here / slope(t);
+            const Place here = at(t);
+            ((here.value < 0) == negative_at_low ? low : high) = t;
+            double next = t - here.value / here.slope;
             if (!(next > low && next < high)) next = 0.5 * (low + high);
             const double moved = std::abs(next - t);
             t = next;
@@ -73,13 +92,13 @@ struct Profile {
 /// and where they meet is the next place to look at. NaN when there is none.
 double place_below(const Profile& profile, const Interval& range) {
     double low = range.min, high = range.max;
-    double at_low = profile.value(low), at_high = profile.value(high);
-    double falls = profile.slope(low), rises = profile.slope(high);
+    auto [at_low, falls] = profile.at(low);
+    auto [at_high, rises] = profile.at(high);
     for (int step = 0; step < 60 && falls < 0 && rises > 0; ++step) {
         double t = (at_low - at_high + rises * high - falls * low) / (rises - falls);
         if (!(at_low + falls * (t - low) < 0)) break;
         if (!(t > low && t < high)) t = 0.5 * (low + high);
-        const double here = profile.value(t), slope = profile.slope(t);
+        const auto [here, slope] = profile.at(t);
         if (here < 0) return t;
         if (slope < 0)
             low = t, at_low = here, falls = slope;
@@ -95,8 +114,8 @@ template <class Take>
 void bisect(const Profile& profile, const Interval& part, int level, Take take) {
     const Vec3 a = glm::abs(profile.ray.at(part.min)), b = glm::abs(profile.ray.at(part.max));
     if (profile.depth.value(glm::min(a, b)) > 0 || profile.depth.value(glm::max(a, b)) < 0) return;
-    const bool inside_first = profile.value(part.min) < 0;
-    const bool differ = inside_first != (profile.value(part.max) < 0);
+    const bool inside_first = profile.at(part.min).value < 0;
+    const bool differ = inside_first != (profile.at(part.max).value < 0);
     if (differ && level >= 4) return take(profile.root(part.min, part.max, inside_first));
     if (level >= 12) return;
     const double middle = 0.5 * (part.min + part.max);
@@ -131,7 +150,7 @@ void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
     const Ray near{ray.at(start), ray.direction};
     const Profile profile{depth, near};
     const auto take = [&](double t) {
-        const Vec3 normal = unit(depth.gradient(near.at(t)));
+        const Vec3 normal = unit(depth.at(near.at(t)).gradient);
         if (normal != Vec3(0) && std::isfinite(normal.x + normal.y + normal.z))
             found.add({start + t, normal, dot(ray.direction, normal) < 0});
     };

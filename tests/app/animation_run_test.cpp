@@ -136,7 +136,7 @@ TEST_CASE("+C goes on with an animation at the frame that was begun") {
     Shell shell;
     const std::string file = "+O" + shell.path("f.png");
     int calls = 0;
-    shell.interrupts.take = [&] { return ++calls == 500 ? Interrupt::stop : Interrupt::none; };
+    shell.interrupts.take = [&] { return ++calls == 32 ? Interrupt::stop : Interrupt::none; };
     CHECK(shell.render({"-V", file, "+KFF3", "+WT1", "+C"}) == exit_status::stopped);
     CHECK(fs::exists(shell.path("f1.png")));
     CHECK(fs::exists(shell.path("f2.png.state.exr")));

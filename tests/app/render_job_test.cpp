@@ -14,15 +14,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Runs with +C until the picture is finished, being stopped after some number of samples each
-/// time; gives the number of stops.
+/// Runs with +C until the picture is finished, being stopped after some time (it is asked for at
+/// every 16th sample) each time; gives the number of stops.
 int stop_and_go(Shell& shell, std::vector<std::string> arguments, std::mt19937& random) {
     arguments.insert(arguments.end(), {shell.path("lit.pov"), "-V", "+C"});
     std::atomic<int> left = 0;
     shell.interrupts.take = [&] { return --left > 0 ? Interrupt::none : Interrupt::stop; };
     int stops = 0;
     for (;; ++stops) {
-        left = static_cast<int>(random() % 1500);
+        left = static_cast<int>(random() % 100);
         const int status = shell(arguments);
         if (status == exit_status::done) break;
         REQUIRE(status == exit_status::stopped);
@@ -59,8 +59,8 @@ TEST_CASE("a state is written when it is asked for, and the work goes on") {
     std::string seen;
     shell.interrupts.take = [&] {
         ++calls;
-        if (calls == 300) seen = shell.content("a.png.state.exr");
-        return calls == 100 ? Interrupt::save : Interrupt::none;
+        if (calls == 15) seen = shell.content("a.png.state.exr");
+        return calls == 5 ? Interrupt::save : Interrupt::none;
     };
     CHECK(shell.render({"-V", "+WT1", "+O" + shell.path("a.png")}) == 0);
     CHECK(seen.size() > 100);

@@ -107,11 +107,11 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
     CHECK(advance(world, settings, whole, rays, {}));
     std::atomic<int> asked = 0;
     RenderHooks hooks;
-    int stops = 0, next = 500;
+    int stops = 0, next = 40;
     hooks.cancelled = [&] { return ++asked > next; };
     while (!advance(world, settings, broken, rays, hooks)) {
         asked = 0;
-        next = 500 + 977 * (++stops % 5);
+        next = 40 + 61 * (++stops % 5);
         REQUIRE(stops < 1000);
     }
     CHECK(stops > 3);

@@ -243,3 +243,18 @@ TEST_CASE("a composite without parts is empty", "[shape]") {
     CHECK(nothing.bounds().empty());
     CHECK_FALSE(nothing.first({o, x}, ahead, everything));
 }
+
+TEST_CASE("quadrics without end have bounds where planes cut them", "[shape]") {
+    CompositeBuilder builder;
+    const PartRef waist =
+        builder.add({Shared<Quadric>(Quadric{Vec3(1, -1, 1), o, o, -1}),
+                     make_handle<Transform>(Transform::rotation(Vec3(0, 30, 0)))});
+    const PartRef above = builder.add({Plane{y, 2}}), below = builder.add({Plane{-y, 1}});
+    const Composite cut = builder.finish(builder.add(Combination::common, {waist, above, below}));
+    const double reach = std::sqrt(5) * (std::cos(0.5236) + std::sin(0.5236));
+    CHECK(cut.bounds().high.x == Approx(reach).margin(1e-4));
+    CHECK(cut.bounds().high.y == Approx(2));
+    const auto met = cut.first({Vec3(0, 1.9, -9), z}, ahead, everything);
+    REQUIRE(met);
+    CHECK(met->t == Approx(9 - std::sqrt(1 + 1.9 * 1.9)));
+}

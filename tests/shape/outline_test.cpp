@@ -32,6 +32,8 @@ Outline circle() {
                                   {1, 0}});
 }
 
+constexpr auto nowhere = [](const Rectangle&) { return false; };
+
 }  // namespace
 
 TEST_CASE("points are within an odd number of loops", "[shape]") {
@@ -74,7 +76,7 @@ TEST_CASE("normals of edges point to the outside, in holes as well, for loops of
           outline(
               linear_curve,
               {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}})})
-        for (const Outline::Edge& edge : area.edges())
+        area.for_edges(nowhere, [&](const Outline::Edge& edge) {
             for (const double u : {0.1, 0.5, 0.8}) {
                 const Vec2 p = edge.piece.at(u), n = edge.normal(u);
                 CHECK(std::abs(std::hypot(n.x, n.y) - 1) < 1e-14);
@@ -82,6 +84,31 @@ TEST_CASE("normals of edges point to the outside, in holes as well, for loops of
                 CHECK(area.contains(p - 1e-3 * n));
                 CHECK_FALSE(area.contains(p + 1e-3 * n));
             }
+        });
+}
+
+TEST_CASE("edges and places are found in outlines of many edges", "[shape]") {
+    std::vector<Vec2> saw = {{0, 0}};
+    for (int i = 0; i < 50; ++i) {
+        saw.push_back({i + 0.5, 2});
+        saw.push_back({i + 1.0, 1});
+    }
+    saw.push_back({50, 0});
+    saw.push_back({0, 0});
+    const Outline area = outline(linear_curve, saw);
+    for (int i = 1; i < 50; ++i) {
+        CHECK(area.contains({i + 0.5, 1.9}));
+        CHECK(area.contains({i + 0.1, 0.5}));
+        CHECK_FALSE(area.contains({i + 0.01, 1.9}));
+    }
+    CHECK_FALSE(area.contains({-0.1, 0.5}));
+    CHECK_FALSE(area.contains({50.1, 0.5}));
+    std::size_t all = 0, few = 0;
+    area.for_edges(nowhere, [&](const Outline::Edge&) { ++all; });
+    const auto left = [](const Rectangle& box) { return box.low.x >= 3; };
+    area.for_edges(left, [&](const Outline::Edge&) { ++few; });
+    CHECK(all == saw.size() - 1);
+    CHECK(few == 7);
 }
 
 TEST_CASE("an outline without curves contains nothing", "[shape]") {

@@ -100,3 +100,26 @@ TEST_CASE("a polynomial says how many factors it needs", "[shape]") {
     CHECK(problem(Poly{2, constant}) ==
           "a `poly` needs a factor that is not 0 besides the constant");
 }
+
+TEST_CASE("in a range, a polynomial is crossed where the whole line crosses it", "[shape]") {
+    const AlgebraicSurface tube = build(Quartic{
+        factors(4, {{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}, {2, 0, 0, -2}, {0, 0, 0, 0.3}})});
+    Draw draw(3);
+    std::size_t found = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Ray ray{draw.point(3), unit(draw.point(1))};
+        const Interval range{draw.between(-2, 1), draw.between(1, 4)};
+        Crossings part;
+        crossings_between(tube, ray, range, part);
+        std::size_t expected = 0;
+        for (const Crossing& each : hits(tube, ray)) {
+            if (!range.contains(each.t)) continue;
+            REQUIRE(expected < part.size());
+            CHECK(part[expected].t == Approx(each.t).margin(1e-9));
+            CHECK(part[expected++].entering == each.entering);
+        }
+        CHECK(part.size() == expected);
+        found += expected;
+    }
+    CHECK(found > 40);
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/quadric.h"
 
+#include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
@@ -75,4 +76,37 @@ TEST_CASE("a quadric needs a factor besides its constant", "[shape]") {
     CHECK(problem(Quadric{}).empty());
     CHECK(problem(Quadric{o, o, o, -1}) ==
           "a `quadric` needs a factor that is not 0 besides the constant");
+}
+
+TEST_CASE("between planes, a quadric has bounds", "[shape]") {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Box layer{Vec3(-infinity, -1, -infinity), Vec3(infinity, 2, infinity)};
+    const Box waist = bounds_within({Vec3(1, -1, 1), o, o, -1}, layer);
+    CHECK(waist.high.x == Approx(std::sqrt(5)));
+    CHECK(waist.low.z == Approx(-std::sqrt(5)));
+    CHECK(waist.low.y == -1);
+    const Box bowl = bounds_within({Vec3(1, 0, 1), o, -y, 0}, layer);
+    CHECK(bowl.low.y == Approx(0).margin(1e-8));
+    CHECK(bowl.high.x == Approx(std::sqrt(2)));
+    // Nothing is known of a cylinder that lies in the layer.
+    CHECK(bounds_within({Vec3(0, 1, 1), o, o, -1}, layer).high.x == infinity);
+}
+
+TEST_CASE("no point of a quadric in a box is outside of its bounds there", "[shape]") {
+    Draw draw(8);
+    int points = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Quadric q{draw.point(1), i % 2 == 0 ? o : draw.point(1), draw.point(1),
+                        draw.between(-1, 1)};
+        const Vec3 corner = draw.point(2);
+        const Box box{corner, corner + Vec3(draw.between(0.1, 2), draw.between(0.1, 2), 3)};
+        const Box part = bounds_within(q, box);
+        for (int k = 0; k < 200; ++k) {
+            const Vec3 p = box.low + Vec3(draw.number(), draw.number(), draw.number()) * box.size();
+            if (!inside(q, p)) continue;
+            ++points;
+            REQUIRE(contains(part, p));
+        }
+    }
+    CHECK(points > 1000);
 }

@@ -74,6 +74,8 @@ TEST_CASE("bumped normals are POV-Ray's", "[surface]") {
          Vec3(-0.067286, 0.012572, -0.997654), Vec3(0.030909, -0.029509, -0.999087)},
         {"normal{gradient y normal_map{[0.2 bumps .5][.8 bozo .5 scale .5]} scale 2 translate 4*y}",
          Vec3(0.031054, -0.055336, -0.997985), Vec3(0.193023, -0.045231, -0.980151)},
+        {"normal{function{sin(x*3)*.5+.5} .4}", Vec3(0.072025, -0.000346, -0.997403),
+         Vec3(-0.038780, -0.000697, -0.999248)},
         {"normal{marble 0.3 turbulence .4 scale .5}", Vec3(-0.100273, 0.023491, -0.994683),
          Vec3(0.015138, 0.013538, -0.999794)},
         {"normal{crackle 0.6 scale .5}", Vec3(0.132799, -0.020661, -0.990928),
