@@ -296,5 +296,6 @@ void Evaluator::State::set_version(const Tree& tree, const node::Version& node, 
         return;
     }
     version = rounded;
+    noise->version = rounded;
     version_given = true;
 }

@@ -49,11 +49,8 @@ public:
     }
 
     Handle<Formula> function(const Element& element) {
-        // Functions make waves of ten sources, whatever the scene says, as in POV-Ray.
-        PatternScene around;
-        around.noise_generator = noise_generator(scene_.settings.noise_generator);
-        return element.word == "pigment"_word ? pigment_function(element, around)
-                                              : pattern_function(element, around);
+        return element.word == "pigment"_word ? pigment_function(element)
+                                              : pattern_function(element);
     }
 
     void set_default(const Element& element) {
@@ -88,29 +85,39 @@ public:
     }
 
 private:
-    Handle<Formula> pattern_function(const Element& element, const PatternScene& around) {
+    /// What functions of patterns know of the scene. They make waves of ten sources, whatever it
+    /// says, as in POV-Ray.
+    static PatternScene around(const SceneNoise& noise) {
+        PatternScene result;
+        result.noise_generator = noise.generator();
+        return result;
+    }
+
+    Handle<Formula> pattern_function(const Element& element) {
         PatternDraft draft;
         if (!read_pattern(binder_, element, draft)) return nullptr;
-        const auto code = [use = draft.use(), transform = draft.transform, around](const double* in,
-                                                                                   double* out) {
+        const auto code = [use = draft.use(), transform = draft.transform,
+                           noise = binder_.evaluator.noise()](const double* in, double* out) {
             const Vec3 point = transform.inverse_point(Vec3(in[0], in[1], in[2]));
-            out[0] = use.value(use.place(point), around);
+            out[0] = use.value(use.place(point), around(*noise));
             return true;
         };
         return make_handle<Formula>(3, 1, code);
     }
 
     /// red, green, blue, filter, transmit
-    Handle<Formula> pigment_function(const Element& element, const PatternScene& around) {
+    Handle<Formula> pigment_function(const Element& element) {
         Pigment pigment = binder_.default_texture->pigment;
         if (!read_pigment(binder_, element, pigment)) return nullptr;
-        return make_handle<Formula>(3, 5, [pigment, around](const double* in, double* out) {
-            const Colour colour = evaluate(pigment, Vec3(in[0], in[1], in[2]), around);
+        const auto code = [pigment, noise = binder_.evaluator.noise()](const double* in,
+                                                                       double* out) {
+            const Colour colour = evaluate(pigment, Vec3(in[0], in[1], in[2]), around(*noise));
             for (int i = 0; i < 3; ++i) out[i] = colour.rgb[i];
             out[3] = colour.filter;
             out[4] = colour.transmit;
             return true;
-        });
+        };
+        return make_handle<Formula>(3, 5, code);
     }
 
     /// The setting that old scenes have outside of global_settings, and its number.
@@ -148,6 +155,8 @@ private:
                 scene_.rainbows.push_back(std::move(rainbow));
         } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, given_);
+            if (given_.noise_generator)
+                binder_.evaluator.noise()->given = noise_generator(scene_.settings.noise_generator);
         } else {
             stray(element);
         }

@@ -49,6 +49,7 @@ Value Evaluator::value_of(const Element& element) {
 }
 double Evaluator::version() const { return state_->version; }
 bool Evaluator::version_given() const { return state_->version_given; }
+const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
 void Evaluator::stop() { state_->stopped_ = true; }
@@ -139,6 +140,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     number("final_clock", facts.final_clock);
     number("clock_delta", facts.clock_delta);
     version = facts.version.value_or(version);
+    noise->version = version;
     version_given = facts.version.has_value();
 }
 

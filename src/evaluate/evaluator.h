@@ -8,6 +8,7 @@
 
 #include "base/function_ref.h"
 #include "evaluate/limits.h"
+#include "evaluate/scene_noise.h"
 #include "evaluate/value.h"
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
@@ -124,6 +125,8 @@ public:
     double version() const;
     /// Whether `#version` has occurred.
     bool version_given() const;
+    /// Lives on in the functions that use it.
+    const std::shared_ptr<SceneNoise>& noise() const;
 
     /// A file of data that the scene names; nothing after a report.
     std::optional<std::string> load_data(const std::string& name, Span);

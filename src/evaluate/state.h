@@ -281,6 +281,7 @@ struct Evaluator::State {
     std::uint64_t written_bytes = 0;
     double version = 3.7;
     bool version_given = false;
+    std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
     bool stopped_ = false;
     const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited

@@ -60,6 +60,15 @@ bool stands_for_picture(const Tree& tree, const node::Function& node) {
            !tree.get_if<node::Tuple>(node.parameters) && tree[node.parameters].next != no_node;
 }
 
+/// f_noise3d of the scene's generator.
+Handle<Formula> noise_formula(std::shared_ptr<const SceneNoise> scene) {
+    return make_handle<Formula>(3, 1, [scene](const double* arguments, double* results) {
+        const Vec3 point(arguments[0], arguments[1], arguments[2]);
+        results[0] = noise(point, scene->generator());
+        return true;
+    });
+}
+
 }  // namespace
 
 /// Tells the function the size of the picture that it stands for; false after a report.
@@ -90,6 +99,7 @@ Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::F
                 ? std::nullopt
                 : this->number(tree, argument, "the number of an internal function");
         if (!number) return nullptr;
+        if (*number == noise_function) return noise_formula(noise);
         const InternalFunction* found = internal_function(static_cast<int>(*number));
         if (found && found->number == *number)
             return make_handle<Formula>(

@@ -21,7 +21,5 @@ const InternalFunction* internal_function(int number);
 /// All of them, by number.
 std::span<const InternalFunction> internal_functions();
 
-/// f_noise3d, which takes the scene's noise_generator. Its entry in the table takes generator 2;
-/// for another one, call `noise_generator_function` with the generator as fourth argument.
+/// f_noise3d, which takes the scene's noise_generator. Its entry in the table takes generator 2.
 inline constexpr int noise_function = 76;
-inline constexpr int noise_generator_function = 78;

@@ -106,3 +106,13 @@ TEST_CASE("the noise of a pattern function is the scene's", "[evaluate]") {
     };
     CHECK(grey("noise_generator 1") != grey(""));
 }
+
+TEST_CASE("the noise of a function is what the scene says when it is called", "[evaluate]") {
+    const auto [script, result] = GENERATE(table<std::string, std::string>({
+        {"P(f(.3, .7, .2))", "0.419692"},
+        {"#version 3.1; P(f(.3, .7, .2)) #version 3.5; P(f(.3, .7, .2))", "0.304346 0.419692"},
+        {"global_settings { noise_generator 1 } P(f(.3, .7, .2))", "0.304346"},
+        {"#version 3.1; global_settings { noise_generator 2 } P(f(.3, .7, .2))", "0.419692"},
+    }));
+    CHECK(said("#declare f = function { internal(76) } " + script) == result);
+}

@@ -24,7 +24,6 @@ TEST_CASE("functions are found by their number", "[formula]") {
     CHECK(internal_function(70)->name == "f_torus");
     CHECK(internal_function(70)->parameters == 5);
     CHECK(internal_function(noise_function)->name == "f_noise3d");
-    CHECK(internal_function(noise_generator_function)->name == "f_noise_generator");
     for (const int number : {-1, 77, 79, 1000}) CHECK(internal_function(number) == nullptr);
 }
 
