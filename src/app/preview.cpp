@@ -79,7 +79,7 @@ private:
         console.watch = [this](const Film& film, double done) { show(film, done); };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
         remember({{*options_.scene, {}}});
-        show_at_ = time_now().seconds + first_look;
+        show_at_ = seconds_now() + first_look;
         Diagnostics diagnostics = diagnostics_.fresh();
         const int status = run_scene(options_as_turned(), console, diagnostics);
         const std::lock_guard lock(shown_.mutex);
@@ -109,7 +109,7 @@ private:
         if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
             ending_ = true;
         if (ending_) return Interrupt::stop;
-        const double now = time_now().seconds;
+        const double now = seconds_now();
         if (now < show_at_) return Interrupt::none;
         show_at_ = now + between_looks;
         return changed() ? Interrupt::stop : Interrupt::save;

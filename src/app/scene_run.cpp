@@ -276,9 +276,7 @@ private:
         const Progress::Style style = progress_style(options_.progress).value_or(usual);
         // Who manages a farm listens to the standard output, unless the picture goes there.
         const bool out = (style == alf || style == openjd) && options_.output != "-";
-        return Progress(
-            style, [] { return time_now().seconds; }, out ? console_.out : console_.err,
-            options_.share);
+        return Progress(style, seconds_now, out ? console_.out : console_.err, options_.share);
     }
 
     int render_picture(const World& world, Output output) {
@@ -323,7 +321,7 @@ private:
         Progress shown = progress();
         if (console_.interrupts.listening) console_.interrupts.listening(true);
         statistics_.render = time_now();
-        const JobEnd end = job.run(shown, [] { return time_now().seconds; });
+        const JobEnd end = job.run(shown, seconds_now);
         statistics_.render = time_now() - statistics_.render;
         if (console_.interrupts.listening) console_.interrupts.listening(false);
         statistics_.rays = job.rays();

@@ -31,7 +31,9 @@ Json phases(const RunStatistics& run, double Phase::*which) {
 
 }  // namespace
 
-Phase time_now() { return {read_clock(CLOCK_MONOTONIC), read_clock(CLOCK_PROCESS_CPUTIME_ID)}; }
+double seconds_now() { return read_clock(CLOCK_MONOTONIC); }
+
+Phase time_now() { return {seconds_now(), read_clock(CLOCK_PROCESS_CPUTIME_ID)}; }
 
 std::size_t peak_memory_bytes() {
     rusage usage{};

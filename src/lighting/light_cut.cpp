@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
-#include "lighting/every_machine.h"
+#include "base/every_machine.h"
 
 #include <algorithm>
 #include <bit>

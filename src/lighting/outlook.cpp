@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/outlook.h"
 
+#include "base/every_machine.h"
 #include "base/random.h"
-#include "lighting/every_machine.h"
 
 #include <algorithm>
 #include <numbers>

@@ -35,7 +35,8 @@ public:
           state_(state),
           hooks_(hooks),
           blur_(blur_rule(world, settings)),
-          shadow_rays_(shadow_rays_per_hit(world, settings)) {}
+          shadow_rays_(shadow_rays_per_hit(world, settings)),
+          fresh_tracers_(tracers_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -72,7 +73,7 @@ private:
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            std::vector<Tracer> tracers = tracers_of_moments();
+            std::vector<Tracer> tracers = fresh_tracers_;
             const std::uint64_t made = make_tile(tracers, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
@@ -156,6 +157,8 @@ private:
     const RenderHooks& hooks_;
     std::optional<BlurRule> blur_;
     int shadow_rays_;
+    /// To be copied: to find out what is around the camera takes a look at every object.
+    const std::vector<Tracer> fresh_tracers_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
