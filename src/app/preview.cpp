@@ -87,7 +87,7 @@ private:
         console.linger = [&](const Exhibit& exhibit) { linger(exhibit, said); };
         console.files_read = [this](const std::vector<ReadFile>& files) { remember(files); };
         remember({{*options_.scene, {}}});
-        show_at_ = time_now().seconds + first_look;
+        show_at_ = seconds_now() + first_look;
         Diagnostics diagnostics = diagnostics_.fresh();
         const int status = run_scene(options_as_turned(), console, diagnostics);
         questions_.close();
@@ -148,7 +148,7 @@ private:
         if (console_.interrupts.take && console_.interrupts.take() == Interrupt::stop)
             ending_ = true;
         if (ending_) return Interrupt::stop;
-        const double now = time_now().seconds;
+        const double now = seconds_now();
         const bool asked = questions_.waiting() && now >= show_at_ - between_looks + first_look;
         if (now < show_at_ && !asked) return Interrupt::none;
         show_at_ = now + between_looks;

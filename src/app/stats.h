@@ -20,7 +20,8 @@ struct Phase {
 
 /// The time that has passed since some fixed moment: differences have a meaning.
 Phase time_now();
-/// Its seconds alone: many times faster.
+/// Its seconds only. Asking for the time of all threads costs as much as a ray or two; rendering
+/// asks for this one with every sample.
 double seconds_now();
 
 /// The most memory that this process has had.

@@ -213,7 +213,29 @@ KdTree::KdTree(const Box& bounds, std::vector<KdNode> nodes, std::vector<std::ui
 
 std::size_t KdTree::memory_bytes() const {
     return sizeof(*this) + nodes_.capacity() * sizeof(KdNode) +
-           items_.capacity() * sizeof(std::uint32_t);
+           items_.capacity() * sizeof(std::uint32_t) + packs_.capacity() * sizeof(float);
+}
+
+void KdTree::pack(const PackLeaf& pack_leaf) {
+    if (nodes_.empty()) return;
+    std::vector<std::pair<std::uint32_t, Box>> todo{{0, bounds_}};
+    while (!todo.empty()) {
+        const auto [index, cell] = todo.back();
+        todo.pop_back();
+        KdNode& node = nodes_[index];
+        if (node.is_leaf()) {
+            node = node.with_pack(packs_.size());
+            const auto items = std::span(items_).subspan(node.first_item(), node.item_count());
+            if (!items.empty()) pack_leaf(items, cell, packs_);
+            continue;
+        }
+        const auto cells = halves(cell, {static_cast<int>(node.axis()), node.plane(), 0});
+        todo.push_back({node.first_child() + 1, cells.second});
+        todo.push_back({node.first_child(), cells.first});
+    }
+    // Those who read packs in lanes may read beyond the last one.
+    packs_.resize(packs_.size() + 16);
+    packs_.shrink_to_fit();
 }
 
 KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,

@@ -10,7 +10,9 @@
 #include "base/ray.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -55,6 +57,11 @@ public:
     std::uint32_t first_child() const { return first_; }
     std::uint32_t first_item() const { return first_; }
     std::uint32_t item_count() const { return kind_ >> 2; }
+    /// Where a leaf's pack begins in the tree's packs.
+    std::uint64_t pack() const { return std::bit_cast<std::uint64_t>(plane_); }
+    KdNode with_pack(std::uint64_t first) const {
+        return {std::bit_cast<double>(first), first_, kind_};
+    }
 
     /// The same node where its children and items have moved up by so much.
     KdNode moved(std::uint32_t nodes, std::uint32_t items) const {
@@ -73,6 +80,17 @@ private:
 };
 static_assert(sizeof(KdNode) == 16);
 
+/// A leaf that a ray passes.
+struct KdLeaf {
+    std::span<const std::uint32_t> items;
+    const float* pack;  ///< what KdTree::pack() was given for them
+    double entry;       ///< the ray's parameter where it enters the leaf's cell, or its range
+};
+
+/// Appends what is to be kept for a leaf's items; `cell` is the leaf's.
+using PackLeaf = std::function<void(std::span<const std::uint32_t> items, const Box& cell,
+                                    std::vector<float>& packs)>;
+
 class KdTree {
 public:
     static constexpr int depth_limit = 60;
@@ -81,7 +99,8 @@ public:
     KdTree() = default;
 
     /// Calls visit(std::span<const std::uint32_t> items, Interval& range) -> bool for each leaf
-    /// with items that the ray passes within the range, front to back. visit may lower range.max
+    /// with items that the ray passes within the range, front to back; or visit(const KdLeaf&,
+    /// Interval& range), of a tree that is packed. visit may lower range.max
     /// when it found a hit; leaves behind it are left out. When visit returns true, traversal stops
     /// and returns true. An item may be visited several times.
     template <class Visit>
@@ -96,6 +115,9 @@ public:
     const KdTreeSettings& settings() const { return settings_; }
     std::size_t memory_bytes() const;
 
+    /// Has each leaf with items keep what the function appends for it, beside their numbers.
+    void pack(const PackLeaf&);
+
 private:
     friend KdTree build_kdtree(std::span<const Box>, const ClipItem&, const KdTreeSettings&, int);
     KdTree(const Box& bounds, std::vector<KdNode> nodes, std::vector<std::uint32_t> items,
@@ -109,6 +131,7 @@ private:
     Box bounds_;
     std::vector<KdNode> nodes_;
     std::vector<std::uint32_t> items_;
+    std::vector<float> packs_;
     KdTreeSettings settings_;
 };
 
@@ -125,24 +148,29 @@ KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
 template <class Visit>
 bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
     if (nodes_.empty()) return false;
-    const Interval inside = clip(ray, bounds_, range);
-    if (!(inside.min <= inside.max)) return false;
-
     // For a zero component of the direction, planes lie at plus or minus infinity, or at NaN for an
-    // origin on the plane: each comparison below is written so that NaN takes both halves.
+    // origin on the plane: each comparison is written so that NaN cuts off nothing.
     std::array<double, 3> inverse;
     std::array<std::uint32_t, 3> backward;
+    const std::array<const Vec3*, 2> corners = {&bounds_.low, &bounds_.high};
+    double min = range.min;
+    double max = range.max;
     for (int axis = 0; axis < 3; ++axis) {
         inverse[axis] = 1 / ray.direction[axis];
         backward[axis] = std::signbit(ray.direction[axis]);
+        const Vec3 &first = *corners[backward[axis]], &last = *corners[backward[axis] ^ 1];
+        const double near = (first[axis] - ray.origin[axis]) * inverse[axis];
+        const double far = (last[axis] - ray.origin[axis]) * inverse[axis];
+        min = near > min ? near : min;
+        max = far < max ? far : max;
     }
+    if (!(min <= max)) return false;
     const std::array<double, 3> origin = {ray.origin.x, ray.origin.y, ray.origin.z};
 
     std::array<Pending, depth_limit> pending;
     std::size_t pending_count = 0;
-    double min = inside.min;
-    double max = inside.max;
-    const KdNode* node = nodes_.data();
+    const KdNode* const nodes = nodes_.data();
+    const KdNode* node = nodes;
     for (;;) {
         while (!node->is_leaf()) {
             const std::uint32_t axis = node->axis();
@@ -150,22 +178,27 @@ bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
             const std::uint32_t near = node->first_child() + backward[axis];
             const std::uint32_t far = node->first_child() + (backward[axis] ^ 1);
             if (t > max) {
-                node = &nodes_[near];
+                node = nodes + near;
             } else if (t < min) {
-                node = &nodes_[far];
+                node = nodes + far;
             } else {
                 pending[pending_count++] = {far, t > min ? t : min, max};
                 max = t < max ? t : max;
-                node = &nodes_[near];
+                node = nodes + near;
             }
         }
         if (const std::uint32_t count = node->item_count(); count > 0) {
-            if (visit(std::span(items_).subspan(node->first_item(), count), range)) return true;
+            const auto items = std::span(items_).subspan(node->first_item(), count);
+            if constexpr (std::invocable<Visit, const KdLeaf&, Interval&>) {
+                if (visit(KdLeaf{items, packs_.data() + node->pack(), min}, range)) return true;
+            } else {
+                if (visit(items, range)) return true;
+            }
         }
         if (pending_count == 0) return false;
         const Pending& next = pending[--pending_count];
         if (next.min > range.max) return false;
-        node = &nodes_[next.node];
+        node = nodes + next.node;
         min = next.min;
         max = next.max < range.max ? next.max : range.max;
     }

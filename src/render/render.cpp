@@ -39,7 +39,8 @@ public:
           hooks_(hooks),
           blur_(blur_rule(world, settings)),
           tracing_{shadow_rays_per_hit(world, settings), hooks.counts_lights || hooks.extras.lights,
-                   hooks.extras.alpha} {}
+                   hooks.extras.alpha},
+          fresh_tracers_(tracers_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -82,7 +83,7 @@ private:
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (stopped_ || !wants(tiles[i], level)) return;
-            Work work{tracers_of_moments()};
+            Work work{fresh_tracers_};
             const std::uint64_t made = make_tile(work, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
@@ -164,6 +165,8 @@ private:
     const RenderHooks& hooks_;
     std::optional<BlurRule> blur_;
     Tracing tracing_;
+    /// To be copied: to find out what is around the camera takes a look at every object.
+    const std::vector<Tracer> fresh_tracers_;
     std::mutex mutex_;
     RayCounts rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether

@@ -2,6 +2,7 @@
 #include "world/compile.h"
 
 #include "luminaire/brightness.h"
+#include "shape/leaf_pack.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"
@@ -37,6 +38,25 @@ Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {
         return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
     }
     return clip(item_bounds(world, item), cell);
+}
+
+void build_tree(World& world, const std::vector<Box>& boxes, int threads) {
+    world.tree = build_kdtree(
+        boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
+        {}, threads);
+    const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
+    const auto faces = static_cast<std::uint32_t>(world.triangles.size());
+    const PackedKinds kinds{
+        spheres, spheres + faces,
+        [&](std::uint32_t item) {
+            return PackedKinds::Ball{world.spheres[item].centre, world.spheres[item].radius};
+        },
+        [&](std::uint32_t item) {
+            const TrianglePrimitive& t = world.triangles[item - spheres];
+            return std::array{t.corner1, t.corner2, t.corner3};
+        }};
+    world.tree.pack([&](std::span<const std::uint32_t> items, const Box& cell,
+                        std::vector<float>& packs) { pack_leaf(kinds, items, cell, packs); });
 }
 
 /// The planes of a scene in world space: where points to be lit may be, besides the bounded
@@ -121,9 +141,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = item_bounds(world, item);
     for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
-    world.tree = build_kdtree(
-        boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
-        {}, options.threads);
+    build_tree(world, boxes, options.threads);
     note_luminaires(world);
     map_brightness(world);
     if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)

@@ -2,6 +2,7 @@
 // The questions that rays ask of a world.
 #include "world/world.h"
 
+#include "shape/leaf_pack.h"
 #include "shape/uv.h"
 
 #include <algorithm>
@@ -125,12 +126,12 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
             meet(item, ray, range, best);
     };
     for (const std::uint32_t item : unbounded) ask(item);
-    tree.traverse(ray, {tolerance, best.t},
-                  [&](std::span<const std::uint32_t> items, Interval& left) {
-                      for (const std::uint32_t item : items) ask(item);
-                      left.max = best.t;
-                      return false;
-                  });
+    PackRay packed(ray);
+    tree.traverse(ray, {tolerance, best.t}, [&](const KdLeaf& leaf, Interval& left) {
+        packed.candidates(leaf, left, [&](std::uint32_t item) { return ask(item), false; });
+        left.max = best.t;
+        return false;
+    });
     if (best.primitive == no_primitive) return false;
     hit = complete(ray, best);
     return true;
@@ -248,10 +249,10 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         return opaque_between(item, ray, range);
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
-    const bool blocked =
-        tree.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
-            return std::ranges::any_of(items, blocks);
-        });
+    PackRay packed(ray);
+    const bool blocked = tree.traverse(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
+        return packed.candidates(leaf, whole, blocks);
+    });
     if (blocked) return Vec3(0);
 
     // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that

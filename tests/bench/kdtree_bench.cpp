@@ -9,10 +9,12 @@
 #include "index/kdtree.h"
 #include "index/statistics.h"
 #include "rays.h"
+#include "shape/leaf_pack.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <type_traits>
 
 namespace {
 
@@ -84,31 +86,46 @@ struct Hit {
     std::uint32_t item = 0;
 };
 
+/// Calls ask(item) -> bool for the balls that the ray may meet in a leaf.
+template <class Ask>
+bool ask_leaf(PackRay& packed, const KdLeaf& leaf, const Interval& range, Ask ask) {
+    return packed.candidates(leaf, range, ask);
+}
+template <class Ask>
+bool ask_leaf(PackRay&, std::span<const std::uint32_t> items, const Interval&, Ask ask) {
+    return std::ranges::any_of(items, ask);
+}
+
+/// What the index calls its leaves.
+template <class Index>
+using LeafOf = std::conditional_t<std::is_same_v<Index, KdTree>, const KdLeaf&,
+                                  std::span<const std::uint32_t>>;
+
 template <class Index>
 Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray) {
     Hit hit;
-    index.traverse(ray, {0, far_away}, [&](std::span<const std::uint32_t> items, Interval& range) {
-        for (const std::uint32_t item : items) {
+    PackRay packed(ray);
+    index.traverse(ray, {0, far_away}, [&](LeafOf<Index> leaf, Interval& range) {
+        return ask_leaf(packed, leaf, range, [&](std::uint32_t item) {
             const double t = meet(balls[item], ray, range);
             if (t < range.max) {
                 range.max = t;
                 hit = {t, item};
             }
-        }
-        return false;
+            return false;
+        });
     });
     return hit;
 }
 
 template <class Index>
 bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray, double distance) {
-    return index.traverse(ray, {0, distance},
-                          [&](std::span<const std::uint32_t> items, Interval& range) {
-                              for (const std::uint32_t item : items) {
-                                  if (meet(balls[item], ray, range) < range.max) return true;
-                              }
-                              return false;
-                          });
+    PackRay packed(ray);
+    return index.traverse(ray, {0, distance}, [&](LeafOf<Index> leaf, Interval& range) {
+        return ask_leaf(packed, leaf, range, [&](std::uint32_t item) {
+            return meet(balls[item], ray, range) < range.max;
+        });
+    });
 }
 
 Vec3 sphere_point(std::mt19937_64& random) {
@@ -167,10 +184,24 @@ void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
 }
 #endif
 
-void run(int depth) {
-    const std::vector<Ball> balls = flakes(depth);
+KdTree tree_of(const std::vector<Ball>& balls, const KdTreeSettings& settings) {
     std::vector<Box> boxes;
     for (const Ball& b : balls) boxes.push_back(bounds(b));
+    KdTree tree = build_kdtree(
+        boxes, [&](std::uint32_t i, const Box& cell) { return clipped(balls[i], cell); }, settings,
+        1);
+    const auto count = static_cast<std::uint32_t>(balls.size());
+    const auto ball = [&](std::uint32_t i) {
+        return PackedKinds::Ball{balls[i].centre, balls[i].radius};
+    };
+    tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
+        pack_leaf({count, count, ball, {}}, items, cell, out);
+    });
+    return tree;
+}
+
+void run(int depth) {
+    const std::vector<Ball> balls = flakes(depth);
     KdTreeSettings settings;
     double leaf_size = settings.leaf_size;
     read_setting("TRAVERSAL_COST", settings.traversal_cost);
@@ -180,9 +211,7 @@ void run(int depth) {
     settings.leaf_size = static_cast<int>(leaf_size);
 
     const double start = seconds();
-    const KdTree tree = build_kdtree(
-        boxes, [&](std::uint32_t i, const Box& cell) { return clipped(balls[i], cell); }, settings,
-        1);
+    const KdTree tree = tree_of(balls, settings);
     const double build_time = seconds() - start;
     const KdTreeStatistics s = statistics(tree);
     std::printf(
@@ -202,15 +231,15 @@ void run(int depth) {
     const auto blocks = [&](const auto& index) {
         return [&](const Segment& r) { return blocked(index, balls, r.ray, r.length); };
     };
-    const Speed camera = measure(rays.camera, 1, meets(tree));
-    const Speed bounce = measure(rays.bounce, 1, meets(tree));
-    const Speed shadow = measure(rays.shadow, 1, blocks(tree));
     if (balls.size() < 100000) {
         const BruteForce brute(balls.size());
         const std::size_t step = 1 + balls.size() / 100;
-        print_speed("camera M/s", "brute force", camera, measure(rays.camera, step, meets(brute)));
-        print_speed("bounce M/s", "brute force", bounce, measure(rays.bounce, step, meets(brute)));
-        print_speed("shadow M/s", "brute force", shadow, measure(rays.shadow, step, blocks(brute)));
+        print_speed("camera M/s", "brute force", measure(rays.camera, 1, meets(tree)),
+                    measure(rays.camera, step, meets(brute)));
+        print_speed("bounce M/s", "brute force", measure(rays.bounce, 1, meets(tree)),
+                    measure(rays.bounce, step, meets(brute)));
+        print_speed("shadow M/s", "brute force", measure(rays.shadow, 1, blocks(tree)),
+                    measure(rays.shadow, step, blocks(brute)));
     }
 #ifdef WITH_EMBREE
     const double embree_start = seconds();
@@ -221,9 +250,13 @@ void run(int depth) {
                 embree_time, "", build_time / embree_time);
     const auto embree_meets = [&](const Segment& r) { return embree.meets(r); };
     const auto embree_blocks = [&](const Segment& r) { return embree.blocks(r); };
-    print_speed("camera M/s", "Embree", camera, measure(rays.camera, 1, embree_meets));
-    print_speed("bounce M/s", "Embree", bounce, measure(rays.bounce, 1, embree_meets));
-    print_speed("shadow M/s", "Embree", shadow, measure(rays.shadow, 1, embree_blocks));
+    const auto versus = [&](const char* what, const auto& segments, auto ours, auto theirs) {
+        const auto [mine, other] = compare(segments, ours, theirs);
+        print_speed(what, "Embree", mine, other);
+    };
+    versus("camera M/s", rays.camera, meets(tree), embree_meets);
+    versus("bounce M/s", rays.bounce, meets(tree), embree_meets);
+    versus("shadow M/s", rays.shadow, blocks(tree), embree_blocks);
 #else
     std::printf("%-12s %12.3f\n", "build s", build_time);
 #endif

@@ -6,6 +6,7 @@
 // light above (any hit). One thread everywhere.
 #include "index/kdtree.h"
 #include "rays.h"
+#include "shape/leaf_pack.h"
 #include "shape/triangle.h"
 
 #include <array>
@@ -52,30 +53,47 @@ struct Found {
     std::uint32_t face = 0;
 };
 
+KdTree tree_of(const Surface& mesh, const KdTreeSettings& settings) {
+    std::vector<Box> boxes;
+    for (const Triangle& face : mesh.flat) boxes.push_back(bounds(face));
+    KdTree tree = build_kdtree(
+        boxes, [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
+        settings, 1);
+    const auto corners = [&](std::uint32_t i) {
+        const Triangle& face = mesh.flat[i];
+        return std::array{face.corner1, face.corner2, face.corner3};
+    };
+    const auto count = static_cast<std::uint32_t>(mesh.flat.size());
+    tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
+        pack_leaf({0, count, {}, corners}, items, cell, out);
+    });
+    return tree;
+}
+
 Found first_hit(const KdTree& tree, const Surface& mesh, const Ray& ray) {
     Found found;
     const ShearedRay sheared(ray);
-    tree.traverse(ray, {0, far_away}, [&](std::span<const std::uint32_t> items, Interval& range) {
-        for (const std::uint32_t item : items) {
+    PackRay packed(ray);
+    tree.traverse(ray, {0, far_away}, [&](const KdLeaf& leaf, Interval& range) {
+        return packed.candidates(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             const TriangleHit met = sheared.meet(f.corner1, f.corner2, f.corner3, range);
             if (met.t < range.max) range.max = met.t, found = {met.t, item};
-        }
-        return false;
+            return false;
+        });
     });
     return found;
 }
 
 bool blocked(const KdTree& tree, const Surface& mesh, const Ray& ray, double distance) {
     const ShearedRay sheared(ray);
-    return tree.traverse(
-        ray, {0, distance}, [&](std::span<const std::uint32_t> items, Interval& range) {
-            for (const std::uint32_t item : items) {
-                const Triangle& f = mesh.flat[item];
-                if (sheared.meet(f.corner1, f.corner2, f.corner3, range).t < range.max) return true;
-            }
-            return false;
+    PackRay packed(ray);
+    return tree.traverse(ray, {0, distance}, [&](const KdLeaf& leaf, Interval& range) {
+        return packed.candidates(leaf, range, [&](std::uint32_t item) {
+            const Triangle& f = mesh.flat[item];
+            return sheared.meet(f.corner1, f.corner2, f.corner3, range).t < range.max;
         });
+    });
 }
 
 Rays make_rays(const KdTree& tree, const Surface& mesh, int width) {
@@ -104,10 +122,9 @@ Rays make_rays(const KdTree& tree, const Surface& mesh, int width) {
     return rays;
 }
 
-/// Million rays a second.
-template <class Shoot>
-double speed(const std::vector<Segment>& rays, Shoot shoot) {
-    return 1e-6 * measure(rays, 1, shoot).rays_per_second;
+void print_speed(const char* what, const Speed& ours, const Speed& theirs) {
+    std::printf("%s M/s %8.3f   Embree %8.3f   ratio %6.2f\n", what, 1e-6 * ours.rays_per_second,
+                1e-6 * theirs.rays_per_second, ours.rays_per_second / theirs.rays_per_second);
 }
 
 #ifdef WITH_EMBREE
@@ -129,14 +146,10 @@ void fill(RTCGeometry geometry, const Surface& mesh) {
 
 int main(int argc, char** argv) {
     const Surface mesh = bumpy_ball(argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 500);
-    std::vector<Box> boxes;
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) boxes.push_back(bounds(mesh.flat[i]));
     KdTreeSettings settings;
     read_setting("INTERSECTION_COST", settings.intersection_cost);
     double start = seconds();
-    const KdTree tree = build_kdtree(
-        boxes, [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
-        settings, 1);
+    const KdTree tree = tree_of(mesh, settings);
     const double build = seconds() - start;
     std::printf("%zu triangles, %.1f bytes each, built in %.2f s\n", mesh.faces.size(),
                 static_cast<double>(tree.memory_bytes()) / static_cast<double>(mesh.faces.size()),
@@ -144,20 +157,22 @@ int main(int argc, char** argv) {
     const Rays rays = make_rays(tree, mesh, 512);
     const auto meets = [&](const Segment& s) { return first_hit(tree, mesh, s.ray).t < far_away; };
     const auto blocks = [&](const Segment& s) { return blocked(tree, mesh, s.ray, s.length); };
-    const std::array ours = {speed(rays.camera, meets), speed(rays.bounce, meets),
-                             speed(rays.shadow, blocks)};
-    std::array<double, 3> theirs{};
 #ifdef WITH_EMBREE
     start = seconds();
     const Embree embree(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_SCENE_FLAG_ROBUST,  // watertight, as ours
                         [&](RTCGeometry geometry) { fill(geometry, mesh); });
     std::printf("Embree: built in %.2f s\n", seconds() - start);
     const auto embree_meets = [&](const Segment& s) { return embree.meets(s); };
-    theirs = {speed(rays.camera, embree_meets), speed(rays.bounce, embree_meets),
-              speed(rays.shadow, [&](const Segment& s) { return embree.blocks(s); })};
+    const auto versus = [&](const char* what, const auto& segments, auto ours, auto theirs) {
+        const auto [mine, other] = compare(segments, ours, theirs);
+        print_speed(what, mine, other);
+    };
+    versus("camera", rays.camera, meets, embree_meets);
+    versus("bounce", rays.bounce, meets, embree_meets);
+    versus("shadow", rays.shadow, blocks, [&](const Segment& s) { return embree.blocks(s); });
+#else
+    print_speed("camera", measure(rays.camera, 1, meets), {});
+    print_speed("bounce", measure(rays.bounce, 1, meets), {});
+    print_speed("shadow", measure(rays.shadow, 1, blocks), {});
 #endif
-    constexpr std::array names = {"camera", "bounce", "shadow"};
-    for (std::size_t i = 0; i < 3; ++i)
-        std::printf("%s M/s %8.3f   Embree %8.3f   ratio %6.2f\n", names[i], ours[i], theirs[i],
-                    theirs[i] > 0 ? ours[i] / theirs[i] : 0);
 }

@@ -73,19 +73,19 @@ inline double meet(const Item& item, const Ray& ray, const Interval& range) {
     return range.contains(crossed.max) ? crossed.max : no_hit;
 }
 
-struct Hit {
+struct ItemHit {
     double t = no_hit;
     std::uint32_t item = ~0u;
 
-    bool operator==(const Hit&) const = default;
+    bool operator==(const ItemHit&) const = default;
 };
 
 /// Among hits at the same place the lowest item counts, so that the order of visits does not
 /// matter.
 template <class Index>
-Hit first_hit(const Index& index, const std::vector<Item>& items, const Ray& ray,
-              Interval whole = {}) {
-    Hit hit;
+ItemHit first_hit(const Index& index, const std::vector<Item>& items, const Ray& ray,
+                  Interval whole = {}) {
+    ItemHit hit;
     index.traverse(ray, whole, [&](std::span<const std::uint32_t> leaf, Interval& range) {
         for (const std::uint32_t i : leaf) {
             const double t = meet(items[i], ray, whole);
@@ -184,13 +184,13 @@ inline std::vector<Item> moved(std::vector<Item> items, double scale, const Vec3
     return items;
 }
 
-struct Scene {
+struct ItemScene {
     std::string name;
     std::vector<Item> items;
 };
 
-inline std::vector<Scene> scenes() {
-    std::vector<Scene> all = {
+inline std::vector<ItemScene> scenes() {
+    std::vector<ItemScene> all = {
         {"one ball", random_balls(1, 0.5, 0.5, 1)},
         {"small balls", random_balls(500, 0.01, 0.1, 2)},
         {"overlapping balls", random_balls(200, 0.2, 1, 3)},

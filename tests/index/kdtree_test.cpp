@@ -93,7 +93,7 @@ int disagreements(const KdTree& tree, const std::vector<Item>& items, const RayK
     int result = 0;
     for (int i = 0; i < count; ++i) {
         const Ray ray = kind.make(random, items, tree);
-        const Hit expected = first_hit(brute, items, ray);
+        const ItemHit expected = first_hit(brute, items, ray);
         const double end = expected.t < no_hit ? expected.t * uniform(random, 0.5, 2) : no_hit;
         const Interval part{random() % 2 ? 0 : end * 0.25, end};
         const bool agree =
@@ -115,7 +115,7 @@ constexpr auto never = [](std::span<const std::uint32_t>, Interval&) { return tr
 }  // namespace
 
 TEST_CASE("the kd-tree finds the hits that brute force finds", "[index]") {
-    for (const Scene& scene : scenes()) {
+    for (const ItemScene& scene : scenes()) {
         const KdTree tree = tree_of(scene.items);
         for (const RayKind& kind : ray_kinds) {
             CAPTURE(scene.name, kind.name);

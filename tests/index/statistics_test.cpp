@@ -29,7 +29,7 @@ TEST_CASE("a kd-tree of one leaf", "[index]") {
 }
 
 TEST_CASE("the counts of a kd-tree agree with each other", "[index]") {
-    for (const Scene& scene : scenes()) {
+    for (const ItemScene& scene : scenes()) {
         CAPTURE(scene.name);
         const KdTree tree = tree_of(scene.items);
         const KdTreeStatistics s = statistics(tree);

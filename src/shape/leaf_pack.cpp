@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/leaf_pack.h"
+
+#include "base/every_machine.h"
+
+#include <cstring>
+
+namespace {
+
+using Lanes [[gnu::vector_size(sizeof(float) * pack_lanes)]] = float;
+using Marks [[gnu::vector_size(sizeof(float) * pack_lanes)]] = std::int32_t;
+
+// Bounds of rounding errors, as shares of the numbers that they come from. They are generous: a
+// lane too many costs an exact test, one too few a hole.
+constexpr double float_error = 0x1p-19;
+constexpr double double_error = 0x1p-46;
+/// Below this, products lose their digits.
+constexpr float tiny = 1e-36f;
+
+float rounded_up(double x) {
+    const auto nearest = static_cast<float>(x);
+    return nearest < x ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
+}
+
+[[gnu::always_inline]] inline void load(Lanes& lanes, const float* row) {
+    std::memcpy(&lanes, row, sizeof lanes);
+}
+
+/// A bit for each lane that is not ruled out.
+[[gnu::always_inline]] inline std::uint32_t lanes_left(const Marks& ruled_out) {
+    constexpr Marks bits = {1, 2, 4, 8, 16, 32, 64, 128};
+    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4>>(~ruled_out & bits);
+    const std::uint64_t pairs = (quarters[0] | quarters[2]) | (quarters[1] | quarters[3]);
+    return static_cast<std::uint32_t>(pairs | pairs >> 32);
+}
+
+}  // namespace
+
+void pack_leaf(const PackedKinds& kinds, std::span<const std::uint32_t> items, const Box& cell,
+               std::vector<float>& packs) {
+    const Vec3 middle = cell.centre();
+    const std::array anchor = {static_cast<float>(middle.x), static_cast<float>(middle.y),
+                               static_cast<float>(middle.z)};
+    const Vec3 from(anchor[0], anchor[1], anchor[2]);
+    const auto triangles_begin = std::ranges::lower_bound(items, kinds.triangles_begin);
+    const auto others_begin = std::ranges::lower_bound(items, kinds.others_begin);
+    const auto spheres = static_cast<std::uint32_t>(triangles_begin - items.begin());
+    const auto triangles = static_cast<std::uint32_t>(others_begin - triangles_begin);
+    const double size = length(cell.size());
+    double reach = size + max_abs_component(middle - from);
+
+    const std::size_t head = packs.size();
+    packs.resize(head + pack_head + 4 * std::size_t{spheres} + 9 * std::size_t{triangles});
+    float* row = packs.data() + head + pack_head;
+    for (std::uint32_t i = 0; i < spheres; ++i) {
+        const auto [centre, radius] = kinds.sphere(items[i]);
+        for (int axis = 0; axis < 3; ++axis)
+            row[axis * spheres + i] = static_cast<float>(centre[axis] - from[axis]);
+        row[3 * spheres + i] = rounded_up(radius + float_error * (radius + reach));
+    }
+    row += 4 * std::size_t{spheres};
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        const auto corners = kinds.corners(items[spheres + i]);
+        for (std::size_t k = 0; k < 9; ++k) {
+            const int axis = static_cast<int>(k % 3);
+            const double x = corners[k / 3][axis] - from[axis];
+            reach = std::fmax(reach, std::abs(x));
+            row[k * triangles + i] = static_cast<float>(x);
+        }
+    }
+    std::ranges::copy(anchor, packs.begin() + static_cast<std::ptrdiff_t>(head));
+    packs[head + 3] = rounded_up(2 * reach);
+    packs[head + 4] = std::bit_cast<float>(spheres);
+    packs[head + 5] = std::bit_cast<float>(triangles);
+}
+
+void PackRay::prepare() {
+    length_ = length(direction_);
+    // Directions that have no length in numbers rule out nothing: comparisons with NaN fail.
+    if (!(length_ > 1e-150 && length_ < 1e150)) length_ = std::numeric_limits<double>::quiet_NaN();
+    for (int axis = 0; axis < 3; ++axis)
+        along_[axis] = static_cast<float>(direction_[axis] / length_);
+    const Vec3 size = glm::abs(direction_);
+    z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    x_ = (z_ + 1) % 3;
+    y_ = (x_ + 1) % 3;
+    shear_ = {static_cast<float>(direction_[x_] / direction_[z_]),
+              static_cast<float>(direction_[y_] / direction_[z_])};
+}
+
+void PackRay::start(const KdLeaf& leaf, const Interval& range) {
+    if (length_ == 0) prepare();
+    double largest = std::abs(leaf.entry) * length_;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double from = leaf.pack[axis];
+        point_[axis] = static_cast<float>(origin_[axis] - from + leaf.entry * direction_[axis]);
+        largest += std::abs(origin_[axis]);
+    }
+    slack_ = static_cast<float>(double_error * largest);
+    least_ = static_cast<float>((range.min - leaf.entry) * length_);
+    most_ = static_cast<float>((range.max - leaf.entry) * length_);
+    reach_ = leaf.pack[3];
+    margin_ = reach_ * (static_cast<float>(float_error) * reach_ + 16 * slack_) + tiny;
+}
+
+/// By the distance of the closest approach, and by where the ray enters and leaves the sphere.
+CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_spheres(const float* rows,
+                                                             std::size_t stride) const {
+    Lanes x, y, z, radius;
+    load(x, rows);
+    load(y, rows + stride);
+    load(z, rows + 2 * stride);
+    load(radius, rows + 3 * stride);
+    x = x - point_[0];
+    y = y - point_[1];
+    z = z - point_[2];
+    radius = radius + slack_;
+    const Lanes along = x * along_[0] + y * along_[1] + z * along_[2];
+    x = x - along * along_[0];
+    y = y - along * along_[1];
+    z = z - along * along_[2];
+    const Lanes spare = radius * radius + tiny - (x * x + y * y + z * z);
+    Lanes half;
+    for (std::size_t i = 0; i < pack_lanes; ++i) half[i] = std::sqrt(spare[i]);
+    const Lanes pad = static_cast<float>(float_error) * (radius + reach_) + slack_;
+    return lanes_left((spare < 0) | (along - half > most_ + pad) | (along + half < least_ - pad));
+}
+
+/// As ShearedRay does.
+CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_triangles(const float* rows,
+                                                               std::size_t stride) const {
+    std::array<Lanes, 3> x, y;
+    const float x0 = point_[x_], y0 = point_[y_], z0 = point_[z_];
+    for (int corner = 0; corner < 3; ++corner) {
+        const float* const first = rows + 3 * corner * stride;
+        Lanes z;
+        load(x[corner], first + x_ * stride);
+        load(y[corner], first + y_ * stride);
+        load(z, first + z_ * stride);
+        z = z - z0;
+        x[corner] = x[corner] - x0 - shear_[0] * z;
+        y[corner] = y[corner] - y0 - shear_[1] * z;
+    }
+    const Lanes u = x[2] * y[1] - y[2] * x[1];
+    const Lanes v = x[0] * y[2] - y[0] * x[2];
+    const Lanes w = x[1] * y[0] - y[1] * x[0];
+    const Marks left = (u < -margin_) | (v < -margin_) | (w < -margin_);
+    const Marks right = (u > margin_) | (v > margin_) | (w > margin_);
+    return lanes_left(left & right);
+}

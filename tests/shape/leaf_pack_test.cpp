@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/leaf_pack.h"
+
+#include "shape/sphere.h"
+#include "shape/triangle.h"
+#include "support/draw.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// Spheres, then triangles, then boxes that are asked by everyone.
+struct Things {
+    std::vector<Sphere> spheres;
+    std::vector<Triangle> triangles;
+    std::size_t others = 0;
+
+    std::size_t size() const { return spheres.size() + triangles.size() + others; }
+    PackedKinds kinds() const {
+        const auto first = static_cast<std::uint32_t>(spheres.size());
+        return {first, first + static_cast<std::uint32_t>(triangles.size()),
+                [this](std::uint32_t i) {
+                    return PackedKinds::Ball{spheres[i].centre, spheres[i].radius};
+                },
+                [this, first](std::uint32_t i) {
+                    const Triangle& t = triangles[i - first];
+                    return std::array{t.corner1, t.corner2, t.corner3};
+                }};
+    }
+    /// Where the ray meets the item; range.max when it does not.
+    double meet(std::uint32_t item, const Ray& ray, const Interval& range) const {
+        if (item < spheres.size())
+            return first_crossing(spheres[item].centre, spheres[item].radius, ray, range);
+        const Triangle& t = triangles[item - spheres.size()];
+        return first_crossing(t.corner1, t.corner2, t.corner3, ray, range).t;
+    }
+};
+
+/// In a ball of that size around the centre; some are a thousand times larger or smaller.
+Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw) {
+    Things made;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double own = size * 0.2 * (i % 7 == 0 ? std::pow(10, draw.between(-3, 3)) : 1);
+        const Vec3 place = centre + size * draw.point() + (own > size ? own : 0) * draw.direction();
+        made.spheres.push_back({place, own});
+        made.triangles.push_back(
+            {place + own * draw.point(), place + own * draw.point(), place + own * draw.point()});
+    }
+    return made;
+}
+
+/// A tree of one leaf with all things.
+KdTree one_leaf(const Things& things, const Vec3& centre, double size) {
+    const std::vector<Box> boxes(things.size(), Box{centre - Vec3(size), centre + Vec3(size)});
+    KdTree tree = build_kdtree(boxes, {}, {.max_depth = 1, .leaf_size = 1 << 20}, 1);
+    tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
+        pack_leaf(things.kinds(), items, cell, out);
+    });
+    return tree;
+}
+
+struct Candidates {
+    std::vector<bool> asked;
+    std::size_t count = 0;
+};
+
+Candidates candidates(const KdTree& tree, const Things& things, const Ray& ray,
+                      const Interval& range) {
+    Candidates found{std::vector<bool>(things.size())};
+    PackRay packed(ray);
+    tree.traverse(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
+        return packed.candidates(leaf, whole, [&](std::uint32_t item) {
+            found.asked[item] = true;
+            ++found.count;
+            return false;
+        });
+    });
+    return found;
+}
+
+/// From anywhere to a point in the middle, to a sphere's rim or to a triangle's edge.
+Ray aimed(const Things& things, const Vec3& centre, double size, Draw& draw) {
+    const double far = std::pow(10, draw.between(-2, 4));
+    const Vec3 from = centre + size * far * draw.direction();
+    Vec3 target = centre + size * draw.point();
+    const auto pick =
+        static_cast<std::size_t>(draw.number() * static_cast<double>(things.spheres.size()));
+    const double choice = draw.number();
+    if (choice < 0.3) {
+        const Triangle& t = things.triangles[pick];
+        target = t.corner1 + draw.number() * (t.corner2 - t.corner1);
+    } else if (choice < 0.6) {
+        const Sphere& s = things.spheres[pick];
+        target = s.centre + s.radius * unit(cross(s.centre - from, draw.direction()));
+    }
+    return {from, std::pow(10, draw.between(-2, 2)) * unit(target - from)};
+}
+
+void rule_out_nothing(std::size_t rays) {
+    struct Place {
+        Vec3 centre;
+        double size;
+    };
+    const Place places[] = {{Vec3(0), 1},      {Vec3(0.3, 5, -2), 0.01}, {Vec3(1e6, -1e6, 1e6), 1},
+                            {Vec3(1e6), 1e-5}, {Vec3(0), 1e-12},         {Vec3(3e12), 1e9},
+                            {Vec3(0), 1e25},   {Vec3(0), 1e-30}};
+    Draw draw(1);
+    for (const auto& [centre, size] : places) {
+        CAPTURE(size);
+        const Things things = scattered(21, centre, size, draw);
+        const KdTree tree = one_leaf(things, centre, size);
+        std::size_t lost = 0, met = 0;
+        for (std::size_t i = 0; i < rays; ++i) {
+            const Ray ray = aimed(things, centre, size, draw);
+            const double there = length(centre - ray.origin) / length(ray.direction);
+            const Interval range{draw.between(-1, 1) * there, draw.between(0.5, 2) * there};
+            const Candidates found = candidates(tree, things, ray, range);
+            // Rays that pass by the leaf ask nothing.
+            if (!(found.count > 0)) continue;
+            for (std::uint32_t item = 0; item < things.size(); ++item) {
+                const bool meets = things.meet(item, ray, range) < range.max;
+                met += meets;
+                lost += meets && !found.asked[item];
+            }
+        }
+        CHECK(lost == 0);
+        CHECK(met > rays / 10);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("packs rule out nothing that rays meet", "[shape]") { rule_out_nothing(3000); }
+
+TEST_CASE("packs rule out nothing that millions of rays meet", "[.long]") {
+    rule_out_nothing(300'000);
+}
+
+TEST_CASE("packs rule out nearly all that rays miss", "[shape]") {
+    Draw draw(2);
+    for (const Vec3& centre : {Vec3(0), Vec3(1e6)}) {
+        Things things;
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 place = centre + draw.point();
+            things.spheres.push_back({place, 0.1});
+            things.triangles.push_back({place + 0.1 * draw.point(), place + 0.1 * draw.point(),
+                                        place + 0.1 * draw.point()});
+        }
+        const KdTree tree = one_leaf(things, centre, 1);
+        std::size_t asked = 0, met = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 from = centre + 3.0 * draw.direction();
+            const Ray ray{from, unit(centre + 0.5 * draw.point() - from)};
+            const Interval range{0, draw.between(1, 5)};
+            asked += candidates(tree, things, ray, range).count;
+            for (std::uint32_t item = 0; item < things.size(); ++item)
+                met += things.meet(item, ray, range) < range.max;
+        }
+        CHECK(met > 1000);
+        // Triangles beyond the end of the range are asked.
+        CHECK(asked < 3 * met / 2);
+    }
+}
+
+TEST_CASE("what is neither sphere nor triangle is always asked", "[shape]") {
+    Things things;
+    things.spheres = {{Vec3(50), 0.1}, {Vec3(0), 0.1}};
+    things.others = 3;
+    const KdTree tree = one_leaf(things, Vec3(0), 1);
+    const Ray ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)};
+    CHECK(candidates(tree, things, ray, {}).asked ==
+          std::vector<bool>{false, true, true, true, true});
+    // Nothing can be said of a ray without a direction.
+    PackRay still({Vec3(0), Vec3(0)});
+    std::size_t asked = 0;
+    tree.traverse(ray, {}, [&](const KdLeaf& leaf, const Interval& range) {
+        return still.candidates(leaf, range, [&](std::uint32_t) { return ++asked == 4; });
+    });
+    CHECK(asked == 4);
+}
+
+TEST_CASE("without packs everything is asked", "[shape]") {
+    const KdTree tree = build_kdtree(std::vector<Box>(3, Box{Vec3(-1), Vec3(1)}), {});
+    const Ray ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)};
+    std::size_t asked = 0;
+    PackRay packed(ray);
+    tree.traverse(ray, {}, [&](const KdLeaf& leaf, const Interval& range) {
+        return packed.candidates(leaf, range, [&](std::uint32_t) { return ++asked, false; });
+    });
+    CHECK(asked == 3);
+}
