@@ -108,11 +108,13 @@ TEST_CASE("the noise of a pattern function is the scene's", "[evaluate]") {
 }
 
 TEST_CASE("the noise of a function is what the scene says when it is called", "[evaluate]") {
-    const auto [script, result] = GENERATE(table<std::string, std::string>({
-        {"P(f(.3, .7, .2))", "0.419692"},
-        {"#version 3.1; P(f(.3, .7, .2)) #version 3.5; P(f(.3, .7, .2))", "0.304346 0.419692"},
-        {"global_settings { noise_generator 1 } P(f(.3, .7, .2))", "0.304346"},
-        {"#version 3.1; global_settings { noise_generator 2 } P(f(.3, .7, .2))", "0.419692"},
+    const std::string function = "#version 3.7; #declare f = function { internal(76) } ";
+    const std::string print = "#debug str(f(.3, .7, .2), 0, 6) ";
+    const auto [script, result] = GENERATE_COPY(table<std::string, std::string>({
+        {print, "0.419692"},
+        {"#version 3.1; " + print + "#version 3.5; " + print, "0.3043460.419692"},
+        {"global_settings { noise_generator 1 } " + print, "0.304346"},
+        {"#version 3.1; global_settings { noise_generator 2 } " + print, "0.419692"},
     }));
-    CHECK(said("#declare f = function { internal(76) } " + script) == result);
+    CHECK(evaluated(function + script).printed == result);
 }

@@ -23,7 +23,7 @@ struct TemporaryFile {
 };
 
 RawPicture two_pixels() {
-    return {2, 1, std::vector<std::uint8_t>{0, 51, 255, 255, 102, 0}, "png", {}};
+    return {2, 1, 3, std::vector<std::uint8_t>{0, 51, 255, 255, 102, 0}, "png", {}};
 }
 
 }  // namespace
