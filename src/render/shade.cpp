@@ -127,7 +127,8 @@ double scattered_density(const Shading& s, const Vec3& direction) {
 Vec3 reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
     if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
-    // Below 0 where a disturbed normal looks away: there POV-Ray reflects more than at grazing angles.
+    // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
+    // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
     const double grazing = r.fresnel ? fresnel(std::fmax(cosine, 0), 1 / ior_ratio)
                                      : std::pow(1 - cosine, r.falloff);

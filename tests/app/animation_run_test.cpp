@@ -113,7 +113,7 @@ TEST_CASE("an error or a stop in one frame leaves nothing of the next") {
     std::mutex mutex;
     shell.interrupts.take = [&] {
         const std::lock_guard lock(mutex);
-        return ++calls == 100 ? Interrupt::stop : Interrupt::none;
+        return ++calls == 10 ? Interrupt::stop : Interrupt::none;
     };
     CHECK(shell.render({"-V", "+KFF3", "+WT2", "+O" + shell.path("f.png")}) ==
           exit_status::stopped);

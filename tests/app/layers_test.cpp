@@ -122,7 +122,7 @@ TEST_CASE("layers are the same by any threads, after a stop, and from shards") {
     const std::string once = bytes({});
     CHECK(bytes({"+WT1"}) == once);
     int calls = 0;
-    shell.interrupts.take = [&] { return ++calls == 700 ? Interrupt::stop : Interrupt::none; };
+    shell.interrupts.take = [&] { return ++calls == 40 ? Interrupt::stop : Interrupt::none; };
     REQUIRE(render(shell, {"+WT1", "+C", "+O" + shell.path("a.exr"), "--layers", "all", "+UA"}) ==
             exit_status::stopped);
     CHECK(bytes({"+C"}) == once);

@@ -23,8 +23,8 @@ TEST_CASE("each light sampler can be chosen", "[evaluate]") {
         CHECK(run("#version 3.7; global_settings { light_sampler { " + name + " { } } }")
                   .scene.settings.light_sampler.index() == kind);
     }
-    for (const char* octree :
-         {"light_octree { threshold 0.5 max_depth 3 }", "light_octree threshold 0.5 max_depth 3"}) {
+    for (const char* octree : {"light_octree { paper threshold 0.5 max_depth 3 }",
+                               "light_octree paper threshold 0.5 max_depth 3"}) {
         const Script done =
             run(std::string("#version 3.7; global_settings { light_sampler { ") + octree + " } }");
         INFO(done.text);
