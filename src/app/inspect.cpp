@@ -16,9 +16,6 @@
 
 namespace {
 
-constexpr auto all_views = std::to_array<std::string_view>(
-    {"picture", "albedo", "normal", "depth", "object", "variance", "samples", "shadow_rays"});
-
 std::size_t pixel_count(const Film& film) { return film.pixels().size(); }
 
 /// What the middle of each pixel shows.
@@ -76,6 +73,39 @@ Image of_film(const Exhibit& shown, const Value& value) {
     return image;
 }
 
+struct NamedView {
+    std::string_view name;
+    Image (*made)(const Exhibit&);
+};
+constexpr auto all_views = std::to_array<NamedView>({
+    {"picture", [](const Exhibit& shown) { return shown.film.image(); }},
+    {"albedo",
+     [](const Exhibit& shown) {
+         return of_sights(shown, [](const FirstSight& seen) { return seen.albedo; });
+     }},
+    {"normal",
+     [](const Exhibit& shown) {
+         return of_sights(shown, [](const FirstSight& seen) { return 0.5 * (seen.normal + 1.0); });
+     }},
+    {"depth", depths},
+    {"object",
+     [](const Exhibit& shown) {
+         return of_sights(shown, [](const FirstSight& seen) { return colour_of(seen.object); });
+     }},
+    {"variance",
+     [](const Exhibit& shown) {
+         return of_film(shown, [](const PixelSum& pixel) { return pixel.variance_of_mean(); });
+     }},
+    {"samples",
+     [](const Exhibit& shown) {
+         return of_film(shown, [](const PixelSum& pixel) { return double(pixel.samples); });
+     }},
+    {"shadow_rays",
+     [](const Exhibit& shown) {
+         return of_film(shown, [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
+     }},
+});
+
 std::string vector_text(const Vec3& v) {
     const auto number = [](double value) { return static_cast<float>(value); };
     return message("<", number(v.x), ", ", number(v.y), ", ", number(v.z), ">");
@@ -113,26 +143,16 @@ std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
 
 }  // namespace
 
-std::vector<std::string_view> views() { return {all_views.begin(), all_views.end()}; }
+std::vector<std::string_view> views() {
+    std::vector<std::string_view> names;
+    for (const NamedView& each : all_views) names.push_back(each.name);
+    return names;
+}
 
 std::optional<Image> view(const Exhibit& shown, std::string_view name) {
-    if (name == "picture") return shown.film.image();
-    if (name == "albedo")
-        return of_sights(shown, [](const FirstSight& seen) { return seen.albedo; });
-    if (name == "normal")
-        return of_sights(shown, [](const FirstSight& seen) { return 0.5 * (seen.normal + 1.0); });
-    if (name == "depth") return depths(shown);
-    if (name == "object")
-        return of_sights(shown, [](const FirstSight& seen) { return colour_of(seen.object); });
-    if (name == "variance")
-        return of_film(shown, [](const PixelSum& pixel) {
-            return pixel.samples > 1 ? pixel.variance_of_mean() : 0.0;
-        });
-    if (name == "samples")
-        return of_film(shown, [](const PixelSum& pixel) { return double(pixel.samples); });
-    if (name == "shadow_rays")
-        return of_film(shown, [](const PixelSum& pixel) { return double(pixel.shadow_rays); });
-    return std::nullopt;
+    const auto found = std::ranges::find(all_views, name, &NamedView::name);
+    if (found == all_views.end()) return std::nullopt;
+    return found->made(shown);
 }
 
 std::string what_is_under(const Exhibit& shown, int x, int y) {

@@ -127,8 +127,7 @@ private:
             case PictureLayer::lights:
                 return add_lights();
             case PictureLayer::variance:
-                return of_film(
-                    [](const PixelSum& p) { return p.samples > 1 ? p.variance_of_mean() : 0.0; });
+                return of_film([](const PixelSum& p) { return p.variance_of_mean(); });
             case PictureLayer::samples:
                 return of_film([](const PixelSum& p) { return p.samples; });
             case PictureLayer::shadow_rays:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "backdrop/sky_light.h"
 
+#include "base/running_sums.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,32 +24,21 @@ Vec3 direction_at(double height, double turn) {
     return {across * std::cos(2 * pi * turn), height, across * std::sin(2 * pi * turn)};
 }
 
-/// Index of the first sum above u, and where u lies between it and the one before.
-struct Found {
-    int index;
-    double within;
-    double share;
-};
-Found search(std::span<const float> sums, double u) {
-    const double at = u * static_cast<double>(sums.back());
-    auto above = std::ranges::upper_bound(sums, static_cast<float>(at));
-    if (above == sums.end()) --above;
-    const auto index = static_cast<int>(above - sums.begin());
-    const double before =
-        index > 0 ? static_cast<double>(sums[static_cast<std::size_t>(index - 1)]) : 0.0;
-    const double share = static_cast<double>(*above) - before;
-    const double within = share > 0 ? (at - before) / share : 0.5;
-    return {index, std::clamp(within, 0.0, 1 - 0x1p-53), share};
-}
-
 double brightness(const Vec3& seen) {
     const double sum = std::max(seen.x, 0.0) + std::max(seen.y, 0.0) + std::max(seen.z, 0.0);
     return std::isfinite(sum) ? sum : 0;
 }
 
-double share_at(std::span<const float> sums, int index) {
-    const auto i = static_cast<std::size_t>(index);
-    return static_cast<double>(sums[i]) - (i > 0 ? static_cast<double>(sums[i - 1]) : 0.0);
+using Sums = std::span<const float>;
+
+/// The sums within a row of cells.
+Sums columns_of(const std::vector<float>& all, std::size_t row) {
+    return Sums(all).subspan(row * column_count, column_count);
+}
+
+/// How far from the left or the top so much of a row or a column ends, 0 to 1.
+double along(const DrawnShare& drawn, int count) {
+    return (static_cast<double>(drawn.index) + drawn.within) / count;
 }
 
 }  // namespace
@@ -80,16 +71,12 @@ SkyLight::Drawn SkyLight::draw(Vec2 place) const {
         direction = direction_at(1 - 2 * v / even_share, place.x);
     } else {
         v = (v - even_share) / (1 - even_share);
-        const Found row = search(rows_, v);
-        const auto columns = std::span(columns_).subspan(
-            static_cast<std::size_t>(row.index) * column_count, column_count);
-        if (!(columns.back() > 0)) {
-            direction = direction_at(1 - (row.index + row.within) * 2 / row_count, place.x);
-        } else {
-            const Found column = search(columns, place.x);
-            direction = direction_at(1 - (row.index + row.within) * 2 / row_count,
-                                     (column.index + column.within) / column_count);
-        }
+        const DrawnShare row = drawn_share(Sums(rows_), v);
+        const Sums columns = columns_of(columns_, row.index);
+        const double height = 1 - 2 * along(row, row_count);
+        direction = direction_at(height, columns.back() > 0
+                                             ? along(drawn_share(columns, place.x), column_count)
+                                             : place.x);
     }
     return {direction, density(direction)};
 }
@@ -101,11 +88,10 @@ double SkyLight::density(const Vec3& direction) const {
     double turn = std::atan2(direction.z, direction.x) / (2 * pi);
     turn -= std::floor(turn);
     const int column = std::clamp(static_cast<int>(turn * column_count), 0, column_count - 1);
-    const auto columns =
-        std::span(columns_).subspan(static_cast<std::size_t>(row) * column_count, column_count);
-    const double of_row = share_at(rows_, row) / static_cast<double>(rows_.back());
+    const Sums columns = columns_of(columns_, static_cast<std::size_t>(row));
+    const double of_row = share_of(Sums(rows_), static_cast<std::size_t>(row));
     const double of_column = columns.back() > 0
-                                 ? share_at(columns, column) / static_cast<double>(columns.back())
+                                 ? share_of(columns, static_cast<std::size_t>(column))
                                  : 1.0 / column_count;
     return even + (1 - even_share) * of_row * of_column / cell_angle;
 }

@@ -78,8 +78,8 @@ public:
     void finish(bool version_given) {
         if (!binder_.evaluator.stopped()) stray_settings_.finish();
         scene_.language_version = version_given ? binder_.evaluator.version() : 3.62;
-        if (!given_.noise_generator && scene_.language_version < 3.5)
-            scene_.settings.noise_generator = 1;
+        const SceneNoise& noise = *binder_.evaluator.noise();
+        if (!noise.given) scene_.settings.noise_generator = static_cast<int>(noise.generator());
         scene_.gamma_handling = given_.gamma || scene_.language_version >= 3.7;
         if (!scene_.camera_given) show(binder_.default_camera);
     }
@@ -155,8 +155,6 @@ private:
                 scene_.rainbows.push_back(std::move(rainbow));
         } else if (element.word == "global_settings"_word) {
             read_global_settings(binder_, element, scene_.settings, given_);
-            if (given_.noise_generator)
-                binder_.evaluator.noise()->given = noise_generator(scene_.settings.noise_generator);
         } else {
             stray(element);
         }

@@ -205,7 +205,8 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     SamplerBlock sampler(block, settings.light_sampler);
     LuminairesReader luminaires(block, settings.ambient_luminaires);
     block.read(element.body, luminaires, fields, sampler);
-    before.noise_generator |= fields.given("noise_generator");
+    if (fields.given("noise_generator"))
+        binder.evaluator.noise()->given = noise_generator(settings.noise_generator);
     if (!fields.given("assumed_gamma")) return;
     if (fields.srgb) settings.assumed_gamma = srgb_gamma;
     if (before.gamma) {

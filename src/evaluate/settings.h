@@ -8,7 +8,6 @@
 /// What any block of settings has said: other things depend on it.
 struct GivenSettings {
     bool gamma = false;
-    bool noise_generator = false;
 };
 
 /// What the block says is added to the settings.

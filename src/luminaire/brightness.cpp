@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/brightness.h"
 
+#include "base/running_sums.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,21 +26,11 @@ bool within(const BrightFace& face, double along1, double along2) {
     }
 }
 
-/// Index of the cell that u falls into; u becomes the place within it, in [0, 1).
-std::size_t drawn_from(const double* sums, std::size_t count, double& u) {
-    const double at = u * sums[count - 1];
-    const double* above = std::upper_bound(sums, sums + count, at);
-    if (above == sums + count) --above;
-    // Cells without a share have the sum of the one before them.
-    while (above > sums && above[-1] == above[0]) --above;
-    const double before = above > sums ? above[-1] : 0;
-    u = std::clamp((at - before) / (*above - before), 0.0, 1 - 0x1p-53);
-    return static_cast<std::size_t>(above - sums);
-}
+using Sums = std::span<const double>;
 
-double share_of(const double* sums, std::size_t count, std::size_t index) {
-    const double before = index > 0 ? sums[index - 1] : 0;
-    return (sums[index] - before) / sums[count - 1];
+/// The sums within a row of cells.
+Sums columns_of(const std::vector<double>& all, std::size_t row, std::size_t count) {
+    return Sums(all).subspan(row * count, count);
 }
 
 std::size_t cell_at(double along, std::size_t count) {
@@ -150,18 +142,17 @@ Brightness::View::Drawn Brightness::View::draw(Vec2 u) const {
         left -= here;
     }
     const Face& face = map_.faces_[last];
-    double along1 = std::fmin(left / own, 1 - 0x1p-53), along2 = u.y;
-    const std::size_t row = drawn_from(face.rows.data(), face.row_count, along1);
-    const double* columns = face.columns.data() + row * face.column_count;
-    const std::size_t column = drawn_from(columns, face.column_count, along2);
-    const double share = share_of(face.rows.data(), face.row_count, row) *
-                         share_of(columns, face.column_count, column);
-    const Vec3 position =
-        face.corner +
-        (static_cast<double>(row) + along1) / static_cast<double>(face.row_count) * face.side1 +
-        (static_cast<double>(column) + along2) / static_cast<double>(face.column_count) *
-            face.side2;
-    return {position, density(last, position, share)};
+    const Sums rows(face.rows);
+    const DrawnShare row = drawn_share(rows, std::fmin(left / own, 1 - 0x1p-53));
+    const Sums columns = columns_of(face.columns, row.index, face.column_count);
+    const DrawnShare column = drawn_share(columns, u.y);
+    const auto along = [](const DrawnShare& drawn, std::size_t count) {
+        return (static_cast<double>(drawn.index) + drawn.within) / static_cast<double>(count);
+    };
+    const Vec3 position = face.corner + along(row, face.row_count) * face.side1 +
+                          along(column, face.column_count) * face.side2;
+    return {position,
+            density(last, position, share_of(rows, row.index) * share_of(columns, column.index))};
 }
 
 double Brightness::View::density(const Vec3& position) const {
@@ -184,9 +175,7 @@ double Brightness::View::density(const Vec3& position) const {
                  along2 = std::clamp(dot(offset, face.across2), 0.0, 1.0);
     const std::size_t row = cell_at(along1, face.row_count),
                       column = cell_at(along2, face.column_count);
-    const double* columns = face.columns.data() + row * face.column_count;
-    if (!(columns[face.column_count - 1] > 0)) return 0;
-    return density(nearest, position,
-                   share_of(face.rows.data(), face.row_count, row) *
-                       share_of(columns, face.column_count, column));
+    const Sums columns = columns_of(face.columns, row, face.column_count);
+    if (!(columns.back() > 0)) return 0;
+    return density(nearest, position, share_of(Sums(face.rows), row) * share_of(columns, column));
 }

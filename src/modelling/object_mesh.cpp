@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/object_mesh.h"
 
+#include "shape/moved.h"
 #include "shape/tessellation.h"
 #include "solid/assemble.h"
 #include "solid/solid.h"

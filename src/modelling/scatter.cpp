@@ -56,7 +56,7 @@ std::vector<SurfacePoint> scattered(const Composite& surface, const Mesh& triang
     Key key{mix(seed)};
     for (double thrown = 0; thrown < count; ++thrown) {
         ++key.pixel;
-        const std::size_t number = area.at(uniform(key, Purpose::light_choice)).face;
+        const std::size_t number = area.at(uniform(key, Purpose::light_choice)).index;
         const auto corners = face(triangles, number).corners;
         const Vec2 u(uniform(key, Purpose::light_u), uniform(key, Purpose::light_v));
         const auto [dart, across] = sample_area(Triangle{corners[0], corners[1], corners[2]}, u);

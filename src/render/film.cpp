@@ -48,6 +48,7 @@ double PixelSum::deviation() const {
 }
 
 double PixelSum::variance_of_mean() const {
+    if (samples < 2) return 0;
     return std::max({variance(0), variance(1), variance(2)}) / samples;
 }
 

@@ -27,7 +27,7 @@ struct PixelSum {
     /// Standard deviation of one sample in display values, summed over the channels. Needs two
     /// samples.
     double deviation() const;
-    /// Greatest variance of a channel's mean, in display values. Needs two samples.
+    /// Greatest variance of a channel's mean, in display values; 0 of fewer than two samples.
     double variance_of_mean() const;
 
     friend bool operator==(const PixelSum&, const PixelSum&) = default;

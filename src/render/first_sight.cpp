@@ -20,16 +20,6 @@ Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint3
         {at.x, at.y, at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }
 
-/// The textures that show at a hit, and their shares.
-void for_textures_at(const World& world, const Hit& hit, bool from_inside,
-                     FunctionRef<void(double, const Texture&)> use) {
-    const Handle<Texture>& inner = world.material(hit.primitive).inner;
-    if (inner && from_inside)
-        use(1, *inner);
-    else
-        world.for_textures(hit.primitive, hit.part, hit.position, use);
-}
-
 }  // namespace
 
 Ray ray_through(const World& world, const PicturePoint& at, Vec2 place, const Key& key) {
@@ -51,7 +41,7 @@ FirstSight first_sight(const World& world, const Ray& ray) {
     const Shading s = shading_at(world, ray, seen.hit);
     const SurfacePlace place(world, seen.hit, s);
     const bool from_inside = dot(seen.hit.normal, ray.direction) > 0;
-    for_textures_at(world, seen.hit, from_inside, [&](double share, const Texture& texture) {
+    for_textures_seen(world, seen.hit, from_inside, [&](double share, const Texture& texture) {
         for_layers(texture, s.position, s.normal, place.scene,
                    [&](double weight, std::span<const Layer> layers) {
                        Vec3 through(share * weight);
@@ -72,11 +62,11 @@ const Texture* texture_at(const World& world, const FirstSight& seen) {
     const Texture* most = nullptr;
     double greatest = 0;
     if (seen.met)
-        for_textures_at(world, seen.hit, dot(seen.hit.normal, seen.normal) < 0,
-                        [&](double share, const Texture& texture) {
-                            if (share <= greatest) return;
-                            greatest = share;
-                            most = &texture;
-                        });
+        for_textures_seen(world, seen.hit, dot(seen.hit.normal, seen.normal) < 0,
+                          [&](double share, const Texture& texture) {
+                              if (share <= greatest) return;
+                              greatest = share;
+                              most = &texture;
+                          });
     return most;
 }

@@ -33,6 +33,15 @@ double fresnel(double cosine, double n) {
 
 }  // namespace
 
+void for_textures_seen(const World& world, const Hit& hit, bool from_inside,
+                       FunctionRef<void(double, const Texture&)> use) {
+    const Handle<Texture>& inner = world.material(hit.primitive).inner;
+    if (inner && from_inside)
+        use(1, *inner);
+    else
+        world.for_textures(hit.primitive, hit.part, hit.position, use);
+}
+
 Shading shading_at(const World& world, const Ray& ray, const Hit& hit) {
     const Material& material = world.material(hit.primitive);
     const auto facing = [&](const Vec3& n) { return dot(n, ray.direction) > 0 ? -n : n; };
@@ -130,8 +139,8 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
     // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
-    const double grazing = r.fresnel ? fresnel(std::fmax(cosine, 0), 1 / ior_ratio)
-                                     : std::pow(1 - cosine, r.falloff);
+    const double grazing =
+        r.fresnel ? fresnel(std::fmax(cosine, 0), 1 / ior_ratio) : std::pow(1 - cosine, r.falloff);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }

@@ -19,6 +19,11 @@ struct Shading {
     bool both_sides = false;
 };
 
+/// Calls use(share, texture) for the textures that show at a hit, of the inner side when the ray
+/// comes from inside.
+void for_textures_seen(const World&, const Hit&, bool from_inside,
+                       FunctionRef<void(double, const Texture&)> use);
+
 /// What all layers at a hit have in common.
 Shading shading_at(const World&, const Ray&, const Hit&);
 

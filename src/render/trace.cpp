@@ -164,10 +164,7 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
                        sum += share * weight * layered(path, hit, s, layers);
                    });
     };
-    if (s.material->inner && dot(hit.normal, path.ray.direction) > 0)
-        show(1, *s.material->inner);
-    else
-        world_.for_textures(hit.primitive, hit.part, s.position, show);
+    for_textures_seen(world_, hit, dot(hit.normal, path.ray.direction) > 0, show);
     return sum;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/composite.h"
 
+#include "shape/moved.h"
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -49,12 +51,6 @@ private:
     Vec3 origin_, inverse_;
     double size_;
 };
-
-/// The plane in the space of the whole.
-Plane moved(const Plane& plane, const Transform& transform) {
-    const Vec3 normal = unit(plane.normal), turned = unit(transform.normal(normal));
-    return {turned, dot(turned, transform.point(plane.distance * normal))};
-}
 
 /// Around what can be inside of the leaf in a box, which may be infinite.
 Box within(const CompositeLeaf& leaf, const Box& box) {

@@ -3,6 +3,7 @@
 // guides of luminaires and where the language scatters points.
 #pragma once
 
+#include "base/running_sums.h"
 #include "shape/mesh.h"
 
 class MeshArea {
@@ -11,12 +12,9 @@ public:
 
     double total() const { return sums_.empty() ? 0 : sums_.back(); }
 
-    struct Place {
-        std::size_t face;
-        double part;  ///< of the face's own area, 0 to 1
-    };
-    /// Where so much of the area, 0 to 1, lies behind. Precondition: the area is above 0.
-    Place at(double share) const;
+    /// The face where so much of the area, 0 to 1, lies behind, and the same of its own area.
+    /// Precondition: the area is above 0.
+    DrawnShare at(double share) const;
 
 private:
     std::vector<double> sums_;  ///< of each face and those before it

@@ -7,11 +7,6 @@ Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transfor
     return make_handle<Transform>(inner->then(*outer));
 }
 
-Plane moved(const Plane& plane, const Transform& map) {
-    const Vec3 normal = unit(plane.normal), turned = unit(map.normal(normal));
-    return {turned, dot(turned, map.point(plane.distance * normal))};
-}
-
 Composite composite_of(const Object& object, ShapeStore& shapes) {
     CompositeBuilder builder;
     NoVisitor nobody;

@@ -11,9 +11,6 @@
 /// The map of what is under both; null is none.
 Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer);
 
-/// The plane under a map; its normal is a unit vector.
-Plane moved(const Plane&, const Transform&);
-
 /// For callers that want to know nothing of the leaves.
 struct NoVisitor {
     void enter(const Object&) {}

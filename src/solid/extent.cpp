@@ -2,7 +2,7 @@
 #include "solid/extent.h"
 
 #include "shape/built_shape.h"
-#include "solid/assemble.h"
+#include "shape/moved.h"
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
+#include "shape/moved.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"

@@ -17,8 +17,8 @@ TEST_CASE("shares of a mesh's area lie in faces by their size", "[shape]") {
     for (const Case& each : {Case{0, 0, 0}, Case{0.125, 0, 0.5}, Case{0.25, 2, 0},
                              Case{0.625, 2, 0.5}, Case{1, 2, 1}}) {
         CAPTURE(each.share);
-        CHECK(area.at(each.share).face == each.face);
-        CHECK(area.at(each.share).part == Approx(each.part).margin(1e-12));
+        CHECK(area.at(each.share).index == each.face);
+        CHECK(area.at(each.share).within == Approx(each.part).margin(1e-12));
     }
     CHECK(MeshArea(Mesh()).total() == 0);
 }

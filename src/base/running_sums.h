@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shares that are kept as sums, of each one and all before it: finds the one that a random number
+// falls to. For what is drawn in proportion: parts of a sky, of a screen, of a mesh.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+/// A share, and how far into it the number lies: 0 to 1, without 1.
+struct DrawnShare {
+    std::size_t index;
+    double within;
+};
+
+/// Precondition: the last sum is above 0; u from 0 to 1. Nothing falls to what has no share.
+template <class Sum>
+DrawnShare drawn_share(std::span<const Sum> sums, double u) {
+    const double at = u * static_cast<double>(sums.back());
+    auto above = std::ranges::upper_bound(sums, static_cast<Sum>(at));
+    if (above == sums.end()) --above;
+    while (above != sums.begin() && above[-1] == above[0]) --above;
+    const double before = above == sums.begin() ? 0.0 : static_cast<double>(above[-1]);
+    const double within = (at - before) / (static_cast<double>(*above) - before);
+    return {static_cast<std::size_t>(above - sums.begin()), std::clamp(within, 0.0, 1 - 0x1p-53)};
+}
+
+/// Of one of them, where all are 1. Precondition: the last sum is above 0.
+template <class Sum>
+double share_of(std::span<const Sum> sums, std::size_t index) {
+    const double before = index > 0 ? static_cast<double>(sums[index - 1]) : 0.0;
+    return (static_cast<double>(sums[index]) - before) / static_cast<double>(sums.back());
+}

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shapes under a map that stay shapes of their kind. Called where objects are put together.
+#pragma once
+
+#include "base/transform.h"
+#include "shape/plane.h"
+
+/// The plane under a map; its normal is a unit vector.
+Plane moved(const Plane&, const Transform&);
