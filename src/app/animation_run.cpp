@@ -131,6 +131,8 @@ private:
     int side_by_side() {
         std::unique_ptr<FrameRun> before, next;
         for (std::size_t at = 0; at < mine_.size(); ++at) {
+            // What was not begun ahead may need the picture before, which is still being written.
+            if (!next && before && before->finish() != exit_status::done) return before->finish();
             std::unique_ptr<FrameRun> now = next ? std::move(next) : begin(at, {});
             if (!before) speak(at, now.get());
             const bool renders = now && begin_turn(at, before.get(), now);
