@@ -51,9 +51,11 @@ private:
 
     /// Long work should not end at a film that cannot be made.
     void check_film() {
-        find_ffmpeg(diagnostics_);
         const std::string problem = problem_with_destination(options_.movie);
-        if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
+        if (!problem.empty())
+            diagnostics_.add(error(Fault::io, {}, problem));
+        else
+            can_make_movie(options_.frame_rate, options_.movie, diagnostics_);
         if (!options_.shard.empty())
             diagnostics_.add(
                 error(Fault::option, {}, "--movie joins all frames, of which a shard has some")

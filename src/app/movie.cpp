@@ -12,15 +12,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-}  // namespace
+/// What is made until it is complete. ffmpeg sees from the ending which kind it shall be.
+std::string draft_of(const std::string& film) {
+    const fs::path path(film);
+    return (path.parent_path() /
+            message(".", path.stem().string(), ".part", path.extension().string()))
+        .string();
+}
 
-std::string find_ffmpeg(Diagnostics& diagnostics) {
-    std::string program = find_program("ffmpeg");
-    if (program.empty())
+/// Makes a film of frames; what it needs beside it is removed.
+bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
+                Diagnostics& diagnostics) {
+    const std::string program = find_program("ffmpeg");
+    if (program.empty()) {
         diagnostics.add(
             error(Fault::io, {}, "a film needs the program ffmpeg, which is not installed"));
-    return program;
+        return false;
+    }
+    const std::string list = film + ".frames";
+    if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
+    std::vector<std::string> words = movie_arguments(list, frames.front(), film);
+    words[0] = program;
+    const int status = run_program(words);
+    std::error_code none;
+    fs::remove(list, none);
+    if (status != 0) fs::remove(film, none);
+    return status == 0;
 }
+
+bool fail(std::string text, Diagnostics& diagnostics) {
+    if (!diagnostics.failed())
+        diagnostics.add(error(Fault::io, {}, std::move(text))
+                            .with_help("the ending says which kind of film: mp4, webm, gif, ..."));
+    return false;
+}
+
+}  // namespace
 
 std::string movie_list(const std::vector<std::string>& frames, double frame_rate) {
     std::string text = "ffconcat version 1.0\n";
@@ -31,30 +58,42 @@ std::string movie_list(const std::vector<std::string>& frames, double frame_rate
     return text;
 }
 
-std::vector<std::string> movie_arguments(const std::string& list, const std::string& film) {
-    std::vector<std::string> words = {"ffmpeg", "-y",    "-loglevel", "error", "-f",
-                                      "concat", "-safe", "0",         "-i",    list};
-    // Most players want even sizes and this form of colour.
-    if (!film.ends_with(".gif"))
+std::vector<std::string> movie_arguments(const std::string& list, const std::string& frame,
+                                         const std::string& film) {
+    std::vector<std::string> words = {"ffmpeg", "-y", "-loglevel", "error"};
+    // Values of EXR are light, those of films are for screens.
+    if (frame.ends_with(".exr")) words.insert(words.end(), {"-apply_trc", "iec61966_2_1"});
+    words.insert(words.end(), {"-f", "concat", "-safe", "0", "-i", list});
+    // A gif has 256 colours: those of the film. Most players of others want even sizes and this
+    // form of colour.
+    if (film.ends_with(".gif"))
+        words.insert(words.end(),
+                     {"-vf", "split[a][b];[a]palettegen[colours];[b][colours]paletteuse"});
+    else
         words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"});
     words.push_back(fs::path(film).is_absolute() ? film : "./" + film);
     return words;
 }
 
+bool can_make_movie(double frame_rate, const std::string& film, Diagnostics& diagnostics) {
+    constexpr int side = 64;
+    const std::string draft = draft_of(film), frame = draft + ".ppm";
+    const std::string black = message("P6 ", side, " ", side, " 255\n");
+    if (!write_file(frame, black + std::string(3 * side * side, '\0'), diagnostics)) return false;
+    const bool made = run_ffmpeg({frame}, frame_rate, draft, diagnostics);
+    std::error_code none;
+    fs::remove(frame, none);
+    fs::remove(draft, none);
+    return made || fail(message("ffmpeg makes no film `", harmless(film), "`"), diagnostics);
+}
+
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics& diagnostics) {
-    const auto fail = [&](std::string text) {
-        diagnostics.add(error(Fault::io, {}, std::move(text)));
-        return false;
-    };
-    const std::string program = find_ffmpeg(diagnostics);
-    if (program.empty()) return false;
-    const std::string list = film + ".frames";
-    if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
-    std::vector<std::string> words = movie_arguments(list, film);
-    words[0] = program;
-    const int status = run_program(words);
-    std::error_code none;
-    fs::remove(list, none);
-    return status == 0 || fail(message("ffmpeg could not make `", harmless(film), "`"));
+    const std::string draft = draft_of(film);
+    std::error_code problem;
+    if (run_ffmpeg(frames, frame_rate, draft, diagnostics)) {
+        fs::rename(draft, film, problem);
+        if (!problem) return true;
+    }
+    return fail(message("ffmpeg could not make `", harmless(film), "`"), diagnostics);
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/movie.h"
 
+#include "app/child.h"
+#include "support/shell.h"
+
 #include <catch2/catch.hpp>
+
+#include <filesystem>
 
 TEST_CASE("frames are listed with their time, quotes in names and all", "[app]") {
     CHECK(movie_list({"/a/x1.png", "/a/it's.png"}, 25) ==
@@ -11,7 +16,7 @@ TEST_CASE("frames are listed with their time, quotes in names and all", "[app]")
 
 TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     const auto has = [](const std::string& film, const std::string& word) {
-        for (const std::string& each : movie_arguments("list", film))
+        for (const std::string& each : movie_arguments("list", "a.png", film))
             if (each == word) return true;
         return false;
     };
@@ -19,4 +24,25 @@ TEST_CASE("a film has even sizes, a moving picture of gif its own", "[app]") {
     CHECK_FALSE(has("a.gif", "yuv420p"));
     // A name that begins with a hyphen is no option of ffmpeg.
     CHECK(has("-a.mp4", "./-a.mp4"));
+}
+
+TEST_CASE("films are made whole, and kinds that are none are refused before the work", "[app]") {
+    if (find_program("ffmpeg").empty()) return;
+    Shell shell;
+    const auto film = [&](const std::string& name) { return shell.path(name); };
+    const std::vector<std::string> options = {"+KFF3", "+W15", "+H11", "+O" + film("f.png")};
+    for (const char* name : {"it's a film.mp4", "a.gif"}) {
+        std::vector<std::string> words = options;
+        words.insert(words.end(), {"--movie", film(name)});
+        REQUIRE(shell.render(words) == 0);
+        CHECK(std::filesystem::file_size(film(name)) > 100);
+    }
+    for (const auto& each : std::filesystem::directory_iterator(shell.path("")))
+        CHECK(each.path().string().find(".part") == std::string::npos);
+    shell.write("f.xyz", "kept");
+    Diagnostics diagnostics;
+    CHECK_FALSE(can_make_movie(25, film("f.xyz"), diagnostics));
+    CHECK_FALSE(make_movie({film("f1.png")}, 25, film("f.xyz"), diagnostics));
+    CHECK(shell.content("f.xyz") == "kept");
+    CHECK(diagnostics.failed());
 }
