@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picture files as they are stored, before any meaning: what picture/ is built on. OpenImageIO is
 // behind it, whose many libraries take longer to load than most scenes take to read; so this module
-// is a library of its own, opened when the first picture is read or written.
+// is a library of its own, opened when the first picture that is no PNG file is read or written.
 #pragma once
 
 #include <cstdint>

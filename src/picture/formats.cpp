@@ -2,8 +2,25 @@
 #include "picture/formats.h"
 
 #include "base/loaded_library.h"
+#include "png/png.h"
 #include "text/harmless.h"
 #include "text/message.h"
+
+#include <fstream>
+#include <iterator>
+
+namespace {
+
+/// All bytes of a PNG file; nothing of others.
+std::string png_bytes(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(8, ' ');
+    if (!file.read(bytes.data(), 8) || !is_png(bytes)) return {};
+    bytes.append(std::istreambuf_iterator<char>(file), {});
+    return bytes;
+}
+
+}  // namespace
 
 const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
     static const LoadedFunction library = load_function(formats_library, formats_function);
@@ -19,13 +36,34 @@ const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
 
 std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& diagnostics,
                                          Span asked_at) {
-    const Formats* formats = picture_formats(diagnostics, asked_at);
-    if (!formats) return std::nullopt;
     StoredPicture stored;
-    const std::string problem = formats->read(path, most_pixels, stored);
+    std::string problem;
+    if (const std::string bytes = png_bytes(path); !bytes.empty()) {
+        problem = read_png(bytes, most_pixels, stored);
+    } else {
+        const Formats* formats = picture_formats(diagnostics, asked_at);
+        if (!formats) return std::nullopt;
+        problem = formats->read(path, most_pixels, stored);
+    }
     if (problem.empty()) return stored;
     diagnostics.add(
         error(Fault::io, asked_at,
               message("cannot read the picture `", harmless(path), "`: ", harmless(problem))));
+    return std::nullopt;
+}
+
+std::optional<std::string> write_stored(const RawPicture& picture, Diagnostics& diagnostics) {
+    std::string bytes, problem;
+    if (picture.extension == "png") {
+        problem = write_png(picture, bytes);
+    } else {
+        const Formats* formats = picture_formats(diagnostics);
+        if (!formats) return std::nullopt;
+        problem = formats->write(picture, bytes);
+    }
+    if (problem.empty()) return bytes;
+    diagnostics.add(error(Fault::io, {},
+                          message("cannot make a ", picture.extension, " file of ", picture.width,
+                                  " by ", picture.height, " pixels: ", problem)));
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens the library of picture formats when it is first needed.
+// Chooses who reads and writes a picture file: libpng, or the library of all formats, which is
+// opened when it is first needed.
 #pragma once
 
 #include "formats/formats.h"
@@ -17,3 +18,6 @@ const Formats* picture_formats(Diagnostics&, Span asked_at = {});
 /// The picture as its file has it. Nothing, with a diagnostic at the span, when it cannot be read,
 /// or is larger than any picture that is not damaged.
 std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics&, Span asked_at);
+
+/// The bytes of a file that holds the picture. Nothing, with a diagnostic, when it cannot be made.
+std::optional<std::string> write_stored(const RawPicture&, Diagnostics&);

@@ -148,17 +148,9 @@ Image linear(Image image, const PictureFormat& format) {
 
 std::optional<std::string> encode(const Image& image, const PictureFormat& format,
                                   Diagnostics& diagnostics, std::span<const double> alpha) {
-    const TypeInfo& type = info(format.type);
-    const Formats* formats = picture_formats(diagnostics);
-    if (!formats) return std::nullopt;
-    std::string bytes;
-    const std::string problem = formats->write(raw_picture(image, format, alpha), bytes);
-    describe(bytes, format);
-    if (problem.empty()) return bytes;
-    diagnostics.add(error(Fault::io, {},
-                          message("cannot make a ", type.extension, " file of ", image.width,
-                                  " by ", image.height, " pixels: ", problem)));
-    return std::nullopt;
+    std::optional<std::string> bytes = write_stored(raw_picture(image, format, alpha), diagnostics);
+    if (bytes) describe(*bytes, format);
+    return bytes;
 }
 
 bool write_picture(const Image& image, const std::string& path, const PictureFormat& format,

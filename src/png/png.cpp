@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "png/png.h"
+
+#include <cmath>
+#include <csetjmp>
+#include <cstring>
+#include <span>
+
+#include <png.h>
+
+namespace {
+
+/// What libpng's calls work on. Where one fails, it jumps back to `failed`: functions that set this
+/// jump hold nothing that needs a destructor.
+struct PngWork {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::jmp_buf failed;
+    std::string problem;
+    std::string_view input;  ///< what is not yet read
+    std::string* output = nullptr;
+};
+
+PngWork& work_of(png_structp png) { return *static_cast<PngWork*>(png_get_error_ptr(png)); }
+
+[[noreturn]] void fail(png_structp png, const char* why) {
+    PngWork& work = work_of(png);
+    work.problem = why;
+    std::longjmp(work.failed, 1);
+}
+
+void ignore(png_structp, const char*) {}
+
+void take_bytes(png_structp png, png_bytep target, std::size_t count) {
+    std::string_view& input = work_of(png).input;
+    if (count > input.size()) fail(png, "the file ends too early");
+    std::memcpy(target, input.data(), count);
+    input.remove_prefix(count);
+}
+
+void give_bytes(png_structp png, png_bytep source, std::size_t count) {
+    work_of(png).output->append(reinterpret_cast<const char*>(source), count);
+}
+
+void flush(png_structp) {}
+
+/// The size, and how the pixels shall come: all channels with 8 or 16 bits, tables and bits of
+/// transparency made to channels.
+bool read_head(PngWork& work) {
+    if (setjmp(work.failed) != 0) return false;
+    png_set_read_fn(work.png, &work, take_bytes);
+    png_read_info(work.png, work.info);
+    png_set_expand(work.png);
+    png_set_interlace_handling(work.png);
+    png_read_update_info(work.png, work.info);
+    return true;
+}
+
+bool read_rows(PngWork& work, png_bytepp rows) {
+    if (setjmp(work.failed) != 0) return false;
+    png_read_image(work.png, rows);
+    return true;
+}
+
+/// From 0 to 1: numbers of one or two bytes, the higher one first.
+float value_at(const png_byte* bytes, std::size_t i, bool wide) {
+    if (!wide) return static_cast<float>(bytes[i]) / 255;
+    return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535;
+}
+
+/// What the file says about the meaning of its values.
+void read_coding(PngWork& work, StoredPicture& picture) {
+    double exponent = 0;
+    int intent = 0;
+    if (png_get_sRGB(work.png, work.info, &intent) != 0) return;
+    if (png_get_gAMA(work.png, work.info, &exponent) == 0 || exponent <= 0) return;
+    // Files have it with more digits than they mean.
+    const double gamma = std::round(100 / exponent) / 100;
+    picture.linear = gamma == 1;
+    picture.gamma = gamma;
+}
+
+std::string read(PngWork& work, std::int64_t most_pixels, StoredPicture& picture) {
+    if (!read_head(work)) return work.problem;
+    const std::int64_t width = png_get_image_width(work.png, work.info),
+                       height = png_get_image_height(work.png, work.info);
+    if (width * height > most_pixels)
+        return "it says that it has " + std::to_string(width) + " by " + std::to_string(height) +
+               " pixels";
+    const std::size_t stored = png_get_channels(work.png, work.info);
+    const bool wide = png_get_bit_depth(work.png, work.info) == 16;
+    picture.width = static_cast<int>(width);
+    picture.height = static_cast<int>(height);
+    picture.channels = stored < 3 ? 1 : 3;
+    picture.bits = wide ? 16 : 8;
+    picture.format = "png";
+    read_coding(work, picture);
+
+    const std::size_t row = png_get_rowbytes(work.png, work.info);
+    std::vector<png_byte> bytes(row * static_cast<std::size_t>(height));
+    std::vector<png_bytep> rows;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(height); ++y)
+        rows.push_back(bytes.data() + row * y);
+    if (!read_rows(work, rows.data())) return work.problem;
+
+    const auto colours = static_cast<std::size_t>(picture.channels);
+    const auto pixels = static_cast<std::size_t>(width * height);
+    picture.values.reserve(pixels * colours);
+    if (stored > colours) picture.alpha.reserve(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+        for (std::size_t c = 0; c < colours; ++c)
+            picture.values.push_back(value_at(bytes.data(), i * stored + c, wide));
+        if (stored > colours)
+            picture.alpha.push_back(value_at(bytes.data(), i * stored + colours, wide));
+    }
+    return {};
+}
+
+/// Whole numbers, as a file has them: the higher byte first.
+struct RowBytes {
+    std::vector<png_byte> operator()(const std::vector<std::uint8_t>& values) const {
+        return values;
+    }
+    std::vector<png_byte> operator()(const std::vector<std::uint16_t>& values) const {
+        std::vector<png_byte> bytes;
+        bytes.reserve(2 * values.size());
+        for (const std::uint16_t value : values) {
+            bytes.push_back(static_cast<png_byte>(value >> 8));
+            bytes.push_back(static_cast<png_byte>(value & 0xff));
+        }
+        return bytes;
+    }
+    std::vector<png_byte> operator()(const std::vector<float>&) const { return {}; }
+};
+
+bool write(PngWork& work, const RawPicture& picture, int bits, std::span<png_text> texts,
+           png_bytepp rows) {
+    static constexpr int colour_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
+                                           PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+    if (setjmp(work.failed) != 0) return false;
+    png_set_write_fn(work.png, &work, give_bytes, flush);
+    png_set_IHDR(work.png, work.info, static_cast<png_uint_32>(picture.width),
+                 static_cast<png_uint_32>(picture.height), bits, colour_types[picture.channels - 1],
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(work.png, work.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_text(work.png, work.info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(work.png, work.info);
+    png_write_image(work.png, rows);
+    png_write_end(work.png, nullptr);
+    return true;
+}
+
+png_text text(std::string& key, std::string& value) {
+    png_text one{};
+    one.compression = PNG_TEXT_COMPRESSION_NONE;
+    one.key = key.data();
+    one.text = value.data();
+    one.text_length = value.size();
+    return one;
+}
+
+}  // namespace
+
+bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
+
+std::string read_png(std::string_view bytes, std::int64_t most_pixels, StoredPicture& picture) {
+    PngWork work;
+    work.input = bytes;
+    work.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &work, fail, ignore);
+    work.info = png_create_info_struct(work.png);
+    std::string problem = read(work, most_pixels, picture);
+    png_destroy_read_struct(&work.png, &work.info, nullptr);
+    return problem;
+}
+
+std::string write_png(const RawPicture& picture, std::string& bytes) {
+    std::vector<png_byte> values = std::visit(RowBytes(), picture.values);
+    const auto height = static_cast<std::size_t>(picture.height);
+    if (values.empty() || values.size() % height != 0) return "it has no whole numbers";
+    std::vector<png_bytep> rows;
+    for (std::size_t y = 0; y < height; ++y)
+        rows.push_back(values.data() + values.size() / height * y);
+    std::string keys[] = {"Software", "Description"};
+    std::string said[] = {"Candelabra", picture.description};
+    png_text texts[] = {text(keys[0], said[0]), text(keys[1], said[1])};
+
+    PngWork work;
+    work.output = &bytes;
+    work.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &work, fail, ignore);
+    work.info = png_create_info_struct(work.png);
+    const bool wide = std::holds_alternative<std::vector<std::uint16_t>>(picture.values);
+    const bool written = write(work, picture, wide ? 16 : 8,
+                               {texts, picture.description.empty() ? 1u : 2u}, rows.data());
+    png_destroy_write_struct(&work.png, &work.info);
+    return written ? std::string() : work.problem;
+}
