@@ -186,20 +186,34 @@ bool focuses(const Texture& texture) {
     return texture.finish.caustics != 0 || (texture.below && focuses(*texture.below));
 }
 
-Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
-             const Passing& light) {
+Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
     if (texture.choice) {
         Vec3 sum(0);
         const Vec3 place = place_of(*texture.choice, point, scene);
         for_entries(*texture.choice, place, scene, [&](double share, const Texture& entry) {
-            sum += share * passing(entry, place, scene, light);
+            sum += share * passing(entry, place, scene);
         });
         return sum;
     }
-    const double power = light.power != 0 ? light.power : texture.finish.caustics;
-    const double focused = power == 0 ? 1 : 1 + std::pow(light.cosine, power);
-    const Vec3 own = focused * evaluate(texture.pigment, point, scene).passing();
-    return texture.below ? own * passing(*texture.below, point, scene, light) : own;
+    const Vec3 own = evaluate(texture.pigment, point, scene).passing();
+    return texture.below ? own * passing(*texture.below, point, scene) : own;
+}
+
+Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
+             const FocusedLight& light) {
+    Vec3 sum(0);
+    for_layers(texture, point, light.normal, scene,
+               [&](double weight, std::span<const Layer> layers) {
+                   Vec3 left(weight);
+                   for (const Layer& layer : layers) {
+                       const double power = light.power != 0 ? light.power : layer.finish->caustics;
+                       const double cosine = std::abs(dot(layer.normal, light.direction));
+                       const double focused = power == 0 ? 1 : 1 + std::pow(cosine, power);
+                       left *= focused * layer.colour.passing();
+                   }
+                   sum += left;
+               });
+    return sum;
 }
 
 Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& scene,

@@ -58,14 +58,18 @@ using UseLayers = FunctionRef<void(double weight, std::span<const Layer>)>;
 void for_layers(const Texture&, const Vec3& point, const Vec3& normal, const PatternScene&,
                 UseLayers use);
 
-/// Light on its way through a surface: where it is focused, by the angle that it comes from.
-struct Passing {
-    double cosine = 0;  ///< of the angle between the surface's normal and the light, 0 to 1
-    double power = 0;   ///< of the interior's caustics; 0: the finishes' own
+/// The share of light that passes through all layers at a point, per channel.
+Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
+
+/// Light on its way through a surface that focuses it where it comes straight on.
+struct FocusedLight {
+    Vec3 direction;
+    Vec3 normal;       ///< of the surface; unit, on the side that the direction points away from
+    double power = 0;  ///< of the interior's caustics; 0: the finishes' own
 };
 
-/// The share of light that passes through all layers at a point, per channel.
-Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const Passing& = {});
+/// The same with bright spots in the shadow, by the angle to each layer's own normal.
+Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const FocusedLight&);
 
 /// Whether one of its finishes has facets.
 bool scatters(const Texture&);

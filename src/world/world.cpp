@@ -201,16 +201,17 @@ bool World::may_pass(std::uint32_t item) const {
 /// What one surface leaves of light that passes through it.
 Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     const Material& m = material(passage.primitive);
-    Passing light;
     // As in POV-Ray, where one of its tables counts so.
-    if (m.interior) light.power = 45 * m.interior->caustics;
-    if (light.power != 0 || m.focuses)
-        light.cosine = std::abs(dot(unit(passage.normal), ray.direction));
+    const double power = m.interior ? 45 * m.interior->caustics : 0;
+    const Vec3 normal = unit(passage.normal);
+    const FocusedLight light{ray.direction, dot(normal, ray.direction) > 0 ? -normal : normal,
+                             power};
     const Vec3 point = ray.at(passage.t);
     const PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
     Vec3 sum(0);
     for_textures(passage.primitive, passage.part, point, [&](double share, const Texture& texture) {
-        sum += share * passing(texture, point, scene, light);
+        sum += share * (power != 0 || m.focuses ? passing(texture, point, scene, light)
+                                                : passing(texture, point, scene));
     });
     return sum;
 }
