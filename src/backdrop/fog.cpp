@@ -49,7 +49,7 @@ double mean_density(const Fog& fog, const Ray& ray, double distance) {
 }
 
 /// The share of what is behind that is left.
-double left(const Fog& fog, const Ray& ray, double distance, NoiseGenerator generator) {
+double share_left(const Fog& fog, const Ray& ray, double distance, NoiseGenerator generator) {
     double way = std::min(distance, 1e7);
     if (fog.turbulence != Vec3(0) && distance < 1e7) {
         const Vec3 middle = ray.at(0.5 * way) * fog.turbulence;
@@ -58,7 +58,13 @@ double left(const Fog& fog, const Ray& ray, double distance, NoiseGenerator gene
         const double noise = scalar_turbulence(middle, octaves, generator) * fog.turb_depth;
         way *= 1 - std::exp(-way / fog.distance) * std::min(1.0, noise);
     }
-    return std::exp(-way * mean_density(fog, ray, distance) / fog.distance);
+    return std::max(std::exp(-way * mean_density(fog, ray, distance) / fog.distance),
+                    fog.colour.transmit);
+}
+
+/// The share of light that is left, coloured by what the fog filters.
+Vec3 tinted(const Fog& fog, double share) {
+    return share * (Vec3(1 - fog.colour.filter) + fog.colour.filter * fog.colour.rgb);
 }
 
 }  // namespace
@@ -67,14 +73,21 @@ std::string problem(const Fog& fog) {
     return fog.up == Vec3(0) ? "`up` of `fog` must not be zero" : "";
 }
 
+Vec3 left_by(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGenerator generator) {
+    Vec3 all(1);
+    for (const Fog& fog : fogs)
+        if (fog.distance > 0) all *= tinted(fog, share_left(fog, ray, distance, generator));
+    return all;
+}
+
 Vec3 fogged(std::span<const Fog> fogs, const Ray& ray, double distance, const Vec3& radiance,
             NoiseGenerator generator) {
     Vec3 own(0), behind(1);
     for (const Fog& fog : fogs) {
         if (fog.distance <= 0) continue;
-        const double share = std::max(left(fog, ray, distance, generator), fog.colour.transmit);
+        const double share = share_left(fog, ray, distance, generator);
         own += (1 - share) * fog.colour.rgb;
-        behind *= share * (Vec3(1 - fog.colour.filter) + fog.colour.filter * fog.colour.rgb);
+        behind *= tinted(fog, share);
     }
     return own + behind * radiance;
 }

@@ -29,6 +29,10 @@ struct Fog {
 /// What is wrong with it as a whole, as a sentence; empty when nothing is.
 std::string problem(const Fog&);
 
+/// The share of light that all fogs leave on a way of the length; they add nothing of their own.
+/// Precondition: no fog has a problem.
+Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
+
 /// What is seen of `radiance` through all fogs along the ray, from its origin to the distance,
 /// which may be infinite. Precondition: no fog has a problem.
 Vec3 fogged(std::span<const Fog>, const Ray&, double distance, const Vec3& radiance,

@@ -46,7 +46,10 @@ private:
         const auto until = window_ ? seen_through(light) : std::optional(light.distance);
         if (!until) return Vec3(0);
         ++rays_.shadow;
-        return world_.transmittance({s_.position, light.direction}, s_.tolerance, *until);
+        const Ray ray{s_.position, light.direction};
+        const Vec3 left = world_.transmittance(ray, s_.tolerance, *until);
+        if (!light_.media_attenuation || left == Vec3(0)) return left;
+        return left * left_by(world_.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }
 
     /// The way to the window, which may not be there in this direction.

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 namespace {
 
 /// The picture's only pixel, which shows the floor at the origin.
@@ -32,4 +34,13 @@ TEST_CASE("a source lights by its colour, cosine, fading, cone and shadow", "[re
     const std::string shade = "box { <-1, 1, -1>, <1, 1.1, 1> no_image } ";
     CHECK(x(shade + "light_source { 4*y, 0.5 }") == 0);
     CHECK(x(shade + "light_source { 4*y, 0.5 shadowless }") == Approx(0.5).epsilon(1e-4));
+}
+
+TEST_CASE("fog weakens light that says so", "[render]") {
+    const auto x = [](const std::string& words) {
+        return floor_under("fog { rgb 0 distance 4 } light_source { 4*y, 0.5 " + words + " }").x;
+    };
+    CHECK(x("") == Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
+    CHECK(x("media_attenuation on") == Approx(0.5 * std::exp(-1.75)).epsilon(1e-4));
+    CHECK(x("media_attenuation shadowless") == Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
 }
