@@ -188,7 +188,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     Vec3 behind(transparent ? 1 : 0);
     if (transparent)
         for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
-    const bool clear = grey(behind) > bailout && world_.quality >= quality_pigments;
+    // A negative share, which takes away what is behind, counts like a positive one.
+    const bool clear = std::abs(grey(behind)) > bailout && world_.quality >= quality_pigments;
     const bool counted = path.counted && !world_.luminaires.empty() &&
                          world_.luminaire_of[hit.primitive] != no_primitive;
     const Shading top = with_layer(world_, common, layers.front());
@@ -314,7 +315,7 @@ Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& su
     next.level = path.level + (straight ? 0 : 1);
     next.passed = path.passed + 1;
     if (next.passed > most_passed) return Vec3(0);
-    next.weight = path.weight * max_component(share);
+    next.weight = path.weight * max_component(glm::abs(share));
     next.key = path.key.bounced(refraction);
     next.solids = surface.behind;
     ++rays_.scattered;

@@ -50,6 +50,12 @@ TEST_CASE("a glass sphere turns the picture upside down", "[render]") {
     CHECK(seen(ball, Vec3(0, -0.3, 0)).x > 0.5);
 }
 
+TEST_CASE("a negative transparency takes away what is behind", "[render]") {
+    CHECK(length(seen("plane { -z, -5 pigment { rgb 0.5 transmit -1 } finish { ambient 0.8 "
+                      "diffuse 0 } } background { rgb <0.2, 0.3, 0.1> }") -
+                 Vec3(0.6, 0.5, 0.7)) < 1e-12);
+}
+
 TEST_CASE("filtered light takes the pigment's colour", "[render]") {
     CHECK(length(seen("box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <1, 0.5, 0, 1> } finish { "
                       "ambient 0 diffuse 0 } }"
