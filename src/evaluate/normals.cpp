@@ -13,14 +13,16 @@ namespace {
 struct BumpDraft {
     explicit BumpDraft(const Bump& bump) {
         uv = bump.uv;
+        if (bump.settings) settings = *bump.settings;
         if (!bump.pattern) return;
         pattern = PatternDraft(bump.pattern->use, bump.transform);
         settings = bump.pattern->settings;
         map = bump.pattern->map;
     }
     Bump made() const {
-        if (!pattern.pattern) return {};
-        return {make_handle<PatternedBump>(pattern.use(), settings, map), pattern.transform, uv};
+        if (!pattern.pattern) return {{}, {}, uv, make_handle<BumpSettings>(settings)};
+        return {
+            make_handle<PatternedBump>(pattern.use(), settings, map), pattern.transform, uv, {}};
     }
 
     PatternDraft pattern;

@@ -7,7 +7,8 @@
 #include "pattern/modifiers.h"
 #include "surface/nesting.h"
 
-struct PatternedBump;  // this and the entries of maps: normal_map.h
+struct PatternedBump;  // this, its settings and the entries of maps: normal_map.h
+struct BumpSettings;
 struct NormalStop;
 struct SlopeStop;
 using NormalMap = std::vector<NormalStop>;
@@ -18,6 +19,7 @@ struct Bump {
     Handle<PatternedBump> pattern;  ///< null: smooth
     Transform transform;            ///< after all steps of the pattern: to the object's space
     bool uv = false;                ///< as in Pigment
+    Handle<BumpSettings> settings;  ///< of a smooth one, for patterns that follow; null: none
 };
 
 Nesting nesting(const Bump&);

@@ -53,6 +53,23 @@ TEST_CASE("a normal stands wherever a pigment may", "[evaluate]") {
               .normal.pattern->settings.bump_size == 2);
 }
 
+TEST_CASE("the default normal's amount holds for patterns that follow", "[evaluate]") {
+    const auto after = [](const std::string& text) {
+        return run("#version 3.7; #default { normal { bump_size 2 accuracy 0.1 } } sphere { 0, 1 " +
+                   text + " }")
+            .texture()
+            .normal;
+    };
+    CHECK_FALSE(after("").pattern);
+    CHECK(after("normal { bumps }").pattern->settings.bump_size == 2);
+    CHECK(after("normal { bumps 1 }").pattern->settings.bump_size == 1);
+    CHECK(after("normal { bumps 1 }").pattern->settings.accuracy == 0.1);
+    const Bump map = after("normal { wood normal_map { [0 bumps] [1 dents 1] } }");
+    const auto& entries = std::get<NormalMap>(map.pattern->map);
+    CHECK(entries[0].bump.pattern->settings.bump_size == 2);
+    CHECK(entries[1].bump.pattern->settings.bump_size == 1);
+}
+
 TEST_CASE("maps of slopes and normals", "[evaluate]") {
     const Bump slopes = bump_of("normal { gradient x slope_map { S } }");
     const auto& slope_map = std::get<SlopeMap>(slopes.pattern->map);
