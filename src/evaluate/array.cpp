@@ -141,9 +141,14 @@ std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, const
 
 bool Evaluator::State::check_array(const Value& value, Span span) {
     if (value.array()) return true;
-    if (!value.broken())
-        broken(Fault::wrong_type, span,
-               message("only arrays have elements, and this is ", kind_name(value)));
+    if (value.broken()) return false;
+    Diagnostic problem =
+        error(Fault::wrong_type, span,
+              message("only arrays have elements, and this is ", kind_name(value)));
+    if (const Numbers* numbers = value.numbers(); numbers && numbers->count > 1)
+        problem.with_help("the parts of a vector V are V.x, V.y and V.z");
+    report(std::move(problem));
+    if (diagnostics.full()) stopped_ = true;
     return false;
 }
 

@@ -22,6 +22,8 @@ constexpr auto structure = std::array{
     Structure{"intersection", ""},
     Structure{"difference", ""},
     Structure{"merge", ""},
+    Structure{"cutaway_textures", "intersection"},
+    Structure{"cutaway_textures", "difference"},
     Structure{"clipped_by", "object"},
     Structure{"bounded_by", "object"},
     Structure{"object", ""},
@@ -101,6 +103,44 @@ std::vector<std::string_view> homes(std::string_view word) {
     return result;
 }
 
+/// Whether the word is nothing without what follows in braces.
+bool takes_braces(NameId word) {
+    constexpr auto others =
+        std::array{"texture"_word,   "pigment"_word,    "normal"_word,           "finish"_word,
+                   "interior"_word,  "material"_word,   "interior_texture"_word, "camera"_word,
+                   "color_map"_word, "colour_map"_word, "light_source"_word};
+    return makes_object(word) || std::ranges::find(others, word) != others.end();
+}
+
+/// The node before that one in its list, or no_node.
+NodeId previous(const Tree& tree, NodeId node) {
+    for (auto id = static_cast<std::uint32_t>(node); id-- > 0;)
+        if (tree.nodes[id].next == node) return NodeId(id);
+    return no_node;
+}
+
+/// `rotate y 45`: how a movement along an axis is written, when the value follows one; empty when
+/// not.
+std::string moved_without_times(const Element& element, const Names& names) {
+    const auto& [tree, node] = element.origin;
+    const Numbers* number = element.value.numbers();
+    if (!tree || !number || number->count != 1) return {};
+    const NodeId axis = previous(*tree, node);
+    const auto* constant = tree->get_if<node::Constant>(axis);
+    const NodeId move = constant ? previous(*tree, axis) : no_node;
+    const auto* word = tree->get_if<node::Word>(move);
+    const bool moves = word && (word->word == "translate"_word || word->word == "rotate"_word);
+    if (!moves) return {};
+    return message(names.spelling(word->word), ' ', names.spelling(constant->word), '*',
+                   number->at[0]);
+}
+
+/// "a texture" without its article.
+std::string_view bare_kind(const Value& value) {
+    const std::string_view kind = kind_name(value);
+    return kind.substr(kind.find(' ') + 1);
+}
+
 bool is_item(std::string_view word) {
     return std::ranges::any_of(catalogue(), [&](const ItemGroup& group) {
         return std::ranges::any_of(group.items,
@@ -175,6 +215,15 @@ void OpenBlock::reject_form(const Element& element, std::string_view what) {
 bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = spelling(element.word);
     passing_over_ = true;
+    if (element.kind == Element::Kind::word && takes_braces(element.word) &&
+        std::ranges::find(words, word) != words.end()) {
+        if (!told_unavailable_)
+            report(error(Fault::missing, element.word_span,
+                         message("what belongs to `", word, "` stands in braces"))
+                       .with_help(message("write `", word, " { ... }`")));
+        told_unavailable_ = !name.empty();
+        return false;
+    }
     if (binder.evaluator.names().reserved(element.word)) {
         reject_reserved(element, word);
         return false;
@@ -187,11 +236,16 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         return false;
     }
     const bool block = element.kind == Element::Kind::block;
-    const std::string declared = nearest(word, binder.evaluator.declared_names());
-    if (block || (!wanted && declared.empty())) {
-        report(error(Fault::unknown_word, element.word_span,
-                     message(quoted(), " has no word `", word, "`"))
-                   .with_help(help()));
+    // Words of the language have small letters.
+    const bool name = word.front() >= 'A' && word.front() <= 'Z';
+    if (block || (!wanted && !name && nearest(word, binder.evaluator.declared_names()).empty())) {
+        Diagnostic unknown = error(Fault::unknown_word, element.word_span,
+                                   message(quoted(), " has no word `", word, "`"));
+        const Value* declared = block ? binder.evaluator.find(element.word) : nullptr;
+        const std::string_view bare = declared ? bare_kind(*declared) : std::string_view();
+        report(std::move(available(bare)
+                             ? unknown.with_help(message("write `", bare, " { ", word, " ... }`"))
+                             : unknown.with_help(help())));
         return false;
     }
     // As in an expression: the evaluator knows what the library would have declared.
@@ -249,6 +303,14 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
 void OpenBlock::reject_value(const Element& element) {
     if (element.value.broken()) broken = true;
     if (element.value.absent() || broken) return;
+    if (const std::string meant = moved_without_times(element, binder.evaluator.names());
+        !meant.empty()) {
+        report(error(Fault::misplaced, element.span, "this number belongs to nothing")
+                   .with_help(message("write `", meant, "`")));
+        return;
+    }
+    // In a scene each of several would be spoken of.
+    passing_over_ = name.empty();
     const std::string_view kind = kind_name(element.value);
     const Numbers* numbers = element.value.numbers();
     const bool number =
@@ -271,8 +333,10 @@ void OpenBlock::reject_value(const Element& element) {
     }
     Diagnostic stray =
         error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()));
-    const std::string_view bare = kind.substr(kind.find(' ') + 1);
-    if (!number && element.word != no_name && available(bare) && bare != name)
+    const std::string_view bare = bare_kind(element.value);
+    if (name.empty() && element.value.text())
+        stray.with_help("strings are joined by concat(a, b)");
+    else if (!number && element.word != no_name && available(bare) && bare != name)
         stray.with_help(message("did you mean `", bare, " { ", spelling(element.word), " }`?"));
     else
         stray.with_help(help());

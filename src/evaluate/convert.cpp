@@ -101,10 +101,15 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
             return wrong(Fault::wrong_type, kind_name(element.value));
         case FieldType::integer: {
             if (!numbers->is_scalar()) return wrong(Fault::wrong_type, kind_name(element.value));
-            const double whole = std::round(numbers->at[0]);
-            if (std::abs(whole - numbers->at[0]) > 1e-6 || std::abs(whole) > 2147483647.0)
-                return wrong(Fault::out_of_range, message(numbers->at[0]));
-            return whole;
+            const double given = numbers->at[0];
+            const double whole = std::round(given);
+            if (std::abs(whole) > 2147483647.0) return wrong(Fault::out_of_range, message(given));
+            if (std::abs(whole - given) <= 1e-6) return whole;
+            // As in POV-Ray, which takes what is before the point.
+            block.report(warning(Fault::no_effect, element.span,
+                                 message(slot.name(), " is a whole number, and ", given,
+                                         " counts as ", std::trunc(given))));
+            return std::trunc(given);
         }
         case FieldType::vector2:
             if (numbers->count > 2) return wrong(Fault::wrong_count, kind_name(element.value));

@@ -204,11 +204,15 @@ Flow Evaluator::State::include(const Tree& tree, const node::Include& node, Node
     const Span span = tree.span(node.file);
     const auto* member = tree.get_if<node::Member>(node.file);
     const auto* bare = tree.get_if<node::Name>(member ? member->operand : node.file);
-    if (bare && !scope.find(bare->name)) {
+    const bool angles = tree.get_if<node::Vector>(node.file) != nullptr;
+    if (angles || (bare && !scope.find(bare->name))) {
         // Everything that the file would have declared is missing from here on.
+        const std::uint32_t sign = angles ? 1 : 0;
         broken(Fault::wrong_type, span,
                message("the name of a file stands in quotes: #include \"",
-                       sources.text(span.source).substr(span.first, span.last - span.first), "\""));
+                       sources.text(span.source)
+                           .substr(span.first + sign, span.last - span.first - 2 * sign),
+                       "\""));
         stopped_ = true;
         return Flow::stopped;
     }

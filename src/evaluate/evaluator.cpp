@@ -205,7 +205,9 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     if (rest.starts_with('('))
         for (const FunctionInfo& function : ::functions()) known.push_back(function.name);
     const std::string library = loader.library_file_declaring(names.spelling(name));
-    if (!library.empty())
+    if (names.spelling(name) == "return")
+        problem.with_help("a macro needs no `return`: it gives what stands in it");
+    else if (!library.empty())
         problem.with_help(message("`", names.spelling(name), "` is declared in ", library,
                                   ": #include \"", library, "\""));
     else if (const std::string guess = nearest(names.spelling(name), known); !guess.empty())

@@ -130,14 +130,24 @@ private:
         const auto value = converted_as(element, FieldType::vector3, "an entry of ");
         if (!value) return;
         const Vec3& v = std::get<Vec3>(*value);
-        if (max_abs_component(v) > 2147483647.0 || glm::floor(v) != v) {
-            block_.report(
-                error(Fault::bad_index, element.span,
-                      message("an entry of ", block_.quoted(), " must be three whole numbers"))
-                    .with_help(block_.help()));
+        if (max_abs_component(v) > 2147483647.0) {
+            block_.report(error(Fault::bad_index, element.span,
+                                message("an entry of ", block_.quoted(), " is beyond all indices"))
+                              .with_help(block_.help()));
             return;
         }
+        if (glm::floor(v) != v) warn_of_fraction(element.span);
         faces.push_back({static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)});
+    }
+
+    /// Once: others of the list are like it.
+    void warn_of_fraction(Span span) {
+        if (warned_) return;
+        warned_ = true;
+        block_.report(warning(
+            Fault::no_effect, span,
+            message("an entry of ", block_.quoted(),
+                    " is three whole numbers; what is behind their points does not count")));
     }
 
     /// The number of a texture of the face that came last: of all of it, or of its corners.
@@ -166,6 +176,7 @@ private:
     std::size_t looks_given_ = 0;
     std::optional<double> count_;
     Span count_span_;
+    bool warned_ = false;
 };
 
 }  // namespace

@@ -124,15 +124,21 @@ bool PictureReader::take_adjustment(const Element& element) {
 /// Of the colour that is adjusted.
 void PictureReader::take_number(double number, Span span) {
     constexpr double most_colours = 65536;
-    if (number >= 0 && number < most_colours && std::floor(number) == number)
+    if (number >= 0 && number < most_colours) {
         adjustment_.number = static_cast<int>(number);
-    else
+        // As with other whole numbers, and as in POV-Ray.
+        if (std::floor(number) != number)
+            block_.report(warning(Fault::no_effect, span,
+                                  message("a colour has a whole number, and ", number,
+                                          " counts as ", adjustment_.number)));
+    } else {
         block_.report(error(Fault::out_of_range, span,
                             message("`", adjusted(),
                                     "` of a picture needs the number of a colour, "
                                     "counted from 0, but here is ",
                                     number))
                           .with_help(message(adjusted(), " 3, 0.5, or ", adjusted(), " all 0.5")));
+    }
 }
 
 void PictureReader::finish() {

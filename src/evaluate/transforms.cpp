@@ -53,6 +53,14 @@ private:
     TransformReader::Apply apply_;
 };
 
+void warn_of_flat(OpenBlock& block, const Element& value) {
+    Diagnostic flat = warning(Fault::degenerate, value.span,
+                              "this `scale` is 0 along an axis, which is taken as 1");
+    const Numbers* numbers = value.value.numbers();
+    if (numbers && numbers->count == 2) flat.with_help("a vector of 2 has 0 for its third number");
+    block.report(std::move(flat));
+}
+
 }  // namespace
 
 TransformReader::TransformReader(OpenBlock& block, Apply apply)
@@ -177,6 +185,7 @@ void TransformReader::apply_move(const Element& value) {
     const bool flat = factors.x == 0 || factors.y == 0 || factors.z == 0;
     std::optional<std::uint64_t> constant;
     if (!flat) constant = block_.binder.constants.number(value);
+    if (flat) warn_of_flat(block_, value);
     if (!constant) return apply_({move()});
     // The same value may follow another word the next time, after an #if.
     constant = *constant << 2 | static_cast<unsigned>(moves_.stored());
@@ -192,10 +201,6 @@ Transform TransformReader::move() {
     Vec3 factors = moved_.scale;
     for (int axis = 0; axis < 3; ++axis)
         if (factors[axis] == 0) factors[axis] = 1;
-    if (factors != moved_.scale)
-        block_.report(warning(
-            Fault::degenerate, block_.span,
-            message("`scale` of ", block_.quoted(), " is 0 along an axis, which is taken as 1")));
     return Transform::scaling(factors);
 }
 

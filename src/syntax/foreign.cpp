@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/foreign.h"
 
+#include "syntax/lexer.h"
+#include "text/message.h"
+
+#include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace {
+
+struct ForeignDirective {
+    std::string_view word, meant;
+};
+
+constexpr auto directives = std::array{
+    ForeignDirective{"set", "declare"},    ForeignDirective{"let", "declare"},
+    ForeignDirective{"var", "declare"},    ForeignDirective{"const", "declare"},
+    ForeignDirective{"print", "debug"},    ForeignDirective{"echo", "debug"},
+    ForeignDirective{"import", "include"}, ForeignDirective{"use", "include"},
+    ForeignDirective{"endif", "end"},      ForeignDirective{"endwhile", "end"},
+    ForeignDirective{"endfor", "end"},     ForeignDirective{"endmacro", "end"},
+    ForeignDirective{"endswitch", "end"},  ForeignDirective{"function", "macro"},
+};
 
 constexpr auto signs = std::array{
     ForeignSign{"\u201C", "a typographic quote", "\""},
@@ -38,4 +57,84 @@ const ForeignSign* foreign_sign(std::string_view text) {
     for (const ForeignSign& each : signs)
         if (text.starts_with(each.sign)) return &each;
     return nullptr;
+}
+
+std::string_view foreign_directive(std::string_view word) {
+    for (const ForeignDirective& each : directives)
+        if (each.word == word) return each.meant;
+    return {};
+}
+
+std::string hexadecimal_colour(std::string_view word) {
+    constexpr std::size_t digits = 6;
+    unsigned value = 0;
+    const char* const end = word.data() + word.size();
+    if (word.size() != digits || std::from_chars(word.data(), end, value, 16).ptr != end) return {};
+    return message("srgb <", value >> 16, ", ", value >> 8 & 255, ", ", value & 255, ">/255");
+}
+
+// ---- what the lexer does with them
+
+/// `#else if`, as other languages write it.
+bool Lexer::takes_if(const char* hash) {
+    const char* p = cursor_;
+    while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
+    if (!std::string_view(p, static_cast<std::size_t>(limit_ - p)).starts_with("if")) return false;
+    if (p + 2 < limit_ && (is_letter(p[2]) || is_digit(p[2]))) return false;
+    cursor_ = p + 2;
+    diagnostics_.add(error(Fault::syntax, span(hash, cursor_), "`#else if` is one word")
+                         .with_help("write `#elseif`, which has the `#end` of its `#if`"));
+    return true;
+}
+
+bool Lexer::between_values() const {
+    using enum TokenKind;
+    constexpr auto ends =
+        std::array{name, constant, number, literal, channel, close_parenthesis, close_bracket};
+    const char* p = cursor_;
+    while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
+    const bool begins =
+        p < limit_ && (is_letter(*p) || is_digit(*p) ||
+                       std::string_view("(.<+-").find(*p) != std::string_view::npos);
+    return begins && std::ranges::find(ends, previous_) != ends.end();
+}
+
+std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSign& sign) {
+    using enum TokenKind;
+    cursor_ += sign.sign.size();
+    diagnostics_.add(
+        error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
+            .with_help(sign.meant == " " ? "write an ordinary blank"
+                                         : message("write `", sign.meant, "`")));
+    if (sign.meant == "-") return token(minus, first);
+    if (sign.meant == "*") return token(times, first);
+    if (sign.meant == "/") return token(divide, first);
+    if (sign.meant == "<=") return token(less_equal, first);
+    if (sign.meant == ">=") return token(greater_equal, first);
+    if (sign.meant == "!=") return token(not_equal, first);
+    if (sign.meant == " ") return std::nullopt;
+    // A string goes on to the other quote, if that is on the same line.
+    for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
+        const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
+        if (*p != '"' && !(end && end->meant == "\"")) continue;
+        tree_.texts.emplace_back(cursor_, p);
+        cursor_ = p + (end ? end->sign.size() : 1);
+        return token(text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
+    }
+    return std::nullopt;
+}
+
+bool Lexer::foreign_letter() const {
+    return cursor_ < limit_ && (static_cast<unsigned char>(*cursor_) & 0x80) &&
+           !foreign_sign(rest());
+}
+
+/// A name with letters that names cannot have.
+Token Lexer::read_foreign_word(const char* first) {
+    while (cursor_ < limit_ && (is_letter(*cursor_) || is_digit(*cursor_) || foreign_letter()))
+        ++cursor_;
+    diagnostics_.add(error(Fault::unknown_character, span(first, cursor_),
+                           "a name consists of the letters A to Z and a to z, digits and `_`"));
+    const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    return token(TokenKind::name, first, static_cast<std::uint32_t>(names_.intern(spelling)));
 }

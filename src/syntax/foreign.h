@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs that the language does not have and that people type or paste nevertheless: what a word
-// processor, another language or another keyboard makes of those that it has. The lexer reports
-// them and reads what was meant.
+// Signs and directives that the language does not have and that people type or paste nevertheless:
+// what a word processor, another language or another keyboard makes of those that it has. The lexer
+// reports them and reads what was meant.
 #pragma once
 
+#include <string>
 #include <string_view>
+
+/// What names consist of.
+constexpr bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct ForeignSign {
     std::string_view sign;   ///< in UTF-8
@@ -14,3 +21,10 @@ struct ForeignSign {
 
 /// The sign that the text begins with, or null.
 const ForeignSign* foreign_sign(std::string_view text);
+
+/// The directive, without #, that is called by this word in other languages; empty: none.
+std::string_view foreign_directive(std::string_view word);
+
+/// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
+/// words.
+std::string hexadecimal_colour(std::string_view word);

@@ -115,10 +115,6 @@ const DirectiveWord* without_hash(std::string_view spelling) {
     return std::ranges::find(directive_words, spelling, &DirectiveWord::spelling);
 }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// A number of few digits without an exponent, as nearly all are. Both integers are exact as
 /// doubles, so their quotient is rounded as it has to be.
 std::optional<double> convert_short(const char*& p, const char* end) {
@@ -193,6 +189,7 @@ Token Lexer::read_directive(const char* hash) {
     while (cursor_ < limit_ && (is_letter(*cursor_) || (cursor_ > first && is_digit(*cursor_))))
         ++cursor_;
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
+    if (spelling == "else" && takes_if(hash)) return token(TokenKind::hash_elseif, hash);
     for (const DirectiveWord& directive : directive_words)
         if (directive.spelling == spelling) return token(directive.kind, hash, directive.value);
 
@@ -202,11 +199,24 @@ Token Lexer::read_directive(const char* hash) {
                                  "this `#` has no effect, for no word follows it"));
         return scan();
     }
+    return read_unknown_directive(hash, spelling);
+}
+
+Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling) {
+    while (cursor_ < limit_ && std::isxdigit(static_cast<unsigned char>(*cursor_))) ++cursor_;
+    const std::string_view word(spelling.data(),
+                                static_cast<std::size_t>(cursor_ - spelling.data()));
     Diagnostic problem = error(Fault::unknown_word, span(hash, cursor_),
-                               message("there is no directive `#", spelling, "`"));
+                               message("there is no directive `#", word, "`"));
+    if (const std::string colour = hexadecimal_colour(word); !colour.empty()) {
+        diagnostics_.add(problem.with_help(message("as a colour, write ", colour)));
+        return scan();
+    }
     std::vector<std::string_view> known;
     for (const DirectiveWord& directive : directive_words) known.push_back(directive.spelling);
-    if (const std::string guess = nearest(spelling, known); !guess.empty()) {
+    std::string guess(foreign_directive(spelling));
+    if (guess.empty()) guess = nearest(spelling, known);
+    if (!guess.empty()) {
         problem.with_help(message("did you mean `#", guess, "`?"));
         diagnostics_.add(problem);
         for (const DirectiveWord& directive : directive_words)
@@ -331,47 +341,9 @@ std::optional<Token> Lexer::stray(const char* first) {
     if (*first == '^') problem.with_help("a power is pow(base, exponent)");
     if (*first == '\'') problem.with_help("strings are written in double quotes");
     diagnostics_.add(problem);
+    // Between two values it goes on as a sign that there is.
+    if ((*first == '^' || *first == '%') && between_values()) return token(TokenKind::times, first);
     return std::nullopt;
-}
-
-std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSign& sign) {
-    using enum TokenKind;
-    cursor_ += sign.sign.size();
-    diagnostics_.add(
-        error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
-            .with_help(sign.meant == " " ? "write an ordinary blank"
-                                         : message("write `", sign.meant, "`")));
-    if (sign.meant == "-") return token(minus, first);
-    if (sign.meant == "*") return token(times, first);
-    if (sign.meant == "/") return token(divide, first);
-    if (sign.meant == "<=") return token(less_equal, first);
-    if (sign.meant == ">=") return token(greater_equal, first);
-    if (sign.meant == "!=") return token(not_equal, first);
-    if (sign.meant == " ") return std::nullopt;
-    // A string goes on to the other quote, if that is on the same line.
-    for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
-        const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
-        if (*p != '"' && !(end && end->meant == "\"")) continue;
-        tree_.texts.emplace_back(cursor_, p);
-        cursor_ = p + (end ? end->sign.size() : 1);
-        return token(text, first, static_cast<std::uint32_t>(tree_.texts.size() - 1));
-    }
-    return std::nullopt;
-}
-
-bool Lexer::foreign_letter() const {
-    return cursor_ < limit_ && (static_cast<unsigned char>(*cursor_) & 0x80) &&
-           !foreign_sign(rest());
-}
-
-/// A name with letters that names cannot have.
-Token Lexer::read_foreign_word(const char* first) {
-    while (cursor_ < limit_ && (is_letter(*cursor_) || is_digit(*cursor_) || foreign_letter()))
-        ++cursor_;
-    diagnostics_.add(error(Fault::unknown_character, span(first, cursor_),
-                           "a name consists of the letters A to Z and a to z, digits and `_`"));
-    const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
-    return token(TokenKind::name, first, static_cast<std::uint32_t>(names_.intern(spelling)));
 }
 
 void Lexer::second_point(const char* first) {

@@ -25,6 +25,8 @@ private:
     Token scan();
     Token read_word(const char* first);
     Token read_directive(const char* hash);
+    Token read_unknown_directive(const char* hash, std::string_view spelling);
+    bool takes_if(const char* hash);
     Token read_number(const char* first);
     Token read_literal(const char* first);
     Token read_text(const char* first);
@@ -39,6 +41,8 @@ private:
     std::optional<Token> read_foreign_sign(const char* first, const ForeignSign&);
     Token read_foreign_word(const char* first);
     bool foreign_letter() const;
+    /// Whether a value is before the cursor and one can begin behind it.
+    bool between_values() const;
     void second_point(const char* first);
     void double_sign(const char* first, std::string_view instead);
     bool file_name_expected() const;

@@ -2,6 +2,7 @@
 #include "syntax/parser.h"
 
 #include "grammar.h"
+#include "syntax/foreign.h"
 #include "syntax/parse_state.h"
 #include "text/message.h"
 
@@ -92,6 +93,8 @@ std::string_view advice(TokenKind found, const Expected& expected) {
 /// How a directive is written whose word is the last of the text, and that needs a parenthesis.
 std::string_view in_parentheses(std::string_view before) {
     const std::string_view word = before.substr(std::min(before.rfind('#'), before.size()));
+    if (word.starts_with("#ifdef") || word.starts_with("#ifndef"))
+        return "the name stands in parentheses: #ifdef (Name)";
     if (word.starts_with("#for")) return "a loop counts in parentheses: #for (I, 1, 10)";
     if (word.starts_with("#macro")) return "parameters stand in parentheses: #macro Name(A, B)";
     if (word.starts_with("#switch") || word.starts_with("#case"))
@@ -99,22 +102,66 @@ std::string_view in_parentheses(std::string_view before) {
     return "a condition stands in parentheses: (a > b)";
 }
 
+std::string_view without_blanks(std::string_view before) {
+    return before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
+}
+
+/// Whether the text ends in that word.
+bool ends_in_word(std::string_view text, std::string_view word) {
+    return text.ends_with(word) &&
+           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
+}
+
+bool begins_with_word(std::string_view text, std::string_view word) {
+    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
+}
+
+/// Words where the language has signs, or needs a number.
+std::string_view word_habit(std::string_view before, std::string_view after) {
+    if (ends_in_word(before, "not")) return "`not` is written as a sign: (!A)";
+    if (begins_with_word(after, "and")) return "`and` is written as a sign: (A & B)";
+    if (begins_with_word(after, "or")) return "`or` is written as a sign: (A | B)";
+    if (begins_with_word(after, "mod")) return "the remainder of a division is mod(A, B)";
+    for (const std::string_view channel : {"red", "green", "blue"})
+        if (ends_in_word(before, channel))
+            return "red, green and blue are channels, and need a number; colors.inc declares the "
+                   "colours Red, Green and Blue";
+    return {};
+}
+
 /// What people write who come from another language; `before` and `after` are the text around the
 /// place.
 std::string_view habit(TokenKind found, const Expected& expected, std::string_view before,
                        std::string_view after) {
     constexpr std::string_view change = "a value is changed by `#declare I = I + 1;`";
-    const auto letter = [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; };
     const std::string wanted = expected.list();
     if (before.ends_with("++") || before.ends_with("--")) return change;
+    before = without_blanks(before);
+    if (const std::string_view help = word_habit(before, after); !help.empty()) return help;
+    const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
+    if (found == TokenKind::equal && directive.starts_with("#for"))
+        return "a loop counts between commas: #for (I, 1, 10)";
+    if (directive == "#default") return "the last part of a #switch is `#else`";
+    const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
+    if (bracket && expected.value() && before.ends_with('='))
+        return "an array is written array { 1, 2, 3 }";
     if (wanted == "`(`") return in_parentheses(before);
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return change;
     if (after.starts_with('.'))
         return "parts of a vector are not set alone: #declare V = <2, V.y, V.z>;";
-    const bool hyphen = after.starts_with('-') && after.size() > 1 && letter(after[1]);
+    if (after.starts_with('('))
+        return "a function is written #declare F = function(X) { ... };, and what gives other than "
+               "numbers is a macro";
+    const bool hyphen = after.starts_with('-') && after.size() > 1 && is_letter(after[1]);
     return hyphen ? "a name cannot have a `-`, but it can have a `_`" : "";
+}
+
+/// `&&` and its like, of which the lexer has spoken.
+bool doubled(TokenKind kind, Stretch place) {
+    using enum TokenKind;
+    return (kind == both || kind == either || kind == equal) && place.last - place.first == 2;
 }
 
 bool reserved_word(TokenKind kind) {
@@ -126,7 +173,7 @@ bool reserved_word(TokenKind kind) {
 void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKinds& kinds) const {
     // A token without text was put in by Brackets, which has reported what is missing.
     const bool mended = place.first == place.last && found != TokenKind::end_of_file;
-    if (!mended) {
+    if (!mended && !doubled(found, place)) {
         const Expected expected(kinds);
         const std::string what =
             found == TokenKind::end_of_file
@@ -143,12 +190,10 @@ void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKi
         if (expected.has(TokenKind::greater) && !expected.comparison())
             problem.with_help(
                 "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
-        if (const std::string_view help = advice(found, expected); !help.empty())
-            problem.with_help(std::string(help));
-        if (const std::string_view help =
-                habit(found, expected, text.substr(0, place.first), text.substr(place.first));
-            !help.empty())
-            problem.with_help(std::string(help));
+        std::string_view help =
+            habit(found, expected, text.substr(0, place.first), text.substr(place.first));
+        if (help.empty()) help = advice(found, expected);
+        if (!help.empty()) problem.with_help(std::string(help));
         const auto open = brackets.innermost();
         if (found == TokenKind::equal && expected.element() && open && text[open->first] == '{')
             problem.with_help("the words of a block have no `=`: radius 2");

@@ -73,8 +73,8 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[evaluate]")
          "error out-of-range: `max_trace_level` of `global_settings` must be from 1 to 256, but it "
          "is 0"},
         {"global_settings { max_trace_level 2.5 }",
-         "error out-of-range: `max_trace_level` of `global_settings` must be a whole number, but "
-         "it is 2.5"},
+         "warning no-effect: `max_trace_level` of `global_settings` is a whole number, and 2.5 "
+         "counts as 2"},
         {"camera { angle 0 }",
          "error out-of-range: `angle` of `camera` must be above 0 and at most 360, but it is 0"},
         {"global_settings { adc_bailout 1 adc_bailout 2 }",

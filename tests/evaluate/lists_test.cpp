@@ -59,10 +59,11 @@ TEST_CASE("wrong lists are told of once", "[evaluate]") {
           "error missing: `vertex_vectors` needs a count");
     CHECK(complaint("mesh2 { vertex_vectors 3 }")
               .rfind("error wrong-type: `vertex_vectors` of `mesh2` must be a list", 0) == 0);
-    CHECK(complaint(head + "face_indices { 1, <0, 1, 0.5> } }") ==
-          "error bad-index: an entry of `face_indices` must be three whole numbers");
+    CHECK(complaint(head + "face_indices { 1, <0, 1, 2.5> } }") ==
+          "warning no-effect: an entry of `face_indices` is three whole numbers; what is behind "
+          "their points does not count");
     CHECK(complaint(head + "face_indices { 2, <0, 1, 2>, <0, 1, 3000000000> } }") ==
-          "error bad-index: an entry of `face_indices` must be three whole numbers");
+          "error bad-index: an entry of `face_indices` is beyond all indices");
     CHECK(complaint(head + "face_indices { 2, <0, 1, 2> } }") ==
           "error wrong-count: `face_indices` has 1 entry, but its count is 2");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 2>, 0 } }") ==

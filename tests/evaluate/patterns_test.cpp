@@ -97,7 +97,7 @@ TEST_CASE("wrong patterns are told of once", "[evaluate]") {
         {"bozo turbulence scale 2", "error missing: `turbulence` of `pigment` needs a vector"},
         {"spiral1", "error missing: `pigment` needs `arms`"},
         {"spiral1 0.5",
-         "error out-of-range: `arms` of `pigment` must be a whole number, but it is 0.5"},
+         "warning no-effect: `arms` of `pigment` is a whole number, and 0.5 counts as 0"},
         {"tiling 25", "error out-of-range: `type` of `pigment` must be from 1 to 24, but it is 25"},
         {"mandel 9 exterior 1", "error missing: `exterior_factor` of `pigment` needs a number"},
         {"mandel 9 exponent 50",

@@ -36,7 +36,7 @@ TEST_CASE("transform takes blocks and names, and inverts", "[evaluate]") {
 
 TEST_CASE("transforms that cannot be are told of", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 scale <1, 0, 1> }") ==
-          "warning degenerate: `scale` of `sphere` is 0 along an axis, which is taken as 1");
+          "warning degenerate: this `scale` is 0 along an axis, which is taken as 1");
     CHECK(complaint("sphere { 0, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1> }") ==
           "error wrong-count: `matrix` needs 12 numbers, but it has 9");
     CHECK(complaint("sphere { 0, 1 matrix }") ==

@@ -17,3 +17,18 @@ TEST_CASE("a foreign sign is known by its beginning", "[lexer]") {
     CHECK_FALSE(foreign_sign(""));
     CHECK_FALSE(foreign_sign("\xE2"));
 }
+
+TEST_CASE("directives of other languages stand for some of this one", "[lexer]") {
+    CHECK(foreign_directive("print") == "debug");
+    CHECK(foreign_directive("endif") == "end");
+    CHECK(foreign_directive("declare").empty());
+    CHECK(foreign_directive("").empty());
+}
+
+TEST_CASE("six hexadecimal digits are a colour", "[lexer]") {
+    CHECK(hexadecimal_colour("ff8000") == "srgb <255, 128, 0>/255");
+    CHECK(hexadecimal_colour("000000") == "srgb <0, 0, 0>/255");
+    CHECK(hexadecimal_colour("ff80").empty());
+    CHECK(hexadecimal_colour("ff80zz").empty());
+    CHECK(hexadecimal_colour("").empty());
+}

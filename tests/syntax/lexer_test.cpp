@@ -101,7 +101,12 @@ TEST_CASE("a string has this content", "[syntax]") {
 
 TEST_CASE("what is no token is reported and left out", "[syntax]") {
     const auto [text, message, kinds] = GENERATE(table<std::string, std::string, std::string>({
-        {"1 % 2", "this character means nothing here", "number number"},
+        {"1 % 2", "this character means nothing here", "number * number"},
+        {"1 %", "this character means nothing here", "number"},
+        {"a^-2", "this character means nothing here", "name * - number"},
+        {"#else if (a)", "`#else if` is one word", "#elseif ( name )"},
+        {"#endif", "there is no directive `#endif`", "#end"},
+        {"#ff8000", "there is no directive `#ff8000`", ""},
         {"1 \xC3\xA9 2", "a name consists of the letters A to Z and a to z, digits and `_`",
          "number name number"},
         {"Gr\xC3\xB6ssen 2", "a name consists of the letters A to Z and a to z, digits and `_`",

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #default for the rest of a #switch
+#version 3.7;
+#switch (5)
+  #case (5) sphere { 0, 1 } #break
+  #default sphere { 0, 2 }
+#end

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #else if (...)
+#version 3.7;
+#declare X = 1;
+#if (X = 1)
+  sphere { 0, 1 }
+#else if (X = 2)
+  sphere { 0, 2 }
+#end

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #endif
+#version 3.7;
+#if (1)
+  sphere { 0, 1 }
+#endif

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #if {1}
+#version 3.7;
+#if {1} sphere { 0, 1 pigment { rgb 1 } } #end

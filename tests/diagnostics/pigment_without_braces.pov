@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// pigment Name
+#version 3.7;
+#declare C = rgb <1, 0, 0>;
+sphere { 0, 1 pigment C }
