@@ -58,10 +58,14 @@ struct Stretch {
     double at_min = -1, at_max = -1;
 };
 
-/// The piece between the heights of a part, as far as the greatest radius goes.
-Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double reach2) {
+/// How far from its middle the ray may be within the greatest radius.
+double reach_along(const AxisRay& seen, double reach2) {
     const double limit2 = std::fmax(0, reach2 - seen.nearest2) / seen.across2;
-    const double limit = seen.across2 > 1e-18 ? std::sqrt(limit2) * (1 + 1e-9) : 1e30;
+    return seen.across2 > 1e-18 ? std::sqrt(limit2) * (1 + 1e-9) : 1e30;
+}
+
+/// The piece between the heights of a part, as far as the greatest radius goes.
+Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double limit) {
     Stretch result{{-limit, limit}};
     const double rise = seen.ray.direction.y, y = seen.ray.origin.y;
     if (rise == 0) return y >= p.low && y < p.high ? result : Stretch{{1, -1}};
@@ -134,9 +138,9 @@ void crossings(const BuiltSor& sor, const Ray& ray, Crossings& found) {
                                          : dot(sor.bounds.centre() - ray.origin, d);
     const Vec3 near = ray.origin + start * d;
     const AxisRay seen{{near, d}, start, near.x * near.x + near.z * near.z, across2};
-    const double reach2 = sor.bounds.high.x * sor.bounds.high.x;
+    const double limit = reach_along(seen, sor.bounds.high.x * sor.bounds.high.x);
     for (const BuiltSor::Part& p : sor.parts) {
-        const Stretch within = stretch(seen, p, reach2);
+        const Stretch within = stretch(seen, p, limit);
         if (!(within.range.min < within.range.max)) continue;
         const Roots places =
             sign_changes(depth_along(seen, p), within.range, within.at_min, within.at_max);

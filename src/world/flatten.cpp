@@ -242,10 +242,11 @@ private:
     void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
                    std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
-        const bool bounded = finite(bounds(shape));
+        const Box own = bounds(shape), box = transform ? transform->box(own) : own;
+        const bool bounded = finite(own);
         note(Unplaced::shape, index, material, span, bounded);
         if (!bounded) world_.unbounded.push_back(index);
-        world_.shapes.push_back({shape, transform});
+        world_.shapes.push_back({shape, transform, box});
         shape_materials_.push_back(material);
         objects_.placed(Unplaced::shape);
     }
