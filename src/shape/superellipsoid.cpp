@@ -15,6 +15,8 @@ const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// (a^p + b^p)^(1/p) for a, b >= 0, also where the powers leave the range of numbers.
 double norm(double a, double b, double p) {
     const double greater = std::fmax(a, b), less = std::fmin(a, b);
@@ -194,10 +196,14 @@ std::vector<double> octants(const Ray& ray, const Interval& range) {
 Box bounds(const Superellipsoid&) { return {Vec3(-1), Vec3(1)}; }
 
 void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
+    nearest_crossings(s, ray, {infinity, infinity}, found);
+}
+
+void nearest_crossings(const Superellipsoid& s, const Ray& ray, const Interval& wanted,
+                       Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     // A little larger than the solid, so that the ends of the range are outside.
-    const Interval range =
-        clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-std::numeric_limits<double>::infinity()});
+    const Interval range = clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-infinity});
     if (!(range.min < range.max)) return;
     const Depth depth(s);
     // From the middle of the range, where a far origin costs no digits.
@@ -212,8 +218,9 @@ void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
     if (depth.convex()) {
         const std::optional<Below> below = place_below(profile, {-half, half});
         if (!below) return;
-        take(root_from(profile, below->low, below->within));
-        take(root_from(profile, below->high, below->within));
+        const double entry = root_from(profile, below->low, below->within);
+        take(entry);
+        if (!wanted.contains(start + entry)) take(root_from(profile, below->high, below->within));
         return;
     }
     const std::vector<double> ends = octants(near, {-half, half});
