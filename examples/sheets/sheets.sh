@@ -26,7 +26,7 @@ scene() {
             texture { pigment { $2 } finish { ambient 1 diffuse 0 } } }" ;;
         normals) echo "$head $eye $lamp $sky sphere { 0, 1.1 pigment { rgb <0.9, 0.75, 0.5> }
             normal { $2 } finish { specular 0.3 roughness 0.02 } }" ;;
-        finishes) echo "$head $eye $lamp sky_sphere { pigment { gradient y
+        finishes) echo "$head global_settings { subsurface { } } $eye $lamp sky_sphere { pigment { gradient y
             color_map { [0 rgb <0.9, 0.9, 0.8>] [1 rgb <0.3, 0.5, 0.9>] } } }
             object { $floor translate -y } sphere { 0, 1
             pigment { rgb <0.9, 0.55, 0.25> } finish { $2 } }" ;;

@@ -57,11 +57,23 @@ struct Crossing {
 /// heap.
 class Crossings {
 public:
+    // What is not counted is not initialised: most rays that ask a shape find nothing, or little.
+    Crossings() {}
+    Crossings(const Crossings&) = delete;
+    Crossings& operator=(const Crossings&) = delete;
+    ~Crossings() {}
+
     void add(const Crossing& crossing) {
-        if (count_ < inline_.size())
-            inline_[count_] = crossing;
-        else
+        if (count_ >= inline_.size()) {
             spilled_.push_back(crossing);
+        } else {
+            // Field by field, so that the argument need not be put together in memory first.
+            Crossing& free = inline_[count_];
+            free.t = crossing.t;
+            free.normal = crossing.normal;
+            free.entering = crossing.entering;
+            free.part = crossing.part;
+        }
         ++count_;
     }
     void clear() {
@@ -75,7 +87,9 @@ public:
     }
 
 private:
-    std::array<Crossing, 4> inline_;
+    union {
+        std::array<Crossing, 4> inline_;
+    };
     std::vector<Crossing> spilled_;
     std::size_t count_ = 0;
 };

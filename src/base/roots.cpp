@@ -7,11 +7,21 @@ namespace {
 
 using Coefficients = std::array<double, greatest_degree + 1>;
 
+/// Calls use(c), where the number of coefficients is a constant for cubics and quartics: nearly all
+/// surfaces are such, and loops over them are unrolled then.
+template <class Use>
+auto with_known_size(std::span<const double> c, const Use& use) {
+    if (c.size() == 4) return use(c.first<4>());
+    if (c.size() == 5) return use(c.first<5>());
+    return use(c);
+}
+
 struct ValueAndSlope {
     double value, slope;
 };
 
-ValueAndSlope evaluate(std::span<const double> c, double x) {
+template <std::size_t size>
+ValueAndSlope evaluate(std::span<const double, size> c, double x) {
     double value = c.back(), slope = 0;
     for (std::size_t i = c.size() - 1; i-- > 0;) {
         slope = slope * x + value;
@@ -21,7 +31,9 @@ ValueAndSlope evaluate(std::span<const double> c, double x) {
 }
 
 /// The root between two places at which the polynomial has different signs.
-double root_between(std::span<const double> c, double low, double high, bool negative_at_low) {
+template <std::size_t size>
+double root_between(std::span<const double, size> c, double low, double high,
+                    bool negative_at_low) {
     double x = 0.5 * (low + high);
     for (int step = 0; step < 200; ++step) {
         const auto [value, slope] = evaluate(c, x);
@@ -72,7 +84,8 @@ std::span<double> derivative(std::span<const double> c, std::size_t k, Coefficie
 }
 
 /// The polynomial's coefficients in Bernstein's basis on the range.
-void to_bernstein(std::span<const double> c, const Interval& range, Coefficients& b) {
+template <std::size_t size>
+void to_bernstein(std::span<const double, size> c, const Interval& range, Coefficients& b) {
     const std::size_t degree = c.size() - 1;
     std::copy(c.begin(), c.end(), b.begin());
     for (std::size_t i = 0; i < degree; ++i)
@@ -86,7 +99,8 @@ void to_bernstein(std::span<const double> c, const Interval& range, Coefficients
 
 /// How often those coefficients change their sign: none or once means as many roots (Descartes'
 /// rule). Nothing when rounding may have decided a sign.
-std::optional<int> variations(std::span<const double> c, const Interval& range) {
+template <std::size_t size>
+std::optional<int> variations(std::span<const double, size> c, const Interval& range) {
     Coefficients b;
     to_bernstein(c, range, b);
     const double farthest = std::fmax(std::abs(range.min), std::abs(range.max));
@@ -102,7 +116,8 @@ std::optional<int> variations(std::span<const double> c, const Interval& range) 
 
 /// Whether the polynomial is below 0; where its value is not above its rounding error, what it was
 /// before. So it does not seem to cross zero where it only touches it.
-bool negative_at(std::span<const double> c, double x, bool before) {
+template <std::size_t size>
+bool negative_at(std::span<const double, size> c, double x, bool before) {
     double value = 0, greatest = 0;
     for (std::size_t i = c.size(); i-- > 0;) {
         value = value * x + c[i];
@@ -112,7 +127,9 @@ bool negative_at(std::span<const double> c, double x, bool before) {
 }
 
 /// The roots in a finite range, from those of the derivative.
-void between(std::span<const double> c, const Roots& turns, const Interval& range, Roots& found) {
+template <std::size_t size>
+void between(std::span<const double, size> c, const Roots& turns, const Interval& range,
+             Roots& found) {
     double low = range.min;
     bool negative = polynomial(c, low) < 0;
     for (std::size_t i = 0; i <= turns.size(); ++i) {
@@ -128,10 +145,13 @@ void between(std::span<const double> c, const Roots& turns, const Interval& rang
 Roots in_finite_range(std::span<const double> c, const Interval& range) {
     Roots found;
     if (!(range.min < range.max)) return found;
-    const std::optional<int> changes = variations(c, range);
+    const std::optional<int> changes =
+        with_known_size(c, [&](auto all) { return variations(all, range); });
     if (changes == 0) return found;
     if (changes == 1) {
-        found.add(root_between(c, range.min, range.max, polynomial(c, range.min) < 0));
+        found.add(with_known_size(c, [&](auto all) {
+            return root_between(all, range.min, range.max, polynomial(all, range.min) < 0);
+        }));
         return found;
     }
     Coefficients space;
@@ -141,7 +161,8 @@ Roots in_finite_range(std::span<const double> c, const Interval& range) {
     for (std::size_t k = degree - 2; k-- > 0;) {
         const Roots turns = found;
         found.clear();
-        between(derivative(c, k, space), turns, range, found);
+        with_known_size(derivative(c, k, space),
+                        [&](auto all) { between(all, turns, range, found); });
     }
     return found;
 }

@@ -95,6 +95,38 @@ private:
     Irid& irid_;
 };
 
+/// subsurface { ... }
+class SubsurfaceReader : public SimpleReader {
+public:
+    SubsurfaceReader(OpenBlock& block, Subsurface& subsurface)
+        : block_(block), subsurface_(subsurface) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "subsurface"_word) return false;
+        OpenBlock inner(block_.binder, "subsurface", element.word_span);
+        inner.item = &Subsurface::vocabulary;
+        ItemReader fields(inner, *inner.item, &subsurface_);
+        inner.read(element.body, fields);
+        check(inner);
+        block_.broken |= inner.broken;
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("subsurface"); }
+
+private:
+    void check(OpenBlock& inner) {
+        if (min_component(subsurface_.translucency) >= 0) return;
+        inner.report(error(Fault::out_of_range, inner.span,
+                           "`translucency` of `subsurface` must be at least 0 in each channel")
+                         .with_help(usage(Subsurface::vocabulary)));
+        inner.broken = true;
+    }
+
+    OpenBlock& block_;
+    Subsurface& subsurface_;
+};
+
 /// microfacet { ... }
 class MicrofacetReader : public SimpleReader {
 public:
@@ -177,7 +209,8 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     ReflectionReader reflection(block, finish.reflection);
     IridReader irid(block, finish.irid);
     MicrofacetReader microfacet(block, finish.microfacet);
-    block.read(element.body, declared, microfacet, fields, reflection, irid);
+    SubsurfaceReader subsurface(block, finish.subsurface);
+    block.read(element.body, declared, microfacet, fields, reflection, irid, subsurface);
     return !block.broken;
 }
 

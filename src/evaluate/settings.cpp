@@ -130,6 +130,29 @@ private:
     LightSampler& sampler_;
 };
 
+/// subsurface { ... } in global_settings.
+class SubsurfaceBlock : public SimpleReader {
+public:
+    SubsurfaceBlock(OpenBlock& block, SubsurfaceSettings& settings)
+        : block_(block), settings_(settings) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "subsurface"_word) return false;
+        OpenBlock inner(block_.binder, "subsurface", element.word_span);
+        inner.item = &SubsurfaceSettings::vocabulary;
+        settings_.on = true;
+        ItemReader fields(inner, *inner.item, &settings_);
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("subsurface"); }
+
+private:
+    OpenBlock& block_;
+    SubsurfaceSettings& settings_;
+};
+
 /// The fields; `assumed_gamma srgb` is the one that has a word for its value.
 class SettingsFields {
 public:
@@ -198,13 +221,13 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     block.item = &GlobalSettings::vocabulary;
     block.effectless =
         "charset utf8 ascii sys hf_gray_16 max_intersections "
-        "mm_per_unit "
-        "radiosity photons subsurface";
+        "radiosity photons";
     const double gamma = settings.assumed_gamma;
     SettingsFields fields(block, settings);
     SamplerBlock sampler(block, settings.light_sampler);
     LuminairesReader luminaires(block, settings.ambient_luminaires);
-    block.read(element.body, luminaires, fields, sampler);
+    SubsurfaceBlock subsurface(block, settings.subsurface);
+    block.read(element.body, luminaires, fields, sampler, subsurface);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);
     if (!fields.given("assumed_gamma")) return;

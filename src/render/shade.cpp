@@ -20,8 +20,9 @@ Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
     return Vec3(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Vec3(1));
 }
 
-/// Fresnel's equations for unpolarised light; n is the index behind the surface over the one in
-/// front.
+}  // namespace
+
+// By Fresnel's equations.
 double fresnel(double cosine, double n) {
     const double g2 = n * n + cosine * cosine - 1;
     if (g2 <= 0) return 1;
@@ -30,8 +31,6 @@ double fresnel(double cosine, double n) {
     const double tail = (cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1);
     return std::clamp(0.5 * ratio * ratio * (tail * tail + 1), 0.0, 1.0);
 }
-
-}  // namespace
 
 void for_textures_seen(const World& world, const Hit& hit, bool from_inside,
                        FunctionRef<void(double, const Texture&)> use) {
@@ -95,12 +94,14 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
     const Finish& f = *s.finish;
     const double signed_cosine = dot(s.normal, to_light);
     const bool behind = signed_cosine < 1e-10;
+    if (s.entering > 0)
+        return Vec3(behind ? 0 : signed_cosine * (1 - fresnel(signed_cosine, s.entering)));
     if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
     const double cosine = std::abs(signed_cosine);
     const double falloff = f.brilliance == 1 ? cosine : std::pow(cosine, f.brilliance);
     const bool back = behind && f.diffuse_back != 0;
-    Vec3 result = s.colour.rgb *
-                  ((back ? f.diffuse_back : f.diffuse) * falloff * s.opacity - f.crand * grain);
+    const double diffuse = s.only_shine ? 0 : back ? f.diffuse_back : f.diffuse;
+    Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
     if (back || !highlights || (f.phong == 0 && f.specular == 0)) return result;
 
     const Vec3 tint =

@@ -17,6 +17,9 @@ struct Shading {
     Colour colour;
     double opacity = 1;
     bool both_sides = false;
+    bool only_shine = false;  ///< diffuse light has been seen to
+    double entering = 0;      ///< index of refraction behind the surface, when what is asked is the
+                              ///< light that goes in; 0: what comes back
 };
 
 /// Calls use(share, texture) for the textures that show at a hit, of the inner side when the ray
@@ -65,6 +68,10 @@ Vec3 scattered(const Shading&, Vec2 u);
 
 /// Probability per steradian of that direction.
 double scattered_density(const Shading&, const Vec3& direction);
+
+/// Share of unpolarised light that a smooth surface reflects; n is the index of refraction behind
+/// it over the one in front.
+double fresnel(double cosine, double n);
 
 /// Share of the light from the mirror direction that is reflected to the viewer. The ratio is the
 /// index of refraction in front of the surface over the one behind it.

@@ -2,6 +2,7 @@
 #include "render/trace.h"
 
 #include "render/microfacet.h"
+#include "render/subsurface.h"
 #include "surface/simplified.h"
 
 #include <algorithm>
@@ -224,7 +225,11 @@ Vec3 Tracer::lit(const Path& path, const Hit& hit, const Shading& s, const Vec3&
     const Scaled scaled(rays_, through);
     const Vec3 own = own_radiance(world_, s, glowing);
     credit(hit, own);
-    return own + direct_light_(s, path.key, rays_);
+    if (!scatters_inside(world_, s)) return own + direct_light_(s, path.key, rays_);
+    Shading shine = s;
+    shine.only_shine = true;
+    return own + direct_light_(shine, path.key, rays_) +
+           light_from_inside(world_, direct_light_, hit, s, path.weight, path.key, rays_);
 }
 
 /// What the inside of a solid leaves of the light along the part of a ray that ends at its surface.

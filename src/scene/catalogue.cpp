@@ -9,14 +9,14 @@
 
 namespace {
 
-constexpr auto surface =
-    std::array{&BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary,
-               &Irid::vocabulary,         &Microfacet::vocabulary, &Interior::vocabulary};
+constexpr auto surface = std::array{
+    &BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary, &Irid::vocabulary,
+    &Microfacet::vocabulary,   &Subsurface::vocabulary, &Interior::vocabulary};
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
 constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
-constexpr auto settings = std::array{&GlobalSettings::vocabulary};
+constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},

@@ -34,6 +34,12 @@ std::string settings_text(const Scene& scene) {
         !srgb)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");
     if (settings.ambient_luminaires) text += message(text.empty() ? "" : " ", "luminaires ambient");
+    if (settings.subsurface.on) {
+        const std::string fields =
+            written_fields(SubsurfaceSettings::vocabulary, &settings.subsurface);
+        text += message(text.empty() ? "" : " ", "subsurface {", fields.empty() ? "" : " ", fields,
+                        " }");
+    }
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
         text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");

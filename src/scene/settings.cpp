@@ -21,6 +21,9 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
           "how many points ripples and waves run out from", between(1, 1000)},
         as_colour(F{"irid_wavelength", &GlobalSettings::irid_wavelength, item,
                     "wavelengths of red, green and blue light for iridescence"}),
+        F{"mm_per_unit", &GlobalSettings::mm_per_unit, item,
+          "how many millimetres a unit of the scene is: translucency is measured in them",
+          above(0)},
         F{"adc_bailout", &GlobalSettings::adc_bailout, item,
           "rays that can change the pixel by less than this are dropped", at_least(0)});
 });

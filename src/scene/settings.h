@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lighting/settings.h"
+#include "surface/subsurface.h"
 #include "vocabulary/item_info.h"
 
 #include <cstdint>
@@ -18,6 +19,8 @@ struct GlobalSettings {
     Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
     bool ambient_luminaires = false;  ///< objects with ambient of 1 or more are luminaires
+    double mm_per_unit = 10;          ///< millimetres; for translucency
+    SubsurfaceSettings subsurface;    ///< from the block of that name
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads
 

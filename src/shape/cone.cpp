@@ -71,11 +71,12 @@ Interval within_side(const Line& line) {
 /// A root with the digits back that a flat parabola has cost: one step of Newton's method on the
 /// distance from the side. Grazing lines stay as they are.
 double polished(const Line& line, double t) {
+    if (!std::isfinite(t)) return t;
     const Vec3 radial = line.radial + t * line.radial_step;
     const double distance = length(radial);
     const double change = dot(radial, line.radial_step) / distance - line.radius_step;
     const double step = (distance - line.radius - t * line.radius_step) / change;
-    return std::isfinite(t) && std::abs(step) <= 1e-9 * std::abs(t) ? t - step : t;
+    return std::abs(step) <= 1e-9 * std::abs(t) ? t - step : t;
 }
 
 /// The same, computed from the point where the line is deepest: there b vanishes, and a grazing
@@ -111,22 +112,24 @@ Box bounds(const Cone& cone) {
 }
 
 void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
-    const Axis axis(cone);
     const Vec3& direction = ray.direction;
     // All is computed from the point of the ray nearest to the cone, so that a far origin costs no
     // digits twice.
     const Vec3 middle = 0.5 * (cone.base + cone.cap);
     const double start = dot(middle - ray.origin, direction) / dot(direction, direction);
     const Vec3 near = ray.at(start);
-    const double widest = std::fmax(cone.base_radius, cone.cap_radius), half = 0.5 * axis.height;
-    if (!(dot(near - middle, near - middle) <= (widest * widest + half * half) * (1 + 1e-9)))
+    const Vec3 half = cone.cap - middle;
+    const double widest = std::fmax(cone.base_radius, cone.cap_radius);
+    if (!(dot(near - middle, near - middle) <= (widest * widest + dot(half, half)) * (1 + 1e-9)))
         return;
 
+    const Axis axis(cone);
     const double rise = dot(direction, axis.up);
     const double below = dot(near - cone.base, axis.up), above = dot(cone.cap - near, axis.up);
     const Line line{axis.across(near - cone.base), axis.across(direction),
                     cone.base_radius + axis.slope * below, axis.slope * rise};
     const Interval side = within_side_centred(line), slab = between_ends(below, above, rise);
+    if (!(std::fmax(side.min, slab.min) < std::fmin(side.max, slab.max))) return;
 
     const auto crossing = [&](double t, bool at_end, bool entering) -> Crossing {
         if (at_end) return {start + t, entering == (rise > 0) ? -axis.up : axis.up, entering};

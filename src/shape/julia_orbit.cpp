@@ -128,7 +128,7 @@ JuliaSet::JuliaSet(const JuliaFractal& fractal)
 
 JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
     const JuliaFractal& julia = set.julia;
-    const double degree = function_of(julia) == julia_cube ? 3 : 2;
+    const bool cubic = function_of(julia) == julia_cube;
     return with_function(julia, [&](const auto& image) -> JuliaOrbit {
         Vec4 q = start(set, point);
         double product2 = 1;
@@ -137,7 +137,7 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
             if (distance2 > set.limit2) {
                 const double step = set.by_formula
                                         ? 0
-                                        : 0.25 * std::pow(degree, -n) *
+                                        : 0.25 * (cubic ? std::pow(3, -n) : std::ldexp(1, -n)) *
                                               std::sqrt(distance2 / product2) * std::log(distance2);
                 return {false, distance2, std::isfinite(step) ? step : 0};
             }

@@ -27,11 +27,13 @@ BuiltSor::Part part(std::span<const Vec2> points, std::size_t i) {
     const double r0 = points[i].x * points[i].x, r1 = points[i + 1].x * points[i + 1].x;
     const double s0 = slope_at(points, i), s1 = slope_at(points, i + 1);
     const double mean = (r1 - r0) / h;
-    return {points[i].y,
-            points[i + 1].y,
-            {r0, s0, (3 * mean - 2 * s0 - s1) / h, (s0 + s1 - 2 * mean) / (h * h)},
-            r0,
-            r1};
+    const std::array<double, 4> factors = {r0, s0, (3 * mean - 2 * s0 - s1) / h,
+                                           (s0 + s1 - 2 * mean) / (h * h)};
+    double reach2 = std::fmax(r0, r1);
+    const std::array<double, 3> slope = {factors[1], 2 * factors[2], 3 * factors[3]};
+    for (const double turn : sign_changes(slope, {0, h}))
+        reach2 = std::fmax(reach2, polynomial(factors, turn));
+    return {points[i].y, points[i + 1].y, factors, r0, r1, reach2};
 }
 
 /// A ray of unit length from its point nearest to the axis.
@@ -58,10 +60,14 @@ struct Stretch {
     double at_min = -1, at_max = -1;
 };
 
-/// The piece between the heights of a part, as far as the greatest radius goes.
-Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double reach2) {
+/// How far from its middle the ray may be within the greatest radius.
+double reach_along(const AxisRay& seen, double reach2) {
     const double limit2 = std::fmax(0, reach2 - seen.nearest2) / seen.across2;
-    const double limit = seen.across2 > 1e-18 ? std::sqrt(limit2) * (1 + 1e-9) : 1e30;
+    return seen.across2 > 1e-18 ? std::sqrt(limit2) * (1 + 1e-9) : 1e30;
+}
+
+/// The piece between the heights of a part, as far as the greatest radius goes.
+Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double limit) {
     Stretch result{{-limit, limit}};
     const double rise = seen.ray.direction.y, y = seen.ray.origin.y;
     if (rise == 0) return y >= p.low && y < p.high ? result : Stretch{{1, -1}};
@@ -93,10 +99,7 @@ BuiltSor build(const Sor& sor) {
     double reach2 = 0;
     for (std::size_t i = 1; i + 2 < sor.points.size(); ++i) {
         const BuiltSor::Part p = part(sor.points, i);
-        reach2 = std::fmax(reach2, std::fmax(p.low2, p.high2));
-        const std::array<double, 3> slope = {p.factors[1], 2 * p.factors[2], 3 * p.factors[3]};
-        for (const double h : sign_changes(slope, {0, p.high - p.low}))
-            reach2 = std::fmax(reach2, polynomial(p.factors, h));
+        reach2 = std::fmax(reach2, p.reach2);
         result.parts.push_back(p);
     }
     const double reach = std::sqrt(reach2);
@@ -134,9 +137,10 @@ void crossings(const BuiltSor& sor, const Ray& ray, Crossings& found) {
                                          : dot(sor.bounds.centre() - ray.origin, d);
     const Vec3 near = ray.origin + start * d;
     const AxisRay seen{{near, d}, start, near.x * near.x + near.z * near.z, across2};
-    const double reach2 = sor.bounds.high.x * sor.bounds.high.x;
+    const double limit = reach_along(seen, sor.bounds.high.x * sor.bounds.high.x);
     for (const BuiltSor::Part& p : sor.parts) {
-        const Stretch within = stretch(seen, p, reach2);
+        if (seen.nearest2 > p.reach2 * (1 + 1e-9)) continue;
+        const Stretch within = stretch(seen, p, limit);
         if (!(within.range.min < within.range.max)) continue;
         const Roots places =
             sign_changes(depth_along(seen, p), within.range, within.at_min, within.at_max);

@@ -21,6 +21,7 @@ struct BuiltSor {
         double low, high;
         std::array<double, 4> factors;
         double low2, high2;  ///< squared radii at both ends
+        double reach2;       ///< the greatest squared radius
     };
     std::vector<Part> parts;
     Box bounds;

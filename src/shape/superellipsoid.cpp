@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+#include <optional>
+
 const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
     using F = Field<Superellipsoid>;
     return schema<Superellipsoid>(
@@ -13,6 +15,8 @@ const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// (a^p + b^p)^(1/p) for a, b >= 0, also where the powers leave the range of numbers.
 double norm(double a, double b, double p) {
     const double greater = std::fmax(a, b), less = std::fmin(a, b);
@@ -20,15 +24,41 @@ double norm(double a, double b, double p) {
     return greater * std::pow(1 + std::pow(less / greater, p), 1 / p);
 }
 
-double power(double base, double exponent) {
-    return exponent == 1 ? base : exponent == 2 ? base * base : std::pow(base, exponent);
-}
+/// A power whose exponent may be known to be easy.
+class Power {
+public:
+    explicit Power(double exponent)
+        : exponent_(exponent),
+          doublings_(exponent == 1   ? 0
+                     : exponent == 2 ? 1
+                     : exponent == 4 ? 2
+                     : exponent == 8 ? 3
+                                     : none) {}
+
+    double of(double base) const {
+        if (base == 1) return 1;
+        if (doublings_ == none) return std::pow(base, exponent_);
+        for (int i = 0; i < doublings_; ++i) base *= base;
+        return base;
+    }
+
+private:
+    static constexpr int none = -1;
+    double exponent_;
+    int doublings_;
+};
 
 /// The distance function: 0 on the surface, -1 in the middle; it grows in proportion along rays
 /// from there.
 class Depth {
 public:
-    explicit Depth(const Superellipsoid& s) : p_(2 / s.exponents.x), q_(2 / s.exponents.y) {}
+    explicit Depth(const Superellipsoid& s)
+        : p_(2 / s.exponents.x),
+          q_(2 / s.exponents.y),
+          across_(p_),
+          up_(q_),
+          join_(q_ / p_),
+          size_(1 / q_) {}
 
     struct Place {
         double value;
@@ -38,9 +68,9 @@ public:
         const double size = max_abs_component(v);
         if (size == 0) return {-1, Vec3(0)};
         const Vec3 part = glm::abs(v) / size;
-        const double x = power(part.x, p_), y = power(part.y, p_), z = power(part.z, q_);
-        const double round = x + y, raised = power(round, q_ / p_), sum = raised + z;
-        const double whole = power(sum, 1 / q_);
+        const double x = across_.of(part.x), y = across_.of(part.y), z = up_.of(part.z);
+        const double round = x + y, raised = join_.of(round), sum = raised + z;
+        const double whole = size_.of(sum);
         // Of a power, the derivative is the power again over its base.
         const auto slope = [](double raised, double part, double sign) {
             return part == 0 ? 0.0 : std::copysign(raised / part, sign);
@@ -57,6 +87,7 @@ public:
 
 private:
     double p_, q_;
+    Power across_, up_, join_, size_;
 };
 
 /// The depth along a ray.
@@ -88,24 +119,50 @@ struct Profile {
     }
 };
 
-/// Some place where a convex profile is below 0. The tangents at two places bound it from below,
-/// and where they meet is the next place to look at. NaN when there is none.
-double place_below(const Profile& profile, const Interval& range) {
-    double low = range.min, high = range.max;
-    auto [at_low, falls] = profile.at(low);
-    auto [at_high, rises] = profile.at(high);
-    for (int step = 0; step < 60 && falls < 0 && rises > 0; ++step) {
-        double t = (at_low - at_high + rises * high - falls * low) / (rises - falls);
-        if (!(at_low + falls * (t - low) < 0)) break;
-        if (!(t > low && t < high)) t = 0.5 * (low + high);
-        const auto [here, slope] = profile.at(t);
-        if (here < 0) return t;
-        if (slope < 0)
-            low = t, at_low = here, falls = slope;
-        else
-            high = t, at_high = here, rises = slope;
+/// A place of a convex profile with its value and slope.
+struct Foot {
+    double t, value, slope;
+};
+
+Foot foot(const Profile& profile, double t) {
+    const Profile::Place here = profile.at(t);
+    return {t, here.value, here.slope};
+}
+
+/// Some place where a convex profile is below 0, with the nearest known places on both sides where
+/// it is above.
+struct Below {
+    Foot low, high;
+    double within;
+};
+
+/// The tangents at two places bound the profile from below, and where they meet is the next place
+/// to look at. Nothing when the profile is nowhere below 0.
+std::optional<Below> place_below(const Profile& profile, const Interval& range) {
+    Foot low = foot(profile, range.min), high = foot(profile, range.max);
+    for (int step = 0; step < 60 && low.slope < 0 && high.slope > 0; ++step) {
+        double t = (low.value - high.value + high.slope * high.t - low.slope * low.t) /
+                   (high.slope - low.slope);
+        if (!(low.value + low.slope * (t - low.t) < 0)) break;
+        if (!(t > low.t && t < high.t)) t = 0.5 * (low.t + high.t);
+        const Foot here = foot(profile, t);
+        if (here.value < 0) return Below{low, high, t};
+        (here.slope < 0 ? low : high) = here;
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    return std::nullopt;
+}
+
+/// The root of a convex profile between a place above 0 and one below: from above, Newton's method
+/// comes nearer from one side only, with twice as many digits at each step.
+double root_from(const Profile& profile, Foot at, double within) {
+    for (int step = 0; step < 100; ++step) {
+        const double next = at.t - at.value / at.slope, moved = std::abs(next - at.t);
+        const bool between = (next > at.t) == (within > at.t) && (next < within) == (at.t < within);
+        if (!between) return at.t;
+        if (moved <= 1e-9 * std::abs(within - at.t)) return next;
+        at = foot(profile, next);
+    }
+    return at.t;
 }
 
 /// Roots within a part of one octant, where the distances from all three planes change steadily:
@@ -139,10 +196,14 @@ std::vector<double> octants(const Ray& ray, const Interval& range) {
 Box bounds(const Superellipsoid&) { return {Vec3(-1), Vec3(1)}; }
 
 void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
+    nearest_crossings(s, ray, {infinity, infinity}, found);
+}
+
+void nearest_crossings(const Superellipsoid& s, const Ray& ray, const Interval& wanted,
+                       Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     // A little larger than the solid, so that the ends of the range are outside.
-    const Interval range =
-        clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-std::numeric_limits<double>::infinity()});
+    const Interval range = clip(ray, {Vec3(-1.001), Vec3(1.001)}, {-infinity});
     if (!(range.min < range.max)) return;
     const Depth depth(s);
     // From the middle of the range, where a far origin costs no digits.
@@ -155,10 +216,11 @@ void crossings(const Superellipsoid& s, const Ray& ray, Crossings& found) {
             found.add({start + t, normal, dot(ray.direction, normal) < 0});
     };
     if (depth.convex()) {
-        const double within = place_below(profile, {-half, half});
-        if (std::isnan(within)) return;
-        take(profile.root(-half, within, false));
-        take(profile.root(within, half, true));
+        const std::optional<Below> below = place_below(profile, {-half, half});
+        if (!below) return;
+        const double entry = root_from(profile, below->low, below->within);
+        take(entry);
+        if (!wanted.contains(start + entry)) take(root_from(profile, below->high, below->within));
         return;
     }
     const std::vector<double> ends = octants(near, {-half, half});

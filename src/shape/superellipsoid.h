@@ -14,4 +14,5 @@ struct Superellipsoid {
 
 Box bounds(const Superellipsoid&);
 void crossings(const Superellipsoid&, const Ray&, Crossings&);
+void nearest_crossings(const Superellipsoid&, const Ray&, const Interval& range, Crossings&);
 bool inside(const Superellipsoid&, const Vec3&);

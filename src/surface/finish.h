@@ -2,7 +2,7 @@
 // How a surface answers light. Meanings and defaults are POV-Ray 3.7's.
 #pragma once
 
-#include "vocabulary/item_info.h"
+#include "surface/subsurface.h"
 
 /// The block form of reflection: from straight on to grazing.
 struct Reflection {
@@ -60,6 +60,7 @@ struct Finish {
     Reflection reflection;
     Irid irid;
     Microfacet microfacet;
+    Subsurface subsurface;
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Finish&, const Finish&) = default;

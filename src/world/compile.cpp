@@ -23,9 +23,7 @@ Box item_bounds(const World& world, std::uint32_t item) {
         const TrianglePrimitive& t = world.triangles[face];
         return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
     }
-    const PlacedShape& placed = world.shapes[face - world.triangles.size()];
-    const Box box = bounds(placed.shape);
-    return placed.transform ? placed.transform->box(box) : box;
+    return world.shapes[face - world.triangles.size()].box;
 }
 
 Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {

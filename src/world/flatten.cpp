@@ -242,10 +242,10 @@ private:
     void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
                    std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
-        const bool bounded = finite(bounds(shape));
-        note(Unplaced::shape, index, material, span, bounded);
-        if (!bounded) world_.unbounded.push_back(index);
-        world_.shapes.push_back({shape, transform});
+        const Box own = bounds(shape);
+        note(Unplaced::shape, index, material, span, finite(own));
+        if (!finite(own)) world_.unbounded.push_back(index);
+        world_.shapes.push_back({shape, transform, transform ? transform->box(own) : own});
         shape_materials_.push_back(material);
         objects_.placed(Unplaced::shape);
     }

@@ -3,6 +3,7 @@
 #include "world/world.h"
 
 #include "shape/leaf_pack.h"
+#include "shape/slabs.h"
 #include "shape/uv.h"
 
 #include <algorithm>
@@ -61,8 +62,8 @@ void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& 
     if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
 }
 
-void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
-                 Candidate& best) const {
+void World::meet(PrimitiveIndex primitive, const Ray& ray, const Slabs& slabs,
+                 const Interval& range, Candidate& best) const {
     if (primitive < spheres.size()) {
         const SpherePrimitive& s = spheres[primitive];
         const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
@@ -73,7 +74,8 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Interval& range
             first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
-        meet_shape(primitive, ray, range, best);
+        const Box& box = shapes[primitive - spheres.size() - triangles.size()].box;
+        if (!slabs.miss(box, {range.min, best.t})) meet_shape(primitive, ray, range, best);
     }
 }
 
@@ -110,6 +112,7 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
 }
 
 bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
+    const Slabs slabs(ray);
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
     const std::uint32_t first_composite = leaves_begin();
@@ -123,7 +126,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
-            meet(item, ray, range, best);
+            meet(item, ray, slabs, range, best);
     };
     for (const std::uint32_t item : unbounded) ask(item);
     PackRay packed(ray);
@@ -162,7 +165,7 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
     } else if (item < spheres.size() + triangles.size()) {
         Candidate best{range.max};
-        meet(item, ray, range, best);
+        meet(item, ray, Slabs(ray), range, best);
         const TrianglePrimitive& face = triangles[item - spheres.size()];
         if (best.primitive != no_primitive)
             found.push_back(
@@ -180,7 +183,8 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
     }
 }
 
-bool World::opaque_between(std::uint32_t item, const Ray& ray, const Interval& range) const {
+bool World::opaque_between(std::uint32_t item, const Ray& ray, const Slabs& slabs,
+                           const Interval& range) const {
     const auto blocks = [&](PrimitiveIndex primitive) {
         const Material& m = material(primitive);
         return !m.no_shadow && !m.transparent;
@@ -189,7 +193,7 @@ bool World::opaque_between(std::uint32_t item, const Ray& ray, const Interval& r
     if (item >= leaves_begin())
         meet_composite(item - leaves_begin(), ray, range, nearest, blocks);
     else if (blocks(item))
-        meet(item, ray, range, nearest);
+        meet(item, ray, slabs, range, nearest);
     return nearest.primitive != no_primitive;
 }
 
@@ -241,13 +245,14 @@ Vec3 World::dimmed(std::vector<Passage>& passages) const {
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
+    const Slabs slabs(ray);
     std::vector<std::uint32_t> clear;
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     Asked asked;
     const auto blocks = [&](std::uint32_t item) {
         if (item >= first_shape && asked.before(item)) return false;
         if (any_transparent && may_pass(item)) clear.push_back(item);
-        return opaque_between(item, ray, range);
+        return opaque_between(item, ray, slabs, range);
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
     PackRay packed(ray);

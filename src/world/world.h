@@ -15,6 +15,8 @@
 #include <unordered_map>
 #include <vector>
 
+class Slabs;
+
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
 
@@ -59,6 +61,7 @@ using FaceTextures = std::vector<Handle<Texture>>;
 struct PlacedShape {
     BuiltShape shape;
     Handle<Transform> transform;  ///< null: none
+    Box box;                      ///< around it; infinite for planes and the like
 };
 
 /// Several shapes as one solid. Its leaves are primitives as well, one after the other.
@@ -245,7 +248,7 @@ private:
     };
     /// A leaf of a composite, by its number among all leaves.
     const CompositeLeaf& leaf(std::uint32_t) const;
-    void meet(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
+    void meet(PrimitiveIndex, const Ray&, const Slabs&, const Interval&, Candidate&) const;
     void meet_shape(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
     template <class Wanted>
     void meet_composite(std::uint32_t composite, const Ray&, const Interval&, Candidate&,
@@ -255,7 +258,7 @@ private:
     void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
     Vec3 passed(const Passage&, const Ray&) const;
     Vec3 dimmed(std::vector<Passage>&) const;
-    bool opaque_between(std::uint32_t item, const Ray&, const Interval&) const;
+    bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
     bool contains_point(PrimitiveIndex, const Vec3&) const;
 };

@@ -32,8 +32,8 @@ TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
         {"media { 1, 2 }", "error not-implemented: `media` is not available in this version"},
         {"sphere { 0, 1 interior { media { emission 1 } } }",
          "error not-implemented: `media` is not available in this version"},
-        {"sphere { 0, 1 finish { subsurface { translucency 1 } ambient 1 } }",
-         "error not-implemented: `subsurface` is not available in this version"},
+        {"sphere { 0, 1 finish { subsurface { translucency -1 } } }",
+         "error out-of-range: `translucency` of `subsurface` must be at least 0 in each channel"},
         {"sphere { 0, 1 bounded_by { box { -1, 1 } } sturm }",
          "warning no-effect: `sturm` has no effect in this version"},
     }));

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tells which of many boxes one ray passes by. Called by composites and the world before they ask a
+// shape; nothing that a ray meets in a box is lost to rounding.
+#pragma once
+
+#include "base/ray.h"
+
+/// One ray and its boxes. As in clip(), what is no number does not count.
+class Slabs {
+public:
+    explicit Slabs(const Ray& ray)
+        : origin_(ray.origin),
+          inverse_(Vec3(1) / ray.direction),
+          size_(max_abs_component(ray.origin)) {}
+
+    bool miss(const Box& box, const Interval& range) const {
+        const Interval left = within(box, range);
+        return left.min > left.max;
+    }
+
+    /// The part of the range in the box and a little more, for rounding errors; when there is none,
+    /// it ends before it begins.
+    Interval within(const Box& box, const Interval& range) const {
+        double near = range.min, far = range.max;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.low[axis] - origin_[axis]) * inverse_[axis];
+            const double b = (box.high[axis] - origin_[axis]) * inverse_[axis];
+            const bool backward = std::signbit(inverse_[axis]);
+            const double in = backward ? b : a, out = backward ? a : b;
+            near = in > near ? in : near;
+            far = out < far ? out : far;
+        }
+        const double rounding = 0.5e-9 * (size_ + std::abs(near));
+        return {near - rounding, far + rounding};
+    }
+
+private:
+    Vec3 origin_, inverse_;
+    double size_;
+};
