@@ -71,7 +71,9 @@ TEST_CASE("layers can be looked at, each in a way that a screen shows", "[app]")
     };
     for (const std::string_view name : views()) {
         CAPTURE(name);
-        for (const Vec3& pixel : view(shown, name)->pixels) CHECK(std::isfinite(pixel.x));
+        const auto image = view(shown, name);
+        REQUIRE(image);
+        for (const Vec3& pixel : image->pixels) CHECK(std::isfinite(pixel.x));
     }
     CHECK(colour("picture", 10, 12) == look.state.film.at(10, 12).mean());
     CHECK(colour("albedo", 10, 12).y == Approx(0.5));

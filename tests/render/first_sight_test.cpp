@@ -69,7 +69,8 @@ TEST_CASE("objects have numbers in the order of the scene", "[render]") {
 }
 
 TEST_CASE("the ray through a pixel's middle has no chance in it", "[render]") {
-    const World world = world_of("camera { location -5*z look_at 0 aperture 1 blur_samples 4 focal_point 0 }");
+    const World world =
+        world_of("camera { location -5*z look_at 0 aperture 1 blur_samples 4 focal_point 0 }");
     const PicturePoint at{3, 2, 8, 6};
     const Ray ray = middle_ray(world, at);
     CHECK(ray.origin == Vec3(0, 0, -5));
