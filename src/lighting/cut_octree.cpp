@@ -42,16 +42,6 @@ constexpr double least_by_direction = 0.1, no_noise = 1e-6;
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double most_glare = 16;
 
-/// Around the middle of a box, as tight as spheres around the luminaires in it allow.
-LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
-    LightBall ball{box.centre(), 0};
-    for (const Luminaire& luminaire : luminaires) {
-        const LightBounds b = bounds(luminaire);
-        ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
-    }
-    return ball;
-}
-
 bool near(const Glow& g, const Vec3& position) {
     const Vec3 v = g.centre - position;
     return dot(v, v) < near_radii * near_radii * g.radius * g.radius;
@@ -92,6 +82,7 @@ struct BuiltCutOctree::Survey {
     std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
     double by_direction = 0;         ///< see Weights
     bool as_scattered = false;
+    double noise = -1;  ///< see Weights; for each unit of the total weight
 
     std::size_t memory_bytes() const {
         return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
@@ -200,6 +191,14 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     const double scattering = result->outlook->noise_of_scattering();
     result->as_scattered = scattering <= std::fmin(outlook, choice) &&
                            state_->brightest <= most_glare * result->outlook->mean_luminance();
+    const double variance =
+        result->as_scattered
+            ? scattering + least_noise
+            : (std::isinf(outlook) ? found + least_noise
+                                   : 1 / (1 / (found + least_noise) + 1 / outlook));
+    const double weight = mean_total(learned, receivers);
+    if (result->outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance))
+        result->noise = result->outlook->irradiance() / weight * std::sqrt(variance);
     return result;
 }
 
@@ -314,6 +313,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
+    weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;

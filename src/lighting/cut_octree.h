@@ -21,6 +21,9 @@ public:
         Outlook::Weights outlook;   ///< when the scene was there to be asked
         double by_direction = 0;    ///< share of the shadow rays that should be drawn from it
         bool as_scattered = false;  ///< all shadow rays should go where the surface scatters light
+        /// Standard deviation that one shadow ray's irradiance is expected to have; below 0: not
+        /// known.
+        double noise = -1;
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);

@@ -116,3 +116,13 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     }
     return judged(trials);
 }
+
+double mean_total(const LightCut& cut, std::span<const Receiver> receivers) {
+    CutWeights weights;
+    double sum = 0;
+    for (const Receiver& receiver : receivers) {
+        cut.weigh(receiver.point, weights);
+        sum += weights.total;
+    }
+    return sum / static_cast<double>(receivers.size());
+}

@@ -21,3 +21,6 @@ std::vector<float> arriving_shares(const LightCut&, const LightTree&, std::span<
 /// The same for an entry of a cell, but not below what may go unseen by a few rays: what is near is
 /// seen in many ways from a cell.
 float cautious_share(float share, const Box& cell, const Glow&);
+
+/// What all entries weigh together, on average over the places.
+double mean_total(const LightCut&, std::span<const Receiver>);

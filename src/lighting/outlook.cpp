@@ -145,6 +145,15 @@ Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
 
 }  // namespace
 
+LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
+    LightBall ball{box.centre(), 0};
+    for (const Luminaire& luminaire : luminaires) {
+        const LightBounds b = bounds(luminaire);
+        ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
+    }
+    return ball;
+}
+
 std::vector<double> balanced(std::span<const double> arriving) {
     double least = INFINITY;
     for (const double light : arriving)
@@ -218,6 +227,7 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
             seen[i][bin] = sight->luminance;
             arriving[place] += cosine * sight->luminance;
             sum += cosine * sight->luminance;
+            irradiance_ += cosine * sight->luminance / (tries * cone.bin_density());
             squares += cosine * sight->luminance * sight->luminance;
         }
     if (around_ && sum > 0) {

@@ -44,6 +44,9 @@ struct LightBall {
     double radius = 0;
 };
 
+/// Around the middle of a box, as tight as spheres around the luminaires in it allow.
+LightBall ball_around(const Box&, std::span<const Luminaire>);
+
 class Outlook {
 public:
     static constexpr std::size_t rings = 8, sectors = 32, bins = rings * sectors;
@@ -78,6 +81,7 @@ public:
 
     /// What a surface sees of luminaires when it asks in directions as it scatters them: the mean
     /// luminance, and the expected variance over squared mean.
+    double irradiance() const { return irradiance_; }  ///< mean over the receivers
     double mean_luminance() const { return mean_luminance_; }
     double noise_of_scattering() const { return noise_of_scattering_; }
 
@@ -94,6 +98,7 @@ private:
     bool around_ = true;  ///< the whole sphere of directions; else those of the ball
     Vec3 pole_ = Vec3(0, 0, 1);
     double noise_ = 0;
+    double irradiance_ = 0;
     double mean_luminance_ = 0, noise_of_scattering_ = INFINITY;
     std::vector<float> light_;  ///< bin by bin, ring by ring; empty: nothing is known
 };

@@ -18,6 +18,9 @@ constexpr double far_away = 1e20;
 /// place.
 constexpr int most_passed = 1000;
 
+/// At one hit, when the number is not the same for all.
+constexpr int most_rays = 32;
+
 ShadingPoint point_of(const Shading& s) {
     return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
 }
@@ -63,8 +66,8 @@ void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3
                                    std::uint64_t count) const {
     if (rays.lights.empty()) return;
     LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
-    own.light.add(grey(seen) / shadow_rays_);
-    own.seen += rays.share * seen / static_cast<double>(shadow_rays_);
+    own.light.add(grey(seen) / rays_here_);
+    own.seen += rays.share * seen / static_cast<double>(rays_here_);
     own.rays += count;
 }
 
@@ -82,16 +85,16 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, con
     if (cuts && !set.parallel) cuts->weigh(point, past_clear, weights);
     if (cuts && set.parallel) cuts->weigh_choice(point, weights);
     Vec3 sum(0);
-    for (int i = 0; i < shadow_rays_; ++i) {
-        const Key part = own.part(shadow_rays_, i);
+    for (int i = 0; i < shadow_rays_.usual; ++i) {
+        const Key part = own.part(shadow_rays_.usual, i);
         picks_.clear();
         if (cuts)
             cuts->choose(point, weights, part, uniform(part, Purpose::light_choice), picks_);
         else
             std::visit([&](const auto& b) { b.choose(point, part, picks_); }, set.sampler);
         for (const LightPick& pick : picks_)
-            sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_), s, part,
-                               rays);
+            sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_.usual), s,
+                               part, rays);
     }
     return sum;
 }
@@ -281,10 +284,26 @@ Vec3 DirectLight::from_cuts(const Octree& octree, const Shading& s, const Key& k
     const ShadingPoint point = point_of(s);
     octree.weigh(
         point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); }, weights);
+    rays_here_ = rays_at(weights, s, key, rays);
     Vec3 sum(0);
-    for (int i = 0; i < shadow_rays_; ++i)
-        sum += from_cell(octree, weights, s, key.part(shadow_rays_, i), rays);
+    for (int i = 0; i < rays_here_; ++i)
+        sum += from_cell(octree, weights, s, key.part(rays_here_, i), rays);
     return sum;
+}
+
+/// As many as the noise that is expected here asks for; powers of two, as Sobol points like it.
+int DirectLight::rays_at(const Octree::Weights& weights, const Shading& s, const Key& key,
+                         const RayCounts& rays) {
+    if (weights.noise < 0) return shadow_rays_.usual;
+    const Vec3 straight = answer_to(world_, s, s.normal, key);
+    const double noise = weights.noise * std::abs(grey(rays.share * straight));
+    noise_.sum += noise;
+    noise_.squares += noise * noise;
+    ++noise_.hits;
+    if (shadow_rays_.usual_noise == 0) return shadow_rays_.usual;
+    const double wanted = shadow_rays_.usual * noise / shadow_rays_.usual_noise;
+    const double exponent = std::round(std::log2(std::clamp<double>(wanted, 1, most_rays)));
+    return 1 << static_cast<int>(exponent);
 }
 
 /// What other renderers do: a point on a luminaire and a direction of the surface, weighed by the
@@ -318,7 +337,7 @@ Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const
 Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& rays) {
     const auto repeated = [&](const auto& once) {
         Vec3 sum(0);
-        for (int i = 0; i < shadow_rays_; ++i) sum += once(key.part(shadow_rays_, i));
+        for (int i = 0; i < rays_here_; ++i) sum += once(key.part(rays_here_, i));
         return sum;
     };
     const auto ask = [&](const auto& sampler) {
@@ -330,7 +349,9 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
                 return repeated([&](const Key& k) { return from_pair(sampler, s, k, rays); });
         return repeated([&](const Key& k) { return from_picks(sampler, s, k, rays); });
     };
-    return std::visit(ask, world_.sampler) / static_cast<double>(shadow_rays_);
+    rays_here_ = shadow_rays_.usual;
+    const Vec3 sum = std::visit(ask, world_.sampler);
+    return sum / static_cast<double>(rays_here_);
 }
 
 /// A direction from where the sky is bright or the surface answers, weighed by the density that
@@ -356,6 +377,7 @@ Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) 
     if (!world_.luminaires.empty()) sum += from_luminaires(s, key, rays);
     if (world_.sky_light.empty()) return sum;
     Vec3 of_sky(0);
-    for (int i = 0; i < shadow_rays_; ++i) of_sky += from_sky(s, key.part(shadow_rays_, i), rays);
-    return sum + of_sky / static_cast<double>(shadow_rays_);
+    const int count = shadow_rays_.usual;
+    for (int i = 0; i < count; ++i) of_sky += from_sky(s, key.part(count, i), rays);
+    return sum + of_sky / static_cast<double>(count);
 }

@@ -9,11 +9,32 @@
 
 /// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
 /// estimate.
+/// How many shadow rays hits get.
+struct ShadowRays {
+    // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
+    ShadowRays(int usual_number = 1, double noise = 0) : usual(usual_number), usual_noise(noise) {}
+
+    int usual;
+    /// Standard deviation of one shadow ray, times what the hit counts for the pixel, at which a
+    /// hit gets the usual number: others get more or fewer in proportion, which is what makes the
+    /// least noise of a given number of rays. 0: all get the usual number.
+    double usual_noise;
+};
+
+/// What one shadow ray is expected to make of noise (see ShadowRays), over many hits.
+struct HitNoise {
+    double sum = 0, squares = 0;
+    int hits = 0;
+};
+
 class DirectLight {
 public:
-    DirectLight(const World& world, int shadow_rays) : world_(world), shadow_rays_(shadow_rays) {}
+    DirectLight(const World& world, const ShadowRays& rays) : world_(world), shadow_rays_(rays) {}
 
     Vec3 operator()(const Shading&, const Key&, RayCounts&);
+
+    /// Of all hits so far at which it was known.
+    const HitNoise& noise() const { return noise_; }
 
 private:
     /// A point of a luminaire on a line, and the density of its direction by that luminaire.
@@ -47,8 +68,12 @@ private:
     Vec3 seen_along(const Shading&, const Vec3& direction, RayCounts&, const Weight&) const;
     Vec3 radiance(const Luminaire&, const Vec3& position) const;
 
+    int rays_at(const Octree::Weights&, const Shading&, const Key&, const RayCounts&);
+
     const World& world_;
-    int shadow_rays_;
+    ShadowRays shadow_rays_;
+    int rays_here_ = 1;  ///< that the hit gets
+    HitNoise noise_;
     // Kept from hit to hit for their memory.
     LightPicks picks_;
     LightMeetings meetings_;

@@ -45,6 +45,7 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
         sum.of_camera += (a - c) * (b - d) / 2;
     }
     sum.of_camera = std::fmax(sum.of_camera, 0);
+    sum.of_hits = tracer.noise();
     return sum;
 }
 
@@ -56,8 +57,10 @@ int best_shadow_rays(const PilotNoise& noise) {
     return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));
 }
 
-int shadow_rays_per_hit(const World& world, const RenderSettings& settings) {
+ShadowRays shadow_rays_per_hit(const World& world, const RenderSettings& settings) {
     if (settings.shadow_rays > 0) return settings.shadow_rays;
     if (!world.light_is_drawn() || world.camera.mesh) return 1;
-    return best_shadow_rays(pilot_noise(world, settings));
+    const PilotNoise noise = pilot_noise(world, settings);
+    const HitNoise& hits = noise.of_hits;
+    return {best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0};
 }

@@ -10,6 +10,7 @@
 struct PilotNoise {
     double of_light = 0;   ///< by the shadow rays of one hit
     double of_camera = 0;  ///< by what camera rays of one pixel meet, were its light known
+    HitNoise of_hits;      ///< as their cells expect it
 };
 PilotNoise pilot_noise(const World&, const RenderSettings&);
 
@@ -18,6 +19,6 @@ PilotNoise pilot_noise(const World&, const RenderSettings&);
 /// are hardly better where camera rays make no noise at all.
 int best_shadow_rays(const PilotNoise&);
 
-/// What the settings say, or the best number. It does not depend on the number of samples, so that
-/// pictures can be continued.
-int shadow_rays_per_hit(const World&, const RenderSettings&);
+/// What the settings say at each hit, or the best number for hits of usual noise. It does not
+/// depend on the number of samples, so that pictures can be continued.
+ShadowRays shadow_rays_per_hit(const World&, const RenderSettings&);

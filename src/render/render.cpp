@@ -187,7 +187,7 @@ int usual_samples(const World& world, const RenderSettings& settings) {
     if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
     // With more shadow rays each, fewer samples tell as much.
     constexpr int least = 4, to_middle = 16;
-    const int rays = shadow_rays_per_hit(world, settings);
+    const int rays = shadow_rays_per_hit(world, settings).usual;
     if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
     return rays == 1 ? first : std::min(first, std::max(least, first / rays));

@@ -21,7 +21,7 @@ Ray pinhole_ray(const World&, double u, double v);
 
 /// What is asked of a tracer besides radiance.
 struct Tracing {
-    int shadow_rays = 1;         ///< at each hit
+    ShadowRays shadow_rays;      ///< at each hit
     bool counts_lights = false;  ///< one by one
     bool clear_sky = false;      ///< what is behind everything may be clear, as in POV-Ray's +UA
 };
@@ -36,6 +36,7 @@ public:
     Vec3 radiance(const Ray& ray, const Key& key);
 
     const RayCounts& rays() const { return rays_; }
+    const HitNoise& noise() const { return direct_light_.noise(); }
 
     /// How much of the last sample is what is behind everything and clear: 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }

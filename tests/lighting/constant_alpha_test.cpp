@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-TEST_CASE("constant alpha picks one of all luminaires, each as often", "[lighting]") {
+TEST_CASE("constant alpha picks one of all luminaires, each as often", "[lighting][claim-5]") {
     const std::vector<Luminaire> luminaires(5, glowing(SphereEmitter{Vec3(0, 3, 0), 1}));
     const BuiltConstantAlpha built = build(ConstantAlpha{}, {luminaires, {}}, 1);
     std::array<int, 5> counts{};

@@ -52,7 +52,7 @@ double straight_on(const Luminaire& luminaire, const Vec3& position) {
 }  // namespace
 
 TEST_CASE("no luminaire is left out of a list where it may be brighter than the threshold",
-          "[lighting]") {
+          "[lighting][claim-11]") {
     Setup setup = room(600, 1);
     LightOctree settings;
     settings.threshold = 0.004;
@@ -80,7 +80,7 @@ TEST_CASE("no luminaire is left out of a list where it may be brighter than the 
     CHECK(bright < 400 * 300);
 }
 
-TEST_CASE("the reach of a luminaire bounds what it can give beyond", "[lighting]") {
+TEST_CASE("the reach of a luminaire bounds what it can give beyond", "[lighting][claim-11]") {
     Draw draw(3);
     for (int i = 0; i < 20000; ++i) {
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, Vec3(0), 1, draw),
@@ -99,7 +99,7 @@ TEST_CASE("the reach of a luminaire bounds what it can give beyond", "[lighting]
 }
 
 TEST_CASE("cells are no deeper than allowed, and lists that are short enough are not cut",
-          "[lighting]") {
+          "[lighting][claim-12]") {
     for (const int deepest : {0, 1, 3}) {
         Setup setup = room(300, 4);
         LightOctree settings;
@@ -113,7 +113,7 @@ TEST_CASE("cells are no deeper than allowed, and lists that are short enough are
     CHECK(depth(setup.build(settings)) == 0);
 }
 
-TEST_CASE("a cell in which everything is bright everywhere is not cut", "[lighting]") {
+TEST_CASE("a cell in which everything is bright everywhere is not cut", "[lighting][claim-12]") {
     Setup setup;
     for (int i = 0; i < 50; ++i)
         setup.luminaires.push_back(glowing(SphereEmitter{Vec3(0.01 * i, 50, 0), 1}, 100));

@@ -79,7 +79,7 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     }
 }
 
-TEST_CASE("an entry of one light source weighs what it gives", "[lighting]") {
+TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim-28]") {
     std::vector<Luminaire> luminaires;
     Draw draw(3);
     for (int i = 0; i < 40; ++i) {

@@ -18,7 +18,8 @@ std::vector<Luminaire> spheres(int count, Draw& draw) {
 
 }  // namespace
 
-TEST_CASE("linear alpha leaves no noise of choice where its estimates are exact", "[lighting]") {
+TEST_CASE("linear alpha leaves no noise of choice where its estimates are exact",
+          "[lighting][claim-6]") {
     Draw draw(1);
     for (const int count : {1, 20, 2000}) {
         const std::vector<Luminaire> luminaires = spheres(count, draw);
@@ -47,7 +48,7 @@ TEST_CASE("linear alpha picks nothing where all luminaires are below the horizon
 }
 
 TEST_CASE("a luminaire whose centre is below the horizon is asked as long as a part of it is above",
-          "[lighting]") {
+          "[lighting][claim-9]") {
     // The paper's Figure 4, left, is what comes of the opposite.
     const std::vector<Luminaire> luminaires = {glowing(SphereEmitter{Vec3(0, -1, 5), 2}),
                                                glowing(SphereEmitter{Vec3(0, 50, 0), 1})};

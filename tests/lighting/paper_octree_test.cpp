@@ -30,7 +30,7 @@ double sum_of_expected(const BuiltPaperOctree& built, const ShadingPoint& point,
 }  // namespace
 
 TEST_CASE("where all luminaires are bright the light octree chooses as linear alpha does",
-          "[lighting]") {
+          "[lighting][claim-17]") {
     Draw draw(2);
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 40; ++i)
@@ -66,7 +66,7 @@ TEST_CASE("one bright luminaire among dim ones gets its share", "[lighting]") {
 }
 
 TEST_CASE("a dim set that is all below the horizon ends the search and keeps a chance",
-          "[lighting]") {
+          "[lighting][claim-13]") {
     // The paper would draw representatives for ever.
     std::vector<Luminaire> luminaires = dim_lamps(100, -50);
     const BuiltPaperOctree dark = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
@@ -86,7 +86,7 @@ TEST_CASE("points where no surface is are answered as well", "[lighting]") {
         CHECK(sum_of_expected(built, {position, Vec3(0, 1, 0), true}, 100, {}) == Approx(1));
 }
 
-TEST_CASE("more representatives make a steadier guess", "[lighting]") {
+TEST_CASE("more representatives make a steadier guess", "[lighting][claim-13]") {
     Draw draw(3);
     std::vector<Luminaire> luminaires;
     for (int i = 0; i < 500; ++i)

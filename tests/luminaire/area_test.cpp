@@ -75,7 +75,7 @@ ByDirection by_direction(const AreaEmitter& e, const ShadingPoint& point, bool s
 
 }  // namespace
 
-TEST_CASE("density and samples of area emitters tell the same story", "[luminaire]") {
+TEST_CASE("density and samples of area emitters tell the same story", "[luminaire][claim-23]") {
     for (const Lamp& lamp : lamps())
         for (const auto& map : maps())
             for (const Vec3& from : {Vec3(0.05, 0.1, 0.02), Vec3(2, 1, 1.5), Vec3(-1.5, 2, 0)}) {

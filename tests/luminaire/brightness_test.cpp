@@ -57,7 +57,8 @@ const std::vector<Emitter>& flat_emitters() {
 
 }  // namespace
 
-TEST_CASE("a screen with few bright spots makes little noise, and the same light", "[luminaire]") {
+TEST_CASE("a screen with few bright spots makes little noise, and the same light",
+          "[luminaire][claim-26]") {
     for (const Emitter& emitter : flat_emitters())
         for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5), Vec3(0.4, -3, -0.7)}) {
             const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};

@@ -14,7 +14,8 @@ TEST_CASE("luminance is above 0 when any channel is, and drops what is below 0",
     CHECK(std::isfinite(luminance(Vec3(1e308))));
 }
 
-TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizon", "[luminaire]") {
+TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizon",
+          "[luminaire][claim-9]") {
     // The paper's Figure 4, for 10^5 random luminaires, points and normals; most straddle the
     // tangent plane.
     Draw draw(1);
@@ -85,7 +86,7 @@ TEST_CASE("bounds hold every point that is sampled", "[luminaire]") {
     }
 }
 
-TEST_CASE("what is drawn from a luminaire is met again with its density", "[luminaire]") {
+TEST_CASE("what is drawn from a luminaire is met again with its density", "[luminaire][claim-1]") {
     Draw draw(21);
     std::array<int, emitter_kinds> drawn{}, missed{};
     for (int i = 0; i < 20000; ++i) {

@@ -39,7 +39,7 @@ Moments moments(const SphereEmitter& sphere, const ShadingPoint& point, int step
 
 }  // namespace
 
-TEST_CASE("a sphere's cone has the variance that the closed form says", "[luminaire]") {
+TEST_CASE("a sphere's cone has the variance that the closed form says", "[luminaire][claim-3]") {
     // Relative variance of the cosine over a cone, for a diffuse receiver: what the paper's Figure
     // 2 shows.
     const std::vector<std::array<double, 3>> rows = {
@@ -174,7 +174,8 @@ TEST_CASE("a point on a glowing sphere gets no light from it, and one in its mid
     }
 }
 
-TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise", "[luminaire]") {
+TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise",
+          "[luminaire][claim-7]") {
     // The paper's Figure 2 with projected solid angle: every sample gives the irradiance itself.
     Draw draw(11);
     int projected = 0;

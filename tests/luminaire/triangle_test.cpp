@@ -59,7 +59,7 @@ TEST_CASE("a far triangle's irradiance keeps its digits", "[luminaire]") {
     }
 }
 
-TEST_CASE("triangle samples are uniform in solid angle", "[luminaire]") {
+TEST_CASE("triangle samples are uniform in solid angle", "[luminaire][claim-22]") {
     Draw draw(2);
     for (int i = 0; i < 40; ++i) {
         const TriangleEmitter t = random_triangle(draw);

@@ -8,10 +8,15 @@
 
 namespace {
 
-/// Mean direct light at the origin of a floor in y, over many keys.
-double mean_light(const World& world, int shadow_rays, int count) {
+/// Light at a point of a floor in y, over many keys.
+struct Lit {
+    double mean = 0;
+    double rays = 0;  ///< towards luminaires, at each hit
+    double noise = 0;
+};
+Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, int count) {
     Hit hit;
-    const Ray ray{Vec3(0, 3, 0), Vec3(0, -1, 0)};
+    const Ray ray{Vec3(x, 3, 0), Vec3(0, -1, 0)};
     REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
     DirectLight light(world, shadow_rays);
     RayCounts rays;
@@ -26,7 +31,13 @@ double mean_light(const World& world, int shadow_rays, int count) {
                        sum += light(with_layer(world, s, layers.front()), key, rays).x;
                    });
     }
-    return sum / count;
+    return {sum / count, static_cast<double>(rays.shadow) / count,
+            light.noise().sum / std::max(light.noise().hits, 1)};
+}
+
+/// At the origin.
+double mean_light(const World& world, int shadow_rays, int count) {
+    return lit_at(world, 0, shadow_rays, count).mean;
 }
 
 }  // namespace
@@ -92,4 +103,26 @@ TEST_CASE("a luminaire that reflects is lit by the others and not by itself", "[
         sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
     )");
     CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+}
+
+TEST_CASE("shadow rays go where there is noise, and change no mean", "[render][claim-30]") {
+    // The lamps are near the right end of the floor, and half of them hide behind a board.
+    const World world = world_of(R"(
+        #version 3.7;
+        camera { location <0, 3, -25> look_at 0 }
+        box { <-20, -1, -9>, <20, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        box { <13, 1, -9>, <14, 1.1, 9> pigment { rgb 0.8 } }
+        #for (I, 0, 60)
+            sphere { <15 + mod(I, 8)/2, 2, I/8 - 4>, 0.1 pigment { rgb 1 } finish { emission 9 } }
+        #end
+    )");
+    const Lit dim = lit_at(world, -18, {4}, 2000), bright = lit_at(world, 13.5, {4}, 2000);
+    CHECK(dim.rays <= 4);
+    CHECK(bright.noise > 20 * dim.noise);
+    const ShadowRays fitted(4, bright.noise / 4);
+    const Lit fewer = lit_at(world, -18, fitted, 8000), more = lit_at(world, 13.5, fitted, 500);
+    CHECK(fewer.rays <= 1);
+    CHECK(more.rays > 1.5 * bright.rays);
+    CHECK(fewer.mean == Approx(dim.mean).epsilon(0.02));
+    CHECK(more.mean == Approx(bright.mean).epsilon(0.02));
 }

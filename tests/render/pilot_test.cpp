@@ -26,11 +26,11 @@ RenderSettings small(bool antialias) {
 }  // namespace
 
 TEST_CASE("more shadow rays pay where light makes the noise", "[render]") {
-    CHECK(best_shadow_rays({0, 0}) == 1);
-    CHECK(best_shadow_rays({0, 1}) == 1);
-    CHECK(best_shadow_rays({0.1, 1}) == 1);
-    CHECK(best_shadow_rays({5, 1}) == 2);
-    CHECK(best_shadow_rays({1, 0}) == 4);
+    CHECK(best_shadow_rays({0, 0, {}}) == 1);
+    CHECK(best_shadow_rays({0, 1, {}}) == 1);
+    CHECK(best_shadow_rays({0.1, 1, {}}) == 1);
+    CHECK(best_shadow_rays({5, 1, {}}) == 2);
+    CHECK(best_shadow_rays({1, 0, {}}) == 4);
 }
 
 TEST_CASE("the pilot tells the noise of light from that of camera rays", "[render]") {
@@ -40,13 +40,16 @@ TEST_CASE("the pilot tells the noise of light from that of camera rays", "[rende
     CHECK(middle.of_light > 0);
     CHECK(middle.of_camera < 0.2 * middle.of_light);
     CHECK(spread.of_camera > spread.of_light);
-    CHECK(shadow_rays_per_hit(plain, small(false)) == 4);
-    CHECK(shadow_rays_per_hit(checked, small(true)) < 4);
+    CHECK(shadow_rays_per_hit(plain, small(false)).usual == 4);
+    CHECK(shadow_rays_per_hit(checked, small(true)).usual < 4);
 }
 
 TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
     RenderSettings settings = small(false);
     settings.shadow_rays = 7;
-    CHECK(shadow_rays_per_hit(world_of(floor_and_lamps), settings) == 7);
-    CHECK(shadow_rays_per_hit(world_of("sphere { 0, 1 } light_source { y, 1 }"), small(true)) == 1);
+    const ShadowRays said = shadow_rays_per_hit(world_of(floor_and_lamps), settings);
+    CHECK(said.usual == 7);
+    CHECK(said.usual_noise == 0);
+    const World one = world_of("sphere { 0, 1 } light_source { y, 1 }");
+    CHECK(shadow_rays_per_hit(one, small(true)).usual == 1);
 }

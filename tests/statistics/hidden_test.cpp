@@ -41,7 +41,7 @@ double mean(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("a hidden sun makes little more noise than none", "[statistics]") {
+TEST_CASE("a hidden sun makes little more noise than none", "[statistics][claim-27]") {
     const double without = rmse(room(0, 0, LightOctree{})), with = rmse(room(1, 0, LightOctree{}));
     CAPTURE(without, with);
     CHECK(without > 0.001);
@@ -65,7 +65,7 @@ TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") 
     CHECK(variance < 0.01);
 }
 
-TEST_CASE("spheres of which nothing hides any make no noise", "[statistics]") {
+TEST_CASE("spheres of which nothing hides any make no noise", "[statistics][claim-3][claim-7]") {
     // Figure 2 from nearer by: the floor between four spheres of equal power. Each is sampled by
     // projected solid angle, and the choice among them is exact.
     const World world = world_of(R"(#version 3.7;

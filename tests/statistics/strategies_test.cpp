@@ -75,7 +75,7 @@ std::string script(const std::string& name) {
 }  // namespace
 
 TEST_CASE("every strategy agrees with a shadow ray to every luminaire and light source",
-          "[statistics]") {
+          "[statistics][claim-1][claim-33][claim-34]") {
     struct Case {
         const char* name;
         int exact_samples = 16, samples = 64;
