@@ -18,6 +18,8 @@ namespace {
 
 /// Cells with more fragments than this have their halves built side by side.
 constexpr std::size_t fork_limit = 4096;
+/// Packs of leaves are tested by so many items at once.
+constexpr double group_size = 8;
 
 struct Task {
     const ClipItem& clip_item;
@@ -42,7 +44,7 @@ public:
         : task_(task),
           fragments_(std::move(fragments)),
           finder_({task.settings.traversal_cost, task.settings.intersection_cost,
-                   task.settings.empty_bonus},
+                   task.settings.empty_bonus, group_size},
                   task.slack) {
         nodes_.push_back(KdNode::leaf(0, 0));
         build(0, 0, cell, allowance);

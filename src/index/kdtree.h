@@ -149,7 +149,9 @@ template <class Visit>
 bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
     if (nodes_.empty()) return false;
     // For a zero component of the direction, planes lie at plus or minus infinity, or at NaN for an
-    // origin on the plane: each comparison is written so that NaN cuts off nothing.
+    // origin on the plane: the comparisons with bounds are written so that NaN cuts off nothing,
+    // those with planes so that one side is passed. What the ray meets lies on both sides there,
+    // thanks to the slack, as it does where a range ends on a plane.
     std::array<double, 3> inverse;
     std::array<std::uint32_t, 3> backward;
     const std::array<const Vec3*, 2> corners = {&bounds_.low, &bounds_.high};
@@ -168,7 +170,7 @@ bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
     const std::array<double, 3> origin = {ray.origin.x, ray.origin.y, ray.origin.z};
 
     std::array<Pending, depth_limit> pending;
-    std::size_t pending_count = 0;
+    Pending* pending_end = pending.data();
     const KdNode* const nodes = nodes_.data();
     const KdNode* node = nodes;
     for (;;) {
@@ -177,13 +179,13 @@ bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
             const double t = (node->plane() - origin[axis]) * inverse[axis];
             const std::uint32_t near = node->first_child() + backward[axis];
             const std::uint32_t far = node->first_child() + (backward[axis] ^ 1);
-            if (t > max) {
+            if (!(t < max)) {
                 node = nodes + near;
-            } else if (t < min) {
+            } else if (!(t > min)) {
                 node = nodes + far;
             } else {
-                pending[pending_count++] = {far, t > min ? t : min, max};
-                max = t < max ? t : max;
+                *pending_end++ = {far, t, max};
+                max = t;
                 node = nodes + near;
             }
         }
@@ -195,8 +197,8 @@ bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
                 if (visit(items, range)) return true;
             }
         }
-        if (pending_count == 0) return false;
-        const Pending& next = pending[--pending_count];
+        if (pending_end == pending.data()) return false;
+        const Pending& next = *--pending_end;
         if (next.min > range.max) return false;
         node = nodes + next.node;
         min = next.min;

@@ -13,6 +13,12 @@ namespace {
 constexpr std::size_t sweep_limit = 12;
 constexpr int bin_count = 32;
 
+/// What items cost that are tested in groups: the last ones take the time of a full group, but not
+/// its memory. Half way between both was fastest among 10^5 spheres and as many triangles.
+double tests(double items, double group) {
+    return 0.5 * (items + group * std::ceil(items / group));
+}
+
 }  // namespace
 
 /// The cell as seen along one axis: the chance that a ray through the cell meets a slab of it is
@@ -38,14 +44,12 @@ Split SplitFinder::find(std::span<const Fragment> fragments, const Box& cell) {
     // Cells of no area, or of one that is not a number (coordinates near the limits of double),
     // stay whole.
     if (!(area(cell) > 0 && area(cell) < std::numeric_limits<double>::infinity())) return best;
-    best.cost = costs_.intersection * static_cast<double>(fragments.size());
-    for (int number = 0; number < 3; ++number) {
-        const Axis axis(number, cell);
-        if (fragments.size() <= sweep_limit)
-            sweep(fragments, axis, best);
-        else
-            bin(fragments, axis, best);
-    }
+    best.cost = costs_.intersection * tests(static_cast<double>(fragments.size()), costs_.group);
+    const std::array axes = {Axis(0, cell), Axis(1, cell), Axis(2, cell)};
+    if (fragments.size() > sweep_limit)
+        bin(fragments, axes, best);
+    else
+        for (const Axis& axis : axes) sweep(fragments, axis, best);
     return best;
 }
 
@@ -54,7 +58,8 @@ void SplitFinder::consider(const Axis& axis, double position, double below, doub
     if (!(position > axis.low && position < axis.high)) return;
     const double chance_below = axis.end_chance + (position - axis.low) * axis.thickness_chance;
     const double chance_above = axis.end_chance + (axis.high - position) * axis.thickness_chance;
-    double cost = costs_.intersection * (chance_below * below + chance_above * above);
+    double cost = costs_.intersection * (chance_below * tests(below, costs_.group) +
+                                         chance_above * tests(above, costs_.group));
     if (below == 0 || above == 0) cost *= 1 - costs_.empty_bonus;
     cost += costs_.traversal;
     if (cost < best.cost) best = {axis.number, position, cost};
@@ -88,34 +93,38 @@ void SplitFinder::sweep(std::span<const Fragment> fragments, const Axis& axis, S
 }
 
 /// Planes between bins of equal width, and at both ends of what the cell holds to cut off empty
-/// space.
-void SplitFinder::bin(std::span<const Fragment> fragments, const Axis& axis, Split& best) const {
-    double low = axis.high;
-    double high = axis.low;
-    for (const Fragment& f : fragments) {
-        low = std::min(low, f.box.low[axis.number]);
-        high = std::max(high, f.box.high[axis.number]);
+/// space. Memory is what takes time here: each fragment is read twice, not twice for each axis.
+void SplitFinder::bin(std::span<const Fragment> fragments, const std::array<Axis, 3>& axes,
+                      Split& best) const {
+    Box held;
+    for (const Fragment& f : fragments) held = join(held, f.box);
+    std::array<double, 3> scale;
+    for (int axis = 0; axis < 3; ++axis) {
+        scale[axis] = bin_count / (held.high[axis] - held.low[axis]);
+        if (!(scale[axis] < std::numeric_limits<double>::infinity())) scale[axis] = 0;
     }
-    const double n = static_cast<double>(fragments.size());
-    consider(axis, low - 2 * slack_, 0, n, best);
-    consider(axis, high + 2 * slack_, n, 0, best);
-    const double scale = bin_count / (high - low);
-    if (!(scale > 0 && scale < std::numeric_limits<double>::infinity())) return;
-
-    std::array<std::uint32_t, bin_count> starts{};
-    std::array<std::uint32_t, bin_count> ends{};
-    const auto bin_of = [&](double x) {
-        return std::clamp(static_cast<int>((x - low) * scale), 0, bin_count - 1);
+    std::array<std::array<std::uint32_t, bin_count>, 3> starts{}, ends{};
+    const auto bin_of = [&](int axis, double x) {
+        return static_cast<std::size_t>(
+            std::min(static_cast<int>((x - held.low[axis]) * scale[axis]), bin_count - 1));
     };
-    for (const Fragment& f : fragments) {
-        ++starts[static_cast<std::size_t>(bin_of(f.box.low[axis.number]))];
-        ++ends[static_cast<std::size_t>(bin_of(f.box.high[axis.number]))];
-    }
-    double below = 0;
-    double above = n;
-    for (int i = 1; i < bin_count; ++i) {
-        below += starts[static_cast<std::size_t>(i - 1)];
-        above -= ends[static_cast<std::size_t>(i - 1)];
-        consider(axis, low + i / scale, below, above, best);
+    for (const Fragment& f : fragments)
+        for (int axis = 0; axis < 3; ++axis) {
+            ++starts[axis][bin_of(axis, f.box.low[axis])];
+            ++ends[axis][bin_of(axis, f.box.high[axis])];
+        }
+    const double n = static_cast<double>(fragments.size());
+    for (const Axis& axis : axes) {
+        const double low = held.low[axis.number], high = held.high[axis.number];
+        consider(axis, low - 2 * slack_, 0, n, best);
+        consider(axis, high + 2 * slack_, n, 0, best);
+        if (!(scale[axis.number] > 0)) continue;
+        double below = 0;
+        double above = n;
+        for (int i = 1; i < bin_count; ++i) {
+            below += starts[axis.number][static_cast<std::size_t>(i - 1)];
+            above -= ends[axis.number][static_cast<std::size_t>(i - 1)];
+            consider(axis, low + i / scale[axis.number], below, above, best);
+        }
     }
 }

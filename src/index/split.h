@@ -6,6 +6,7 @@
 
 #include "base/box.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -22,6 +23,7 @@ struct SplitCosts {
     double traversal = 0;
     double intersection = 0;
     double empty_bonus = 0;
+    double group = 1;
 };
 
 struct Split {
@@ -47,7 +49,7 @@ private:
     struct Axis;
 
     void sweep(std::span<const Fragment>, const Axis&, Split& best);
-    void bin(std::span<const Fragment>, const Axis&, Split& best) const;
+    void bin(std::span<const Fragment>, const std::array<Axis, 3>&, Split& best) const;
     void consider(const Axis&, double position, double below, double above, Split& best) const;
 
     SplitCosts costs_;

@@ -7,7 +7,7 @@
 
 namespace {
 
-using Lanes [[gnu::vector_size(sizeof(float) * pack_lanes)]] = float;
+using Floats [[gnu::vector_size(sizeof(float) * pack_lanes)]] = float;
 using Marks [[gnu::vector_size(sizeof(float) * pack_lanes)]] = std::int32_t;
 
 // Bounds of rounding errors, as shares of the numbers that they come from. They are generous: a
@@ -22,16 +22,20 @@ float rounded_up(double x) {
     return nearest < x ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
 }
 
-[[gnu::always_inline]] inline void load(Lanes& lanes, const float* row) {
+[[gnu::always_inline]] inline void load(Floats& lanes, const float* row) {
     std::memcpy(&lanes, row, sizeof lanes);
 }
 
-/// A bit for each lane that is not ruled out.
-[[gnu::always_inline]] inline std::uint32_t lanes_left(const Marks& ruled_out) {
+/// A bit for each marked lane.
+[[gnu::always_inline]] inline std::uint32_t lanes_of(const Marks& marks) {
     constexpr Marks bits = {1, 2, 4, 8, 16, 32, 64, 128};
-    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4>>(~ruled_out & bits);
+    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4>>(marks & bits);
     const std::uint64_t pairs = (quarters[0] | quarters[2]) | (quarters[1] | quarters[3]);
     return static_cast<std::uint32_t>(pairs | pairs >> 32);
+}
+
+[[gnu::always_inline]] inline void take_roots(Floats& of) {
+    for (std::size_t i = 0; i < pack_lanes; ++i) of[i] = std::sqrt(of[i]);
 }
 
 }  // namespace
@@ -104,9 +108,10 @@ void PackRay::start(const KdLeaf& leaf, const Interval& range) {
 }
 
 /// By the distance of the closest approach, and by where the ray enters and leaves the sphere.
-CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_spheres(const float* rows,
-                                                             std::size_t stride) const {
-    Lanes x, y, z, radius;
+template <bool sure>
+[[gnu::always_inline]] inline PackRay::Lanes PackRay::ask_spheres(const float* rows,
+                                                                  std::size_t stride) const {
+    Floats x, y, z, radius;
     load(x, rows);
     load(y, rows + stride);
     load(z, rows + 2 * stride);
@@ -115,36 +120,68 @@ CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_spheres(const float* rows,
     y = y - point_[1];
     z = z - point_[2];
     radius = radius + slack_;
-    const Lanes along = x * along_[0] + y * along_[1] + z * along_[2];
+    const Floats along = x * along_[0] + y * along_[1] + z * along_[2];
     x = x - along * along_[0];
     y = y - along * along_[1];
     z = z - along * along_[2];
-    const Lanes spare = radius * radius + tiny - (x * x + y * y + z * z);
-    Lanes half;
-    for (std::size_t i = 0; i < pack_lanes; ++i) half[i] = std::sqrt(spare[i]);
-    const Lanes pad = static_cast<float>(float_error) * (radius + reach_) + slack_;
-    return lanes_left((spare < 0) | (along - half > most_ + pad) | (along + half < least_ - pad));
+    const Floats off2 = x * x + y * y + z * z;
+    const Floats spare = radius * radius + tiny - off2;
+    Floats half = spare;
+    take_roots(half);
+    const Floats pad = static_cast<float>(float_error) * (radius + reach_) + slack_;
+    const std::uint32_t near =
+        lanes_of(~((spare < 0) | (along - half > most_ + pad) | (along + half < least_ - pad)));
+    if constexpr (!sure) return {near, 0};
+    // The radius as it was, and as much less as it had been made more. Comparisons with NaN, the
+    // root of what is negative, are false.
+    const Floats inner = radius - 4 * pad;
+    Floats least_half = inner * inner - off2;
+    take_roots(least_half);
+    const Marks enters = (along - half > least_ + pad) & (along - least_half < most_ - pad);
+    const Marks leaves = (along + least_half > least_ + pad) & (along + half < most_ - pad);
+    return {near, lanes_of((inner > 0) & (enters | leaves))};
+}
+
+CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::near_spheres(const float* rows,
+                                                              std::size_t stride) const {
+    return ask_spheres<false>(rows, stride);
+}
+
+CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::sure_spheres(const float* rows,
+                                                              std::size_t stride) const {
+    return ask_spheres<true>(rows, stride);
 }
 
 /// As ShearedRay does.
-CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_triangles(const float* rows,
-                                                               std::size_t stride) const {
-    std::array<Lanes, 3> x, y;
+CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::near_triangles(const float* rows,
+                                                                std::size_t stride) const {
+    std::array<Floats, 3> x, y, z;
     const float x0 = point_[x_], y0 = point_[y_], z0 = point_[z_];
     for (int corner = 0; corner < 3; ++corner) {
         const float* const first = rows + 3 * corner * stride;
-        Lanes z;
         load(x[corner], first + x_ * stride);
         load(y[corner], first + y_ * stride);
-        load(z, first + z_ * stride);
-        z = z - z0;
-        x[corner] = x[corner] - x0 - shear_[0] * z;
-        y[corner] = y[corner] - y0 - shear_[1] * z;
+        load(z[corner], first + z_ * stride);
+        z[corner] = z[corner] - z0;
+        x[corner] = x[corner] - x0 - shear_[0] * z[corner];
+        y[corner] = y[corner] - y0 - shear_[1] * z[corner];
     }
-    const Lanes u = x[2] * y[1] - y[2] * x[1];
-    const Lanes v = x[0] * y[2] - y[0] * x[2];
-    const Lanes w = x[1] * y[0] - y[1] * x[0];
+    const Floats u = x[2] * y[1] - y[2] * x[1];
+    const Floats v = x[0] * y[2] - y[0] * x[2];
+    const Floats w = x[1] * y[0] - y[1] * x[0];
     const Marks left = (u < -margin_) | (v < -margin_) | (w < -margin_);
     const Marks right = (u > margin_) | (v > margin_) | (w > margin_);
-    return lanes_left(left & right);
+    const Marks within = ((u > margin_) & (v > margin_) & (w > margin_)) |
+                         ((u < -margin_) & (v < -margin_) & (w < -margin_));
+    // The crossing lies between the corners as the edges weigh them; what these may be wrong by
+    // moves it the more, the more the triangle is seen edge-on.
+    const Floats sum = u + v + w;
+    const Floats along = (u * z[0] + v * z[1] + w * z[2]) / (sum * along_[z_]);
+    const Floats rise = z[1] - z[0], fall = z[2] - z[1];
+    const Floats depth = (rise < 0 ? -rise : rise) + (fall < 0 ? -fall : fall);
+    const Floats pad = 8 * margin_ * depth / (sum < 0 ? -sum : sum) +
+                       8 * (static_cast<float>(float_error) * reach_ + slack_);
+    const Marks outside = (along > most_ + pad) | (along < least_ - pad);
+    return {lanes_of(~((left & right) | (within & outside))),
+            lanes_of(within & (along > least_ + pad) & (along < most_ - pad))};
 }

@@ -41,25 +41,47 @@ public:
     /// returns true when ask does.
     template <class Ask>
     bool candidates(const KdLeaf& leaf, const Interval& range, Ask ask) {
+        return candidates<false>(leaf, range, ask);
+    }
+
+    /// The same for who only wants to know whether anything is met, where every sphere and every
+    /// triangle counts: true without asking for items that are met beyond doubt. Where a ray ends
+    /// is seldom in doubt, so this spares most rays a look at the items themselves.
+    template <class Ask>
+    bool blocked(const KdLeaf& leaf, const Interval& range, Ask ask) {
+        return candidates<true>(leaf, range, ask);
+    }
+
+private:
+    /// A bit for each of the first lanes of the rows.
+    struct Lanes {
+        std::uint32_t near;  ///< those that the ray may meet
+        std::uint32_t sure;  ///< those that it meets beyond doubt, where that was asked
+    };
+
+    template <bool any_will_do, class Ask>
+    bool candidates(const KdLeaf& leaf, const Interval& range, Ask& ask) {
         if (!leaf.pack) return std::ranges::any_of(leaf.items, ask);
         const auto spheres = std::bit_cast<std::uint32_t>(leaf.pack[4]),
                    triangles = std::bit_cast<std::uint32_t>(leaf.pack[5]);
         if (spheres + triangles > 0) start(leaf, range);
         const float* rows = leaf.pack + pack_head;
         const std::uint32_t* items = leaf.items.data();
+        const auto found = [&](Lanes lanes, std::uint32_t left, const std::uint32_t* here) {
+            const std::uint32_t there = first_lanes(left);
+            return (any_will_do && (lanes.sure & there) != 0) || any(lanes.near & there, here, ask);
+        };
         for (std::uint32_t i = 0; i < spheres; i += pack_lanes)
-            if (any(near_spheres(rows + i, spheres) & first_lanes(spheres - i), items + i, ask))
+            if (found(
+                    any_will_do ? sure_spheres(rows + i, spheres) : near_spheres(rows + i, spheres),
+                    spheres - i, items + i))
                 return true;
         rows += 4 * std::size_t{spheres};
         items += spheres;
         for (std::uint32_t i = 0; i < triangles; i += pack_lanes)
-            if (any(near_triangles(rows + i, triangles) & first_lanes(triangles - i), items + i,
-                    ask))
-                return true;
+            if (found(near_triangles(rows + i, triangles), triangles - i, items + i)) return true;
         return std::ranges::any_of(leaf.items.subspan(spheres + triangles), ask);
     }
-
-private:
     static std::uint32_t first_lanes(std::uint32_t count) {
         return count < pack_lanes ? (1u << count) - 1 : (1u << pack_lanes) - 1;
     }
@@ -72,9 +94,12 @@ private:
 
     void prepare();
     void start(const KdLeaf&, const Interval&);
-    /// A bit for each of the first lanes of the rows that may be met. The rows are `stride` apart.
-    std::uint32_t near_spheres(const float* rows, std::size_t stride) const;
-    std::uint32_t near_triangles(const float* rows, std::size_t stride) const;
+    /// The rows are `stride` apart.
+    Lanes near_spheres(const float* rows, std::size_t stride) const;
+    Lanes sure_spheres(const float* rows, std::size_t stride) const;
+    Lanes near_triangles(const float* rows, std::size_t stride) const;
+    template <bool sure>
+    Lanes ask_spheres(const float* rows, std::size_t stride) const;
 
     Vec3 origin_, direction_;
     // Known when the first leaf is met; most rays of many scenes meet none.

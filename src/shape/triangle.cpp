@@ -58,6 +58,12 @@ Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
 
 Box corner_box(const Vec3& a, const Vec3& b, const Vec3& c) { return join(join(Box{a, a}, b), c); }
 
+Box corner_box(const Polygon& polygon) {
+    Box box;
+    for (std::size_t i = 0; i < polygon.count; ++i) box = join(box, polygon.corners[i]);
+    return box;
+}
+
 double extent(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::fmax(max_abs_component(a), std::fmax(max_abs_component(b), max_abs_component(c)));
 }
@@ -103,13 +109,15 @@ Box clipped_bounds(const Triangle& t, const Box& cell) {
     polygon.add(t.corner1);
     polygon.add(t.corner2);
     polygon.add(t.corner3);
+    // Most planes of a cell pass a triangle by.
+    Box part = bounds(t);
     for (int axis = 0; axis < 3; ++axis) {
-        polygon = cut(polygon, axis, around.low[axis], 1);
-        polygon = cut(polygon, axis, around.high[axis], -1);
+        const bool low = part.low[axis]<around.low[axis], high = part.high[axis]> around.high[axis];
+        if (low) polygon = cut(polygon, axis, around.low[axis], 1);
+        if (high) polygon = cut(polygon, axis, around.high[axis], -1);
+        if (polygon.count == 0) return {};
+        if (low || high) part = corner_box(polygon);
     }
-    if (polygon.count == 0) return {};
-    Box part;
-    for (std::size_t i = 0; i < polygon.count; ++i) part = join(part, polygon.corners[i]);
     return clip(Box{part.low - pad, part.high + pad}, cell);
 }
 

@@ -75,6 +75,7 @@ void Materials::add(const Inherited& look) {
     material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
     material.solid = static_cast<std::uint32_t>(world_.materials.size());
     world_.any_transparent |= material.transparent;
+    world_.any_clear |= material.transparent || material.no_shadow;
     world_.any_left_out |= look.no_image || look.no_reflection;
     world_.any_scattering |= scatters(texture);
     glows_.push_back(world_.quality >= quality_shadows && greatest_emission(texture) != Vec3(0));

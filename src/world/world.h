@@ -228,6 +228,7 @@ public:
     bool any_transparent = false;      ///< rays must know what they are inside of
     bool any_left_out = false;         ///< some objects are not there for some rays
     bool any_scattering = false;       ///< a finish has facets
+    bool any_clear = false;            ///< shadow rays may pass through something
     int quality = 9;                   ///< see surface/simplified.h
     std::vector<World> other_moments;  ///< the scene while the camera's shutter stays open
 

@@ -96,6 +96,15 @@ bool ask_leaf(PackRay&, std::span<const std::uint32_t> items, const Interval&, A
     return std::ranges::any_of(items, ask);
 }
 
+template <class Ask>
+bool ask_any(PackRay& packed, const KdLeaf& leaf, const Interval& range, Ask ask) {
+    return packed.blocked(leaf, range, ask);
+}
+template <class Ask>
+bool ask_any(PackRay&, std::span<const std::uint32_t> items, const Interval&, Ask ask) {
+    return std::ranges::any_of(items, ask);
+}
+
 /// What the index calls its leaves.
 template <class Index>
 using LeafOf = std::conditional_t<std::is_same_v<Index, KdTree>, const KdLeaf&,
@@ -122,7 +131,7 @@ template <class Index>
 bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray, double distance) {
     PackRay packed(ray);
     return index.traverse(ray, {0, distance}, [&](LeafOf<Index> leaf, Interval& range) {
-        return ask_leaf(packed, leaf, range, [&](std::uint32_t item) {
+        return ask_any(packed, leaf, range, [&](std::uint32_t item) {
             return meet(balls[item], ray, range) < range.max;
         });
     });
