@@ -36,6 +36,7 @@ struct ObjectDraft {
     bool constant_movement = true;     ///< the text says the same each time
     bool has_form = false;
     bool modified = false;
+    bool cutaway = false;  ///< parts without a texture show what they cut through
 
     /// The form has come, but for itself: what else there is of the object.
     void take(const Object&);

@@ -3,6 +3,7 @@
 
 #include "evaluate/assets.h"
 #include "evaluate/confines.h"
+#include "evaluate/cutaway.h"
 #include "evaluate/lights.h"
 #include "evaluate/look_reader.h"
 #include "evaluate/model_reader.h"
@@ -30,6 +31,7 @@ public:
 
     bool take(const Element& element) {
         if (element.kind == Element::Kind::value) return take_declared(element);
+        if (element.word == "cutaway_textures"_word) return take_cutaway();
         if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
         if (!makes_object(element.word)) return false;
         if (row_goes_on()) {
@@ -50,7 +52,7 @@ public:
         if (kind_ == Kind::shape) return;
         for (const ItemInfo* shape : Kinds<Shape>::infos) words.push_back(shape->name);
         words.insert(words.end(), {"union", "intersection", "difference", "merge", "object",
-                                   "light_group", "light_source"});
+                                   "light_group", "light_source", "cutaway_textures"});
     }
 
 private:
@@ -59,6 +61,11 @@ private:
     bool row_goes_on() {
         return kind_ == Kind::together && !draft_.modified && !block_.broken &&
                together().csg == Csg::together;
+    }
+
+    bool take_cutaway() {
+        if (kind_ != Kind::together || !cuts(together())) return false;
+        return draft_.cutaway = draft_.modified = true;
     }
 
     [[gnu::noinline]] ObjectHandle made_of(const Element& element) {
@@ -228,6 +235,8 @@ private:
         ContentReader content(block_, draft_, kind);
         if (element_.word == "light_group"_word) return read_light_group(content);
         read_with(element_.body, content);
+        if (draft_.cutaway && !draft_.textured && !block_.broken)
+            cut_away(std::get<Union>(draft_.made.edit().form), block_.binder.default_texture);
         const auto* whole = std::get_if<Union>(&draft_.made->form);
         if (together && !block_.broken && whole->children.empty() && whole->lights.empty())
             warn_of_nothing();

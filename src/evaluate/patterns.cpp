@@ -92,7 +92,9 @@ std::string_view pattern_name(const Pattern& pattern) {
     return Patterns::infos[pattern.index()]->name;
 }
 
-ObjectPattern pattern_of(const Object& object) {
+}  // namespace
+
+ObjectPattern object_pattern(const Object& object) {
     ShapeStore shapes;
     auto solid = std::make_shared<Composite>(composite_of(object, shapes));
     const auto inside = [](const void* data, const Vec3& point, const PatternScene&) {
@@ -100,6 +102,8 @@ ObjectPattern pattern_of(const Object& object) {
     };
     return {{std::move(solid), inside}};
 }
+
+namespace {
 
 /// An object, then what others make of the rest.
 class InsideReader : public SimpleReader {
@@ -298,7 +302,7 @@ void PatternReader::take_made(Pattern made, Span span) {
 bool PatternReader::read_object_pattern(const Element& element) {
     OpenBlock inner(block_.binder, "object", element.word_span);
     const auto found = [&](const Object& object) {
-        take_made(pattern_of(object), element.word_span);
+        take_made(object_pattern(object), element.word_span);
     };
     const auto rest = [&](const Element& entry) { return list_entry_ && list_entry_(entry); };
     InsideReader reader(inner, found, rest);

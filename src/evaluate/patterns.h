@@ -6,6 +6,7 @@
 #include "evaluate/bind.h"
 #include "evaluate/transforms.h"
 #include "pattern/use.h"
+#include "scene/scene.h"
 #include "text/message.h"
 
 #include <functional>
@@ -107,3 +108,6 @@ void read_patterned(OpenBlock& block, Body body, Patterned& patterned, std::stri
             Fault::recursion_limit, block.span,
             message("too many ", plural, " are nested here: each level can double the work")));
 }
+
+/// 1 inside of the object, 0 outside.
+ObjectPattern object_pattern(const Object&);

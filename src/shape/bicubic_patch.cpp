@@ -53,8 +53,11 @@ std::pair<Points, Points> halves(const Points& p) {
     return result;
 }
 
+/// From the plane through the first three corners that are not in one line, as in POV-Ray.
 double farthest_from_plane(const Points& p) {
-    const Vec3 normal = triangle_normal(p[0][0], p[0][3], p[3][3]);
+    Vec3 normal = triangle_normal(p[0][0], p[0][3], p[3][0]);
+    if (normal == Vec3(0)) normal = triangle_normal(p[0][0], p[0][3], p[3][3]);
+    if (normal == Vec3(0)) normal = triangle_normal(p[0][0], p[3][0], p[3][3]);
     double most = 0;
     for (const auto& row : p)
         for (const Vec3& point : row)

@@ -19,5 +19,14 @@ TEST_CASE("a patch of points in a plane is flat, and divided where it is not", "
     for (const std::size_t i : {5u, 6u, 9u, 10u}) sheet.points[i].y = 2;
     const BuiltBicubicPatch curved = build(sheet);
     CHECK(curved.facets.size() == 32);
+    // It is flat beside the plane through the first corner and its two neighbours.
+    sheet.u_steps = 1;
+    sheet.v_steps = 0;
+    for (Vec3& point : sheet.points) point.y = 0;
+    sheet.points[15].y = 1;
+    sheet.flatness = 1.01;
+    CHECK(build(sheet).facets.size() == 2);
+    sheet.flatness = 0.99;
+    CHECK(build(sheet).facets.size() == 4);
     CHECK(hits(curved, {Vec3(1.5, 5, 1.5), Vec3(0, -1, 0)}).at(0).t == Approx(5 - 1.125));
 }
