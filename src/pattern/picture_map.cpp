@@ -190,11 +190,16 @@ double grey_at(const PictureMap& map, const Vec3& point) {
     return place ? std::clamp(grey(sampled(map, *place).rgb), 0.0, 1.0) : 0;
 }
 
-double height_at(const BumpMap& map, const Vec2& place) {
-    if (!map.use_index || map.texels->numbers.empty()) return grey(sampled(map, place).rgb);
+/// Of a colour in the file's table.
+double number_at(const PictureMap& map, const Vec2& place) {
     return mixed_at(map, place, [&](int x, int y) {
         return static_cast<double>(map.texels->numbers[map.texels->at(x, y)]);
     });
+}
+
+double height_at(const BumpMap& map, const Vec2& place) {
+    if (!map.use_index || map.texels->numbers.empty()) return grey(sampled(map, place).rgb);
+    return number_at(map, place);
 }
 
 }  // namespace
@@ -248,10 +253,10 @@ double evaluate(const BumpMap& map, const Vec3& point) { return grey_at(map, poi
 double evaluate(const MaterialMap& map, const Vec3& point) {
     const auto place = place_on(map, point);
     if (!place) return 0;
-    const int x = static_cast<int>(place->x), y = static_cast<int>(place->y);
-    const int number = !map.texels->numbers.empty()
-                           ? map.texels->numbers[map.texels->at(x, y)]
-                           : static_cast<int>(sampled(map, *place).rgb.x * 255 + 1e-4);
+    // As in POV-Ray, numbers of colours are mixed like colours.
+    const double value = !map.texels->numbers.empty() ? number_at(map, *place)
+                                                      : sampled(map, *place).rgb.x * 255 + 1e-4;
+    const int number = static_cast<int>(std::fmax(value, 0));
     if (number == map.textures) return map.textures - 1;
     return number > map.textures ? number % map.textures : number;
 }

@@ -142,6 +142,17 @@ TEST_CASE("a material map counts its textures", "[pattern]") {
     CHECK(texture_of(2) == 1);
 }
 
+TEST_CASE("a material map mixes numbers of colours as POV-Ray does", "[pattern]") {
+    MaterialMap map = with<MaterialMap>(
+        make_handle<Texels>(Texels{2, 1, 3, {}, {}, {0, 3}, std::vector<Colour>(4)}));
+    map.textures = 9;
+    CHECK(evaluate(map, Vec3(0.4, 0.5, 0)) == 0);
+    map.interpolate = 2;
+    CHECK(evaluate(map, Vec3(0.26, 0.5, 0)) == 0);
+    CHECK(evaluate(map, Vec3(0.5, 0.5, 0)) == 1);
+    CHECK(evaluate(map, Vec3(0.74, 0.5, 0)) == 2);
+}
+
 TEST_CASE("bumps point away from where a picture gets brighter", "[pattern]") {
     Texels ramp{4, 4, 1, {}, {}, {}, {}};
     for (int i = 0; i < 16; ++i) ramp.values.push_back(static_cast<float>(i % 4) / 4);
