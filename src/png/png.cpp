@@ -62,10 +62,10 @@ bool read_rows(PngWork& work, png_bytepp rows) {
     return true;
 }
 
-/// From 0 to 1: numbers of one or two bytes, the higher one first.
+/// From 0 to 1, rounded as OpenImageIO does: numbers of one or two bytes, the higher one first.
 float value_at(const png_byte* bytes, std::size_t i, bool wide) {
-    if (!wide) return static_cast<float>(bytes[i]) / 255;
-    return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535;
+    if (!wide) return static_cast<float>(bytes[i]) * (1.0F / 255);
+    return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) * (1.0F / 65535);
 }
 
 /// What the file says about the meaning of its values.

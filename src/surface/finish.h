@@ -55,7 +55,7 @@ struct Finish {
     double metallic = 0;
     bool conserve_energy = false;
     double ior = 0;         ///< instead of the interior's; 0: not
-    double caustics = 0;    ///< of layers without an interior's: an exponent
+    double caustics = 0;    ///< of the top layer, without an interior: an exponent
     double refraction = 1;  ///< share of what is seen through it
     Reflection reflection;
     Irid irid;

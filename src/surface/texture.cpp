@@ -183,7 +183,7 @@ bool focuses(const Texture& texture) {
     if (texture.choice)
         return std::ranges::any_of(texture.choice->map,
                                    [](const TextureStop& stop) { return focuses(*stop.texture); });
-    return texture.finish.caustics != 0 || (texture.below && focuses(*texture.below));
+    return texture.finish.caustics != 0;  // as in POV-Ray, that of the top layer holds for all
 }
 
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
@@ -205,8 +205,9 @@ Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scen
     for_layers(texture, point, light.normal, scene,
                [&](double weight, std::span<const Layer> layers) {
                    Vec3 left(weight);
+                   const double power =
+                       light.power != 0 ? light.power : layers.front().finish->caustics;
                    for (const Layer& layer : layers) {
-                       const double power = light.power != 0 ? light.power : layer.finish->caustics;
                        const double cosine = std::abs(dot(layer.normal, light.direction));
                        const double focused = power == 0 ? 1 : 1 + std::pow(cosine, power);
                        left *= focused * layer.colour.passing();

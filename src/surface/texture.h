@@ -65,7 +65,7 @@ Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
 struct FocusedLight {
     Vec3 direction;
     Vec3 normal;       ///< of the surface; unit, on the side that the direction points away from
-    double power = 0;  ///< of the interior's caustics; 0: the finishes' own
+    double power = 0;  ///< of the interior's caustics; 0: the top finish's own
 };
 
 /// The same with bright spots in the shadow, by the angle to each layer's own normal.

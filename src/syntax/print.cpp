@@ -30,8 +30,15 @@ Piece blanks(NodeId first) { return {Piece::Kind::blanks, {}, first}; }
 /// `[1][2]`
 Piece joined(NodeId first) { return {Piece::Kind::joined, {}, first}; }
 
+/// The name of a file, as it stands: only right behind the word that it follows.
+bool is_verbatim(const Tree& tree, const node::Text& text) {
+    return std::ranges::binary_search(tree.verbatim, text.text);
+}
+
 /// Begins with something that could continue a value before it.
 bool needs_comma(const Tree& tree, NodeId before, NodeId id) {
+    if (const auto* text = tree.get_if<node::Text>(id); text && is_verbatim(tree, *text))
+        return false;
     const std::size_t kind_before = tree[before].content.index();
     const bool directive = tree[id].content.index() >= kind<node::Declare>;
     if (directive || kind_before >= kind<node::Declare>)
@@ -66,8 +73,7 @@ struct Print {
     }
     Pieces operator()(const node::Text& n) const {
         const std::string& text = tree.texts[n.text];
-        const bool verbatim = std::ranges::binary_search(tree.verbatim, n.text);
-        return {say(verbatim ? message('"', text, '"') : quoted(text))};
+        return {say(is_verbatim(tree, n) ? message('"', text, '"') : quoted(text))};
     }
     Pieces operator()(const node::Name& n) const { return {say(spell(n.name))}; }
     Pieces operator()(const node::Word& n) const { return {say(spell(n.word))}; }

@@ -25,7 +25,8 @@ TEST_CASE("printed text parses to the same tree", "[syntax]") {
         "#declare T = texture { A } texture { B };",
         "light_sampler { linear_alpha { threshold 1 } }", "<a, 1 + 2, (b > 1)>",
         "(#declare b = 1; b)", "vrotate(x, <0, 90, 0>).y * M()",
-        "text { ttf \"a.ttf\" \"b\" 1, 0 }", "#include \"a\\b.inc\"", "#include \"a\nb\"");
+        "text { ttf \"a.ttf\" \"b\" 1, 0 }", "a precision \"b\\p\"", "#include \"a\\b.inc\"",
+        "#include \"a\nb\"");
     INFO(text);
     const Parsed first(text);
     REQUIRE(first.messages() == "");
