@@ -4,6 +4,7 @@
 #include "index/split.h"
 
 #include "base/parallel.h"
+#include "base/huge_pages.h"
 #include "base/spent_pages.h"
 
 #include <oneapi/tbb/parallel_invoke.h>
@@ -238,6 +239,8 @@ void KdTree::pack(const PackLeaf& pack_leaf) {
     // Those who read packs in lanes may read beyond the last one.
     packs_.resize(packs_.size() + 16);
     packs_.shrink_to_fit();
+    use_huge_pages(nodes_.data(), nodes_.size() * sizeof(KdNode));
+    use_huge_pages(packs_.data(), packs_.size() * sizeof(float));
 }
 
 KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
