@@ -3,9 +3,8 @@
 
 #include "index/split.h"
 
+#include "base/page_advice.h"
 #include "base/parallel.h"
-#include "base/huge_pages.h"
-#include "base/spent_pages.h"
 
 #include <oneapi/tbb/parallel_invoke.h>
 

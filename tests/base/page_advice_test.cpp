@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/spent_pages.h"
+#include "base/page_advice.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 TEST_CASE("pages are given back, and what is around them stays", "[base]") {
@@ -22,4 +23,14 @@ TEST_CASE("pages are given back, and what is around them stays", "[base]") {
     CHECK(same(0, bytes.size(), 'y'));
     give_back_pages(bytes.data(), 100);
     CHECK(same(0, bytes.size(), 'y'));
+}
+
+TEST_CASE("memory keeps its contents when it goes to huge pages", "[base]") {
+    std::vector<int> numbers(5 << 20);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const std::vector<int> before = numbers;
+    use_huge_pages(numbers.data() + 7, (numbers.size() - 7) * sizeof(int));
+    use_huge_pages(numbers.data(), 100);
+    use_huge_pages(nullptr, 0);
+    CHECK(numbers == before);
 }

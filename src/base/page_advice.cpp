@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/page_advice.h"
+
+#include "base/pages.h"
+
+#include <cstdint>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace {
+
+/// MADV_COLLAPSE of Linux 6.1 and later, which older headers do not name.
+constexpr int collapse = 25;
+
+/// For the whole pages among the bytes.
+void advise(void* begin, std::size_t bytes, std::uintptr_t page, int advice) {
+    const auto first = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t from = (first + page - 1) & ~(page - 1);
+    const std::uintptr_t to = (first + bytes) & ~(page - 1);
+    if (from < to) madvise(reinterpret_cast<void*>(from), to - from, advice);
+}
+
+}  // namespace
+
+void give_back_pages(void* begin, std::size_t bytes) {
+    advise(begin, bytes, static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), MADV_DONTNEED);
+}
+
+void use_huge_pages(void* begin, std::size_t bytes) {
+    advise(begin, bytes, page_block, MADV_HUGEPAGE);
+    advise(begin, bytes, page_block, collapse);  // now, and not when there is time
+}

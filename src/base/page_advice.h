@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the system is told of pages of memory: those that nobody reads any more, while the block
+// that they are part of is still in use (a long list is read once and another one written from it,
+// and both need not be there as a whole), and those that rays jump about in. Called by the kd-tree
+// and its builder.
+#pragma once
+
+#include <cstddef>
+
+/// Nobody reads these bytes any more: whole pages among them go back at once, and read as zeros
+/// from then on. They may be written again, and are freed with their block.
+void give_back_pages(void* begin, std::size_t bytes);
+
+/// Who jumps about in many megabytes waits less for addresses when their pages are huge. A wish
+/// only: contents stay, and where the system knows no huge pages nothing changes.
+void use_huge_pages(void* begin, std::size_t bytes);
