@@ -1,26 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formats/formats.h"
 
-#include "picture/formats.h"
-
-#include <catch2/catch.hpp>
-
-#include <filesystem>
-#include <fstream>
+#include "support/folder.h"
+#include "support/picture_formats.h"
 
 namespace {
-
-const Formats& formats() {
-    Diagnostics diagnostics;
-    const Formats* found = picture_formats(diagnostics);
-    REQUIRE(found);
-    return *found;
-}
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "candelabra_formats.bin";
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 RawPicture two_pixels() {
     return {2, 1, 3, std::vector<std::uint8_t>{0, 51, 255, 255, 102, 0}, "png", {}};
@@ -31,10 +15,10 @@ RawPicture two_pixels() {
 TEST_CASE("stored values come back as they were", "[formats]") {
     std::string bytes;
     REQUIRE(formats().write(two_pixels(), bytes) == "");
-    const TemporaryFile file;
-    std::ofstream(file.path, std::ios::binary) << bytes;
+    const Folder folder;
+    folder.put("a.bin", bytes);
     StoredPicture stored;
-    REQUIRE(formats().read(file.path, 100, stored) == "");
+    REQUIRE(formats().read(folder / "a.bin", 100, stored) == "");
     CHECK(stored.width == 2);
     CHECK(stored.height == 1);
     CHECK(stored.channels == 3);
@@ -43,7 +27,7 @@ TEST_CASE("stored values come back as they were", "[formats]") {
     REQUIRE(stored.values.size() == expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK(stored.values[i] == Approx(expected[i]));
-    CHECK(formats().read(file.path, 1, stored) == "it says that it has 2 by 1 pixels");
+    CHECK(formats().read(folder / "a.bin", 1, stored) == "it says that it has 2 by 1 pixels");
 }
 
 TEST_CASE("what cannot be stored is said", "[formats]") {

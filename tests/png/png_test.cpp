@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "png/png.h"
 
-#include "picture/formats.h"
-
-#include <catch2/catch.hpp>
-
-#include <filesystem>
-#include <fstream>
+#include "support/folder.h"
+#include "support/picture_formats.h"
 
 namespace {
-
-const Formats& formats() {
-    Diagnostics diagnostics;
-    const Formats* found = picture_formats(diagnostics);
-    REQUIRE(found);
-    return *found;
-}
 
 /// Five by three pixels, each value another.
 template <class Value>
@@ -25,11 +14,6 @@ RawPicture picture_of(int channels) {
         values.push_back(static_cast<Value>((i * 40503u) >> (sizeof(Value) == 1 ? 4 : 0)));
     return {5, 3, channels, values, "png", {}, "made by a test"};
 }
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "candelabra_png.png";
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 void check_same(const StoredPicture& ours, const StoredPicture& theirs) {
     CHECK(ours.width == theirs.width);
@@ -56,11 +40,11 @@ TEST_CASE("PNG files are written and read as by the library of all formats", "[p
             CHECK(is_png(ours));
             CHECK(ours.find("made by a test") != ours.npos);
             for (const std::string& bytes : {ours, theirs}) {
-                const TemporaryFile file;
-                std::ofstream(file.path, std::ios::binary) << bytes;
+                const Folder folder;
+                folder.put("a.png", bytes);
                 StoredPicture here, there;
                 REQUIRE(read_png(bytes, 100, here) == "");
-                REQUIRE(formats().read(file.path, 100, there) == "");
+                REQUIRE(formats().read(folder / "a.png", 100, there) == "");
                 check_same(here, there);
             }
         }

@@ -1,21 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polyhedra/shapes.h"
 
-#include <filesystem>
-#include <fstream>
-
-namespace {
-
-struct TemporaryFile {
-    std::filesystem::path path;
-    TemporaryFile(const std::string& extension, const std::string& text)
-        : path(std::filesystem::temp_directory_path() / ("candelabra_mesh." + extension)) {
-        std::ofstream(path, std::ios::binary) << text;
-    }
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
-
-}  // namespace
+#include "support/folder.h"
 
 TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
     struct Case {
@@ -36,9 +22,11 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
          3, 1}};
     for (const Case& c : cases) {
         CAPTURE(c.extension);
-        const TemporaryFile file(c.extension, c.text);
+        const Folder folder;
+        const std::string name = std::string("a.") + c.extension;
+        folder.put(name, c.text);
         Polyhedron made;
-        REQUIRE(the_polyhedra().read(file.path, made) == "");
+        REQUIRE(the_polyhedra().read(folder / name, made) == "");
         CHECK(made.points.size() == c.points);
         CHECK(made.faces.size() == c.faces);
     }
@@ -47,9 +35,10 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
 TEST_CASE("what is no mesh is said", "[polyhedra]") {
     Polyhedron made;
     CHECK(the_polyhedra().read("/nowhere/nothing.ply", made) == "the file cannot be opened");
-    const TemporaryFile text("ply", "no mesh");
-    CHECK(the_polyhedra().read(text.path, made) ==
+    const Folder folder;
+    folder.put("text.ply", "no mesh");
+    CHECK(the_polyhedra().read(folder / "text.ply", made) ==
           "it is no OBJ, PLY, STL or OFF file, or is damaged");
-    const TemporaryFile wild("off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-    CHECK(the_polyhedra().read(wild.path, made) != "");
+    folder.put("wild.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    CHECK(the_polyhedra().read(folder / "wild.off", made) != "");
 }

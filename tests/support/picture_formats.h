@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The library of all picture formats, for tests that ask it directly.
+#pragma once
+
+#include "picture/formats.h"
+
+#include <catch2/catch.hpp>
+
+inline const Formats& formats() {
+    Diagnostics diagnostics;
+    const Formats* found = picture_formats(diagnostics);
+    REQUIRE(found);
+    return *found;
+}
