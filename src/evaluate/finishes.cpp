@@ -2,6 +2,7 @@
 #include "evaluate/finishes.h"
 
 #include "evaluate/bind.h"
+#include "evaluate/item_block.h"
 #include "vocabulary/manual.h"
 
 #include <set>
@@ -73,83 +74,26 @@ private:
     Span span_;
 };
 
-/// irid { ... }
-class IridReader : public SimpleReader {
-public:
-    IridReader(OpenBlock& block, Irid& irid) : block_(block), irid_(irid) {}
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::block || element.word != "irid"_word) return false;
-        OpenBlock inner(block_.binder, "irid", element.word_span);
-        inner.item = &Irid::vocabulary;
-        ItemReader fields(inner, *inner.item, &irid_);
-        inner.read(element.body, fields);
-        block_.broken |= inner.broken;
-        return true;
-    }
-
-    void add_words(WordList& words) const { words.push_back("irid"); }
-
-private:
-    OpenBlock& block_;
-    Irid& irid_;
-};
-
 /// subsurface { ... }
-class SubsurfaceReader : public SimpleReader {
+class SubsurfaceReader : public ItemBlock {
 public:
     SubsurfaceReader(OpenBlock& block, Subsurface& subsurface)
-        : block_(block), subsurface_(subsurface) {}
+        : ItemBlock(block, Subsurface::vocabulary, &subsurface),
+          block_(block),
+          subsurface_(subsurface) {}
 
     bool take(const Element& element) {
-        if (element.kind != Element::Kind::block || element.word != "subsurface"_word) return false;
-        OpenBlock inner(block_.binder, "subsurface", element.word_span);
-        inner.item = &Subsurface::vocabulary;
-        ItemReader fields(inner, *inner.item, &subsurface_);
-        inner.read(element.body, fields);
-        check(inner);
-        block_.broken |= inner.broken;
+        if (!ItemBlock::take(element)) return false;
+        if (min_component(subsurface_.translucency) < 0)
+            block_.report(error(Fault::out_of_range, element.word_span,
+                                "`translucency` of `subsurface` must be at least 0 in each channel")
+                              .with_help(usage(Subsurface::vocabulary)));
         return true;
     }
 
-    void add_words(WordList& words) const { words.push_back("subsurface"); }
-
 private:
-    void check(OpenBlock& inner) {
-        if (min_component(subsurface_.translucency) >= 0) return;
-        inner.report(error(Fault::out_of_range, inner.span,
-                           "`translucency` of `subsurface` must be at least 0 in each channel")
-                         .with_help(usage(Subsurface::vocabulary)));
-        inner.broken = true;
-    }
-
     OpenBlock& block_;
     Subsurface& subsurface_;
-};
-
-/// microfacet { ... }
-class MicrofacetReader : public SimpleReader {
-public:
-    MicrofacetReader(OpenBlock& block, Microfacet& microfacet)
-        : block_(block), microfacet_(microfacet) {}
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::block || block_.spelling(element.word) != "microfacet")
-            return false;
-        OpenBlock inner(block_.binder, "microfacet", element.word_span);
-        inner.item = &Microfacet::vocabulary;
-        microfacet_.on = true;
-        ItemReader fields(inner, *inner.item, &microfacet_);
-        inner.read(element.body, fields);
-        block_.broken |= inner.broken;
-        return true;
-    }
-
-    void add_words(WordList& words) const { words.push_back("microfacet"); }
-
-private:
-    OpenBlock& block_;
-    Microfacet& microfacet_;
 };
 
 /// The fields of a finish; some amounts may be given as `albedo`, which depends on other fields.
@@ -207,8 +151,8 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
     FinishFields fields(block, finish);
     ReflectionReader reflection(block, finish.reflection);
-    IridReader irid(block, finish.irid);
-    MicrofacetReader microfacet(block, finish.microfacet);
+    ItemBlock irid(block, Irid::vocabulary, &finish.irid);
+    ItemBlock microfacet(block, Microfacet::vocabulary, &finish.microfacet, &finish.microfacet.on);
     SubsurfaceReader subsurface(block, finish.subsurface);
     block.read(element.body, declared, microfacet, fields, reflection, irid, subsurface);
     return !block.broken;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/settings.h"
 
+#include "evaluate/item_block.h"
 #include "picture/gamma.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
@@ -130,29 +131,6 @@ private:
     LightSampler& sampler_;
 };
 
-/// subsurface { ... } in global_settings.
-class SubsurfaceBlock : public SimpleReader {
-public:
-    SubsurfaceBlock(OpenBlock& block, SubsurfaceSettings& settings)
-        : block_(block), settings_(settings) {}
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::block || element.word != "subsurface"_word) return false;
-        OpenBlock inner(block_.binder, "subsurface", element.word_span);
-        inner.item = &SubsurfaceSettings::vocabulary;
-        settings_.on = true;
-        ItemReader fields(inner, *inner.item, &settings_);
-        inner.read(element.body, fields);
-        block_.broken |= inner.broken;
-        return true;
-    }
-    void add_words(WordList& words) const { words.push_back("subsurface"); }
-
-private:
-    OpenBlock& block_;
-    SubsurfaceSettings& settings_;
-};
-
 /// The fields; `assumed_gamma srgb` is the one that has a word for its value.
 class SettingsFields {
 public:
@@ -226,7 +204,8 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     SettingsFields fields(block, settings);
     SamplerBlock sampler(block, settings.light_sampler);
     LuminairesReader luminaires(block, settings.ambient_luminaires);
-    SubsurfaceBlock subsurface(block, settings.subsurface);
+    ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
+                         &settings.subsurface.on, "radiosity");
     block.read(element.body, luminaires, fields, sampler, subsurface);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);

@@ -22,9 +22,7 @@ const ItemInfo SubsurfaceSettings::vocabulary = described<SubsurfaceSettings>([]
           "points of the surface where light may go in, for each point that is seen",
           between(1, 1e6)},
         maybe(F{"single_samples", &SubsurfaceSettings::single_samples, following,
-                "places below that point where light may be scattered once", between(0, 1e6)}),
-        F{"radiosity", &SubsurfaceSettings::radiosity, flag,
-          "for POV-Ray: whether light of its radiosity goes in as well"});
+                "places below that point where light may be scattered once", between(0, 1e6)}));
 });
 
 namespace {

@@ -18,7 +18,6 @@ struct Subsurface {
 struct SubsurfaceSettings {
     int samples = 50;         ///< points where light may enter, for each point that is seen
     int single_samples = 50;  ///< places below it where light may be scattered once
-    bool radiosity = false;   ///< light of radiosity goes in as well
     bool on = false;          ///< the block is there; finishes count only then
 
     static const ItemInfo vocabulary;

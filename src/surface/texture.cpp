@@ -82,6 +82,16 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
     to.use(weight, layers.first(count));
 }
 
+/// Whether the test holds for a finish of any entry or layer.
+template <class Test>
+bool any_finish(const Texture& texture, const Test& test) {
+    if (texture.choice)
+        return std::ranges::any_of(texture.choice->map, [&](const TextureStop& stop) {
+            return any_finish(*stop.texture, test);
+        });
+    return test(texture.finish) || (texture.below && any_finish(*texture.below, test));
+}
+
 }  // namespace
 
 PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside, TextureMap the_map)
@@ -173,10 +183,12 @@ void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
 }
 
 bool scatters(const Texture& texture) {
-    if (texture.choice)
-        return std::ranges::any_of(texture.choice->map,
-                                   [](const TextureStop& stop) { return scatters(*stop.texture); });
-    return texture.finish.microfacet.on || (texture.below && scatters(*texture.below));
+    return any_finish(texture, [](const Finish& finish) { return finish.microfacet.on; });
+}
+
+bool lets_light_in(const Texture& texture) {
+    return any_finish(
+        texture, [](const Finish& finish) { return finish.subsurface.translucency != Vec3(0); });
 }
 
 bool focuses(const Texture& texture) {
@@ -202,18 +214,17 @@ Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scen
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
              const FocusedLight& light) {
     Vec3 sum(0);
-    for_layers(texture, point, light.normal, scene,
-               [&](double weight, std::span<const Layer> layers) {
-                   Vec3 left(weight);
-                   const double power =
-                       light.power != 0 ? light.power : layers.front().finish->caustics;
-                   for (const Layer& layer : layers) {
-                       const double cosine = std::abs(dot(layer.normal, light.direction));
-                       const double focused = power == 0 ? 1 : 1 + std::pow(cosine, power);
-                       left *= focused * layer.colour.passing();
-                   }
-                   sum += left;
-               });
+    for_layers(
+        texture, point, light.normal, scene, [&](double weight, std::span<const Layer> layers) {
+            Vec3 left(weight);
+            const double power = light.power != 0 ? light.power : layers.front().finish->caustics;
+            for (const Layer& layer : layers) {
+                const double cosine = std::abs(dot(layer.normal, light.direction));
+                const double focused = power == 0 ? 1 : 1 + std::pow(cosine, power);
+                left *= focused * layer.colour.passing();
+            }
+            sum += left;
+        });
     return sum;
 }
 

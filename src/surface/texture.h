@@ -74,6 +74,9 @@ Vec3 passing(const Texture&, const Vec3& point, const PatternScene&, const Focus
 /// Whether one of its finishes has facets.
 bool scatters(const Texture&);
 
+/// Whether one of its finishes has light spread below the surface, if the scene wants that.
+bool lets_light_in(const Texture&);
+
 /// Whether one of its finishes has caustics.
 bool focuses(const Texture&);
 

@@ -83,4 +83,10 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
             warning(Fault::no_light, {}, "nothing lights this scene")
                 .with_help("light_source { <10, 20, -10>, rgb 1 }, or finish { emission 5 } in an "
                            "object"));
+    const auto unused = [](const Material& m) { return lets_light_in(*m.texture); };
+    if (!world.settings.subsurface.on && std::ranges::any_of(world.materials, unused))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`subsurface` of finishes has no effect: the scene does not ask "
+                                "for it")
+                            .with_help("global_settings { subsurface { } }"));
 }

@@ -46,6 +46,8 @@ TEST_CASE("wrong settings are told of once", "[evaluate]") {
           "warning no-effect: `charset` has no effect in this version");
     CHECK(complaint("global_settings { radiosity { count 100 } }") ==
           "warning no-effect: `radiosity` has no effect in this version");
+    CHECK(complaint("global_settings { subsurface { samples 9, 9 radiosity on } }") ==
+          "warning no-effect: `radiosity` has no effect in this version");
     CHECK(complaint("global_settings { foo 1 }") ==
           "error unknown-word: `global_settings` has no word `foo`");
     CHECK(complaint("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }") ==

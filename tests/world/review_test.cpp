@@ -68,3 +68,11 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
     CHECK(said_about(script, false) == said);
     CHECK(said_about(script, true) == said);
 }
+
+TEST_CASE("light below surfaces that the scene does not ask for is warned of", "[world]") {
+    const std::string seen =
+        "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 finish "
+        "{ subsurface { translucency 1 } } } ";
+    CHECK(said_about(seen, false) == "no-effect ");
+    CHECK(said_about(seen + "global_settings { subsurface { } }", false).empty());
+}
