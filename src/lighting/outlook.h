@@ -79,9 +79,10 @@ public:
     /// were tried tell.
     double noise() const { return noise_; }
 
+    /// By all luminaires that are seen; mean over the receivers.
+    double irradiance() const { return irradiance_; }
     /// What a surface sees of luminaires when it asks in directions as it scatters them: the mean
     /// luminance, and the expected variance over squared mean.
-    double irradiance() const { return irradiance_; }  ///< mean over the receivers
     double mean_luminance() const { return mean_luminance_; }
     double noise_of_scattering() const { return noise_of_scattering_; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/file_facts.h"
 
+#include "png/png.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -45,7 +47,7 @@ FileFacts file_facts(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string bytes(8, ' ');
     file.read(bytes.data(), 8);
-    const bool gif = bytes.starts_with("GIF8"), png = bytes.starts_with("\x89PNG");
+    const bool gif = bytes.starts_with("GIF8"), png = is_png(bytes);
     if (!gif && !png) return facts;
     bytes.append(std::istreambuf_iterator<char>(file), {});
     if (png)

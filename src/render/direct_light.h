@@ -7,8 +7,6 @@
 #include "render/shade.h"
 #include "render/statistics.h"
 
-/// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
-/// estimate.
 /// How many shadow rays hits get.
 struct ShadowRays {
     // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
@@ -27,6 +25,8 @@ struct HitNoise {
     int hits = 0;
 };
 
+/// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
+/// estimate.
 class DirectLight {
 public:
     DirectLight(const World& world, const ShadowRays& rays) : world_(world), shadow_rays_(rays) {}

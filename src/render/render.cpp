@@ -29,6 +29,33 @@ std::optional<BlurRule> blur_rule(const World& world, const RenderSettings& sett
     return world.camera.blur;
 }
 
+/// Whether the number of samples depends on that of shadow rays.
+bool follows_shadow_rays(const World& world, const RenderSettings& settings) {
+    return settings.samples <= 0 && settings.noise <= 0 && !world.camera.blurs();
+}
+
+/// `rays`: at each hit, where it matters.
+int usual_samples(const World& world, const RenderSettings& settings, int rays) {
+    constexpr int first_for_noise = 16;
+    if (settings.noise > 0)
+        return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
+                                    : first_for_noise;
+    if (settings.samples > 0) return settings.samples;
+    if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
+    // With more shadow rays each, fewer samples tell as much.
+    constexpr int least = 4, to_middle = 16;
+    if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
+    const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
+    return rays == 1 ? first : std::min(first, std::max(least, first / rays));
+}
+
+int all_samples(const World& world, const RenderSettings& settings, int rays) {
+    const int usual = usual_samples(world, settings, rays);
+    if (settings.samples > 0 || settings.noise > 0) return usual;
+    const int moments = 1 + static_cast<int>(world.other_moments.size());
+    return std::max({usual, moments, world.camera.mesh ? world.camera.mesh->rays_per_pixel() : 1});
+}
+
 class Renderer {
 public:
     Renderer(const World& world, const RenderSettings& settings, RenderState& state,
@@ -44,7 +71,8 @@ public:
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
-        const auto samples = static_cast<std::uint32_t>(samples_per_pixel(world_, settings_));
+        const auto samples =
+            static_cast<std::uint32_t>(all_samples(world_, settings_, tracing_.shadow_rays.usual));
         do {
             run_round();
             if (stopped_) return false;
@@ -176,30 +204,9 @@ private:
 
 }  // namespace
 
-namespace {
-
-int usual_samples(const World& world, const RenderSettings& settings) {
-    constexpr int first_for_noise = 16;
-    if (settings.noise > 0)
-        return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
-                                    : first_for_noise;
-    if (settings.samples > 0) return settings.samples;
-    if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
-    // With more shadow rays each, fewer samples tell as much.
-    constexpr int least = 4, to_middle = 16;
-    const int rays = shadow_rays_per_hit(world, settings).usual;
-    if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
-    const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
-    return rays == 1 ? first : std::min(first, std::max(least, first / rays));
-}
-
-}  // namespace
-
 int samples_per_pixel(const World& world, const RenderSettings& settings) {
-    const int usual = usual_samples(world, settings);
-    if (settings.samples > 0 || settings.noise > 0) return usual;
-    const int moments = 1 + static_cast<int>(world.other_moments.size());
-    return std::max({usual, moments, world.camera.mesh ? world.camera.mesh->rays_per_pixel() : 1});
+    const bool follows = follows_shadow_rays(world, settings);
+    return all_samples(world, settings, follows ? shadow_rays_per_hit(world, settings).usual : 1);
 }
 
 bool is_even(const World& world, const RenderSettings& settings) {
