@@ -24,7 +24,11 @@ class AnimationRun {
 public:
     AnimationRun(const Options& options, const Animation& animation, const Console& console,
                  Diagnostics& diagnostics)
-        : options_(options), animation_(animation), console_(console), diagnostics_(diagnostics) {}
+        : options_(options),
+          animation_(animation),
+          console_(console),
+          interrupts_(console.interrupts),
+          diagnostics_(diagnostics) {}
 
     int execute() {
         Diagnostics checked = diagnostics_.fresh();
@@ -129,7 +133,8 @@ private:
         return exit_status::done;
     }
 
-    /// Each frame is prepared while the one before is rendered, and written while the next one is.
+    /// Each frame is prepared while the one before is rendered, begins when that leaves cores free,
+    /// and is written while the next one is rendered.
     int side_by_side() {
         std::unique_ptr<FrameRun> before, next;
         for (std::size_t at = 0; at < mine_.size(); ++at) {
@@ -143,7 +148,7 @@ private:
             if (!now) continue;
             if (renders && at + 1 < mine_.size() && may_look_ahead())
                 next = begin(at + 1, now->options().output);
-            if (!now->wait_rendered() && now->finish() != exit_status::done) return now->finish();
+            if (!now->wait_wound_down() && now->finish() != exit_status::done) return now->finish();
             before = std::move(now);
         }
         return before ? before->finish() : exit_status::done;
@@ -154,7 +159,7 @@ private:
         if (frame) frame->speak();
     }
 
-    /// Lets a frame render; the one before has been rendered, and ends meanwhile. False when it has
+    /// Lets a frame render; the one before leaves cores free, and ends meanwhile. False when it has
     /// ended without that.
     bool begin_turn(std::size_t at, FrameRun* before, std::unique_ptr<FrameRun>& now) {
         if (now->render()) return true;
@@ -178,7 +183,9 @@ private:
         if (is_there(options.output)) return nullptr;
         options.prepared_ahead = !unfinished.empty();
         options.at_once = most_at_once;
-        return std::make_unique<FrameRun>(std::move(options), console_, problems_of_frame(),
+        Console console = console_;
+        console.interrupts = interrupts_.for_one();
+        return std::make_unique<FrameRun>(std::move(options), console, problems_of_frame(),
                                           unfinished);
     }
 
@@ -193,9 +200,10 @@ private:
     const Options& options_;
     const Animation& animation_;
     const Console& console_;
+    SharedInterrupts interrupts_;
     Diagnostics& diagnostics_;
     Output output_;
-    /// One frame is written, one rendered, one prepared.
+    /// One frame is completed and written, one rendered, one prepared.
     static constexpr unsigned most_at_once = 3;
 
     std::vector<std::size_t> mine_;  ///< the frames of this run

@@ -53,9 +53,11 @@ struct Console {
     /// files that they are made from. May be empty.
     std::function<void(const Exhibit&)> watch, linger;
     std::function<void(const std::vector<ReadFile>&)> files_read;
-    /// Called before a picture is rendered, which false prevents, and when that is done, before it
-    /// is written: so that several runs can take turns. May be empty.
+    /// So that several runs can take turns: called before a picture is rendered, which false
+    /// prevents; once there may be cores that it has no work for (not with a time limit); and when
+    /// it is rendered, before it is written. May be empty.
     std::function<bool()> begins_rendering;
+    std::function<void()> winds_down;
     std::function<void()> ends_rendering;
     std::string settings;  ///< INI file that is read before the command line; empty: none
 };

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <new>
 
-FrameRun::FrameRun(Options options, const Console& console, Diagnostics problems,
-                   std::string unfinished)
+FrameRun::FrameRun(Options options, Console console, Diagnostics problems, std::string unfinished)
     : options_(std::move(options)),
+      outer_(std::move(console)),
       problems_(std::move(problems)),
       unfinished_(std::move(unfinished)),
-      thread_([this, &console] { run(console); }) {}
+      thread_([this] { run(); }) {}
 
 FrameRun::~FrameRun() {
     if (!thread_.joinable()) return;
@@ -24,23 +24,23 @@ FrameRun::~FrameRun() {
     thread_.join();
 }
 
-void FrameRun::run(const Console& outer) {
-    Console console = outer;
+void FrameRun::run() {
+    Console console = outer_;
     console.out = [&](std::string_view text) {
-        hear([&outer, text = std::string(text)] { outer.out(text); });
+        hear([this, text = std::string(text)] { outer_.out(text); });
     };
     console.err = [&](std::string_view text) {
-        hear([&outer, text = std::string(text)] { outer.err(text); });
+        hear([this, text = std::string(text)] { outer_.err(text); });
     };
-    if (outer.sorted)
+    if (outer_.sorted)
         console.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
-            hear([&outer, stream, text = std::string(text), plain = std::string(plain)] {
-                outer.sorted(stream, text, plain);
+            hear([this, stream, text = std::string(text), plain = std::string(plain)] {
+                outer_.sorted(stream, text, plain);
             });
         };
     console.interrupts.take = [&] {
         if (unwanted_) return Interrupt::stop;
-        return outer.interrupts.take ? outer.interrupts.take() : Interrupt::none;
+        return outer_.interrupts.take ? outer_.interrupts.take() : Interrupt::none;
     };
     console.files_read = [&](const std::vector<ReadFile>& files) {
         std::error_code none;
@@ -49,6 +49,7 @@ void FrameRun::run(const Console& outer) {
                 unwanted_ = true;
     };
     console.begins_rendering = [this] { return begin_rendering(); };
+    console.winds_down = [this] { wind_down(); };
     console.ends_rendering = [this] { end_rendering(); };
     int status = exit_status::file;
     try {
@@ -72,11 +73,17 @@ bool FrameRun::begin_rendering() {
     return true;
 }
 
+/// Called by the run.
+void FrameRun::wind_down() {
+    const std::lock_guard lock(mutex_);
+    wound_down_ = true;
+    changed_.notify_all();
+}
+
 /// Called by the run. Pictures are written one after the other.
 void FrameRun::end_rendering() {
+    wind_down();
     std::unique_lock lock(mutex_);
-    rendered_ = true;
-    changed_.notify_all();
     changed_.wait(lock, [this] { return speaking_ || unwanted_; });
 }
 
@@ -104,10 +111,10 @@ void FrameRun::speak() {
     changed_.notify_all();
 }
 
-bool FrameRun::wait_rendered() {
+bool FrameRun::wait_wound_down() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return rendered_ || ended_; });
-    return rendered_;
+    changed_.wait(lock, [this] { return wound_down_ || ended_; });
+    return wound_down_;
 }
 
 int FrameRun::finish() {

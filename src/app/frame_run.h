@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One frame of an animation on a thread of its own, so that it can be prepared while the frame
-// before it is rendered, and written while the next one is. Frames are rendered one at a time, and
-// what each says comes in the order of the frames. Called by the animation.
+// before it is rendered, and written while the next one is. A frame begins to be rendered when the
+// one before leaves cores free, and what each says comes in the order of the frames. Called by the
+// animation.
 #pragma once
 
 #include "app/console.h"
@@ -18,38 +19,39 @@ class FrameRun {
 public:
     /// Begins to prepare the frame. `unfinished`: a picture that another frame is still making; a
     /// frame that reads it cannot be prepared yet.
-    FrameRun(Options options, const Console& console, Diagnostics problems,
-             std::string unfinished = {});
+    FrameRun(Options options, Console console, Diagnostics problems, std::string unfinished = {});
     FrameRun(const FrameRun&) = delete;
     FrameRun& operator=(const FrameRun&) = delete;
     /// Stops the work if it is not done, and waits for its end.
     ~FrameRun();
 
-    /// The frame before has been rendered: this one may be. False when it has ended without that:
-    /// there was an error, or nothing to render.
+    /// The frame before leaves cores free: this one may be rendered. False when it has ended
+    /// without that: there was an error, or nothing to render.
     bool render();
     /// The frame before has ended: what this one says is heard from now on.
     void speak();
-    /// Waits until it has been rendered; the picture need not be written yet. False: it has ended
-    /// without that.
-    bool wait_rendered();
+    /// Waits until there are cores that it has no work for; it need not be complete yet. False: it
+    /// has ended without that.
+    bool wait_wound_down();
     /// Waits for the end; gives the exit status.
     int finish();
 
     const Options& options() const { return options_; }
 
 private:
-    void run(const Console&);
+    void run();
     bool begin_rendering();
+    void wind_down();
     void end_rendering();
     void hear(std::function<void()> said);
 
     Options options_;
+    Console outer_;
     Diagnostics problems_;
     std::string unfinished_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    bool may_render_ = false, rendering_ = false, rendered_ = false, ended_ = false,
+    bool may_render_ = false, rendering_ = false, wound_down_ = false, ended_ = false,
          speaking_ = false;
     std::atomic<bool> unwanted_ = false;          ///< it shall end
     std::vector<std::function<void()>> unheard_;  ///< what is said before it may speak

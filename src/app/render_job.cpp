@@ -42,9 +42,8 @@ std::string state_path(const JobPlan& plan) {
 RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
-      settings_(timed(plan_.options)),
       extras_(extras_for(plan_.options.layers, plan_.options.alpha)),
-      world_(world),
+      rendering_(plan_of(world, timed(plan_.options))),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
 
@@ -57,10 +56,10 @@ bool RenderJob::can_keep() const {
 
 void RenderJob::begin() {
     RenderState& state = checkpoint_.state;
-    state = begin_picture(settings_, extras_.count(world_));
+    state = begin_picture(rendering_.settings, extras_.count(rendering_.world));
     state.share.region = region_of(plan_.options);
     checkpoint_.identity = plan_.identity;
-    checkpoint_.all_samples = static_cast<std::uint32_t>(samples_per_pixel(world_, settings_));
+    checkpoint_.all_samples = rendering_.samples;
     checkpoint_.samples = checkpoint_.all_samples;
     if (!plan_.shard) return;
     const Shard& shard = *plan_.shard;
@@ -73,7 +72,8 @@ void RenderJob::begin() {
     const Shard next{shard.number + 1, shard.count};
     checkpoint_.samples =
         first_of(next, checkpoint_.all_samples) - checkpoint_.state.share.first_sample;
-    settings_.samples = static_cast<int>(checkpoint_.samples);
+    rendering_.samples = checkpoint_.samples;
+    rendering_.settings.samples = static_cast<int>(checkpoint_.samples);
 }
 
 bool RenderJob::fits(const Checkpoint& old) {
@@ -86,9 +86,10 @@ bool RenderJob::fits(const Checkpoint& old) {
     const std::string changed = difference(old.identity, plan_.identity);
     if (!changed.empty()) return refuse(changed);
     if (!(old.state.share == checkpoint_.state.share) ||
-        old.state.film.width() != settings_.width || old.state.film.height() != settings_.height)
+        old.state.film.width() != rendering_.settings.width ||
+        old.state.film.height() != rendering_.settings.height)
         return refuse("it is of another part of the picture");
-    if (is_even(world_, settings_) && most_samples(old.state) > checkpoint_.samples)
+    if (rendering_.is_even() && most_samples(old.state) > checkpoint_.samples)
         return refuse(message("it has up to ", most_samples(old.state),
                               " samples in a pixel already, and ", checkpoint_.samples,
                               " are asked for"));
@@ -97,7 +98,7 @@ bool RenderJob::fits(const Checkpoint& old) {
 
 bool RenderJob::prepare() {
     const bool of_samples = plan_.shard && plan_.options.shard_by != ShardBy::tiles;
-    if (of_samples && !is_even(world_, settings_)) {
+    if (of_samples && !rendering_.is_even()) {
         diagnostics_.add(error(Fault::option, {},
                                "shards of samples must know how many samples there will be, which "
                                "the camera's blur_samples leave open")
@@ -156,6 +157,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     RenderHooks hooks;
     hooks.counts_lights = plan_.options.light_report;
     hooks.extras = extras_;
+    if (!plan_.options.time) hooks.winds_down = plan_.winds_down;
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
         progress.update(std::max(done, spent));
@@ -173,7 +175,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
             asked.compare_exchange_strong(none, Interrupt::save);
         return asked != Interrupt::none;
     };
-    const bool finished = advance(world_, settings_, checkpoint_.state, rays_, hooks);
+    const bool finished = advance(rendering_, checkpoint_.state, rays_, hooks);
     return finished ? Interrupt::none : asked.load();
 }
 

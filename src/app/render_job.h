@@ -24,6 +24,8 @@ struct JobPlan {
     std::optional<Shard> shard;  ///< nothing: the whole picture
     /// Shown the picture when somebody asks to save it, and at its end; may be empty.
     std::function<void(const Film&, const RayCounts&, double done)> watch;
+    /// See RenderHooks; not called when the time is limited, which is for this picture alone.
+    std::function<void()> winds_down;
 };
 
 /// Beside which a state lies: the picture's name and, of a shard, its number.
@@ -56,9 +58,8 @@ private:
     Interrupt work(Progress&, const std::function<double()>& clock);
 
     JobPlan plan_;
-    RenderSettings settings_;
     Extras extras_;
-    const World& world_;
+    RenderPlan rendering_;
     const Interrupts& interrupts_;
     Diagnostics& diagnostics_;
     Checkpoint checkpoint_;

@@ -288,8 +288,7 @@ private:
             files.lights = light_names(world, sources_);
             note_lights(identity, files.lights);
         }
-        if (!take_turn()) return exit_status::stopped;
-        JobPlan plan{options_, identity, output.path, shard_, {}};
+        JobPlan plan{options_, identity, output.path, shard_, {}, console_.winds_down};
         if (console_.watch)
             plan.watch = [&](const Film& film, const RayCounts& rays, double done) {
                 console_.watch({world, sources_, options_.render, film, rays, done});
@@ -305,6 +304,7 @@ private:
         else
             job.prepare();
         if (say_diagnostics()) return exit_status::file;
+        if (!take_turn()) return exit_status::stopped;
         const JobEnd end = work(job);
         if (end == JobEnd::stopped) return say_stopped(plan, job);
         files.format.description = description(identity, job.samples());

@@ -23,6 +23,13 @@ struct ShadowRays {
 struct HitNoise {
     double sum = 0, squares = 0;
     int hits = 0;
+
+    HitNoise& operator+=(const HitNoise& other) {
+        sum += other.sum;
+        squares += other.squares;
+        hits += other.hits;
+        return *this;
+    }
 };
 
 /// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased

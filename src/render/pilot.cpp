@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pilot.h"
 
+#include "base/parallel.h"
+
 #include <algorithm>
+#include <vector>
 
 namespace {
 
@@ -14,38 +17,57 @@ constexpr int pixels_for_each = 4;
 
 double squared(double x) { return x * x; }
 
+/// Which pixel of a grid that is spread over the picture.
+struct Trial {
+    int column, row, columns, rows;
+};
+
+/// Adds its noise.
+void try_pixel(Tracer& tracer, const World& world, const RenderSettings& settings,
+               const Trial& trial, PilotNoise& noise) {
+    const auto number = static_cast<std::uint64_t>(trial.row * trial.columns + trial.column);
+    const double x = std::floor((trial.column + 0.5) * settings.width / trial.columns),
+                 y = std::floor((trial.row + 0.5) * settings.height / trial.rows);
+    const auto seen = [&](std::uint32_t place, std::uint32_t light) {
+        Key key;
+        // Not a pixel of the picture, whose samples must owe nothing to these.
+        key.pixel = mix(~number) + place;
+        key.sample = light;
+        const Key where = {key.pixel, 0, 0, 0};
+        const bool spread = settings.antialias;
+        const double dx = spread ? uniform(where, Purpose::pixel_x) : 0.5,
+                     dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
+        const double u = (x + dx) / settings.width - 0.5, v = 0.5 - (y + dy) / settings.height;
+        // What is brighter than white is cut off in pictures, and its noise with it.
+        return std::fmin(grey(tracer.radiance(camera_ray(world, u, v, where), key)), 1.0);
+    };
+    // Two lights at each of two places: what differs between the places under the one light and
+    // under the other is the camera's, whatever the noise of light.
+    const double a = seen(0, 0), b = seen(0, 1), c = seen(1, 0), d = seen(1, 1);
+    noise.of_light += (squared(a - b) + squared(c - d)) / 4;
+    noise.of_camera += (a - c) * (b - d) / 2;
+}
+
 }  // namespace
 
 PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
     const int columns = std::clamp(settings.width / pixels_for_each, 1, most_across),
               rows = std::clamp(settings.height / pixels_for_each, 1, most_across);
-    Tracer tracer(world, {});
+    std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
+    run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
+        Tracer tracer(world, {});
+        for (int column = 0; column < columns; ++column)
+            try_pixel(tracer, world, settings, {column, static_cast<int>(row), columns, rows},
+                      noise[row]);
+        noise[row].of_hits = tracer.noise();
+    });
     PilotNoise sum;
-    for (int i = 0; i < columns * rows; ++i) {
-        const auto seen = [&](std::uint32_t place, std::uint32_t light) {
-            Key key;
-            // Not a pixel of the picture, whose samples must owe nothing to these.
-            key.pixel = mix(~static_cast<std::uint64_t>(i)) + place;
-            key.sample = light;
-            const Key where = {key.pixel, 0, 0, 0};
-            const bool spread = settings.antialias;
-            const double dx = spread ? uniform(where, Purpose::pixel_x) : 0.5,
-                         dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
-            const double x = (i % columns + 0.5) * settings.width / columns,
-                         y = (i / columns + 0.5) * settings.height / rows;
-            const double u = (std::floor(x) + dx) / settings.width - 0.5,
-                         v = 0.5 - (std::floor(y) + dy) / settings.height;
-            // What is brighter than white is cut off in pictures, and its noise with it.
-            return std::fmin(grey(tracer.radiance(camera_ray(world, u, v, where), key)), 1.0);
-        };
-        // Two lights at each of two places: what differs between the places under the one light
-        // and under the other is the camera's, whatever the noise of light.
-        const double a = seen(0, 0), b = seen(0, 1), c = seen(1, 0), d = seen(1, 1);
-        sum.of_light += (squared(a - b) + squared(c - d)) / 4;
-        sum.of_camera += (a - c) * (b - d) / 2;
+    for (const PilotNoise& each : noise) {
+        sum.of_light += each.of_light;
+        sum.of_camera += each.of_camera;
+        sum.of_hits += each.of_hits;
     }
     sum.of_camera = std::fmax(sum.of_camera, 0);
-    sum.of_hits = tracer.noise();
     return sum;
 }
 

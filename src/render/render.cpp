@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace {
 
@@ -58,25 +59,22 @@ int all_samples(const World& world, const RenderSettings& settings, int rays) {
 
 class Renderer {
 public:
-    Renderer(const World& world, const RenderSettings& settings, RenderState& state,
-             const RenderHooks& hooks)
-        : world_(world),
-          settings_(settings),
+    Renderer(const RenderPlan& plan, RenderState& state, const RenderHooks& hooks)
+        : plan_(plan),
+          world_(plan.world),
+          settings_(plan.settings),
           state_(state),
           hooks_(hooks),
-          blur_(blur_rule(world, settings)),
-          tracing_{shadow_rays_per_hit(world, settings), hooks.counts_lights || hooks.extras.lights,
+          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.extras.lights,
                    hooks.extras.alpha},
           fresh_tracers_(tracers_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
-        const auto samples =
-            static_cast<std::uint32_t>(all_samples(world_, settings_, tracing_.shadow_rays.usual));
         do {
             run_round();
             if (stopped_) return false;
-        } while (plan_round(state_, settings_, samples, blur_));
+        } while (plan_round(state_, settings_, plan_.samples, plan_.blur));
         return true;
     }
 
@@ -96,7 +94,7 @@ private:
         if (missing == 0) return;
         constexpr std::uint32_t growth = 4;
         for (std::uint32_t level = 1; !stopped_; level *= growth) {
-            over_tiles(level);
+            over_tiles(level, level >= most);
             if (level >= most) return;
         }
     }
@@ -107,9 +105,11 @@ private:
         std::uint64_t made = 0;       ///< samples
     };
 
-    void over_tiles(std::uint32_t level) {
+    void over_tiles(std::uint32_t level, bool ends_round) {
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
+        std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
+            if (++begun == tiles.size() && ends_round) wind_down();
             if (stopped_ || !wants(tiles[i], level)) return;
             Work work{fresh_tracers_};
             const std::uint64_t made = make_tile(work, tiles[i], level);
@@ -123,6 +123,11 @@ private:
         });
     }
 
+    void wind_down() {
+        if (hooks_.winds_down && !stopped_ && !std::exchange(winds_down_, true))
+            hooks_.winds_down();
+    }
+
     std::vector<Tracer> tracers_of_moments() const {
         std::vector<Tracer> tracers;
         tracers.emplace_back(world_, tracing_);
@@ -133,9 +138,9 @@ private:
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
     /// the noise or a lens takes is not known: each brings half of the rest.
     double overall(double share_of_round) const {
-        if (is_even(world_, settings_)) return share_of_round;
+        if (plan_.is_even()) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
-        return settings_.noise > 0 || blur_ ? 1 - std::exp2(-rounds) : rounds / 2;
+        return settings_.noise > 0 || plan_.blur ? 1 - std::exp2(-rounds) : rounds / 2;
     }
 
     bool wants(const Region& tile, std::uint32_t level) const {
@@ -187,11 +192,11 @@ private:
         return stopped_;
     }
 
+    const RenderPlan& plan_;
     const World& world_;
     const RenderSettings& settings_;
     RenderState& state_;
     const RenderHooks& hooks_;
-    std::optional<BlurRule> blur_;
     Tracing tracing_;
     /// To be copied: to find out what is around the camera takes a look at every object.
     const std::vector<Tracer> fresh_tracers_;
@@ -200,22 +205,21 @@ private:
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
     std::atomic<std::uint64_t> done_ = 0;
     std::atomic<bool> stopped_ = false;
+    bool winds_down_ = false;  ///< written where the last tile of a round begins
 };
 
 }  // namespace
 
-int samples_per_pixel(const World& world, const RenderSettings& settings) {
-    const bool follows = follows_shadow_rays(world, settings);
-    return all_samples(world, settings, follows ? shadow_rays_per_hit(world, settings).usual : 1);
+RenderPlan plan_of(const World& world, const RenderSettings& settings) {
+    const ShadowRays rays = shadow_rays_per_hit(world, settings);
+    const int shared = follows_shadow_rays(world, settings) ? rays.usual : 1;
+    return {world, settings, rays, static_cast<std::uint32_t>(all_samples(world, settings, shared)),
+            blur_rule(world, settings)};
 }
 
-bool is_even(const World& world, const RenderSettings& settings) {
-    return is_even(settings) && !blur_rule(world, settings);
-}
-
-bool advance(const World& world, const RenderSettings& settings, RenderState& state,
-             RayCounts& rays, const RenderHooks& hooks) {
-    Renderer renderer(world, settings, state, hooks);
+bool advance(const RenderPlan& plan, RenderState& state, RayCounts& rays,
+             const RenderHooks& hooks) {
+    Renderer renderer(plan, state, hooks);
     const bool finished = renderer.run();
     rays += renderer.rays();
     return finished;
@@ -224,6 +228,6 @@ bool advance(const World& world, const RenderSettings& settings, RenderState& st
 Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
     RenderState state = begin_picture(settings, hooks.extras.count(world));
     RayCounts rays;
-    advance(world, settings, state, rays, hooks);
+    advance(plan_of(world, settings), state, rays, hooks);
     return {state.film.image(), rays};
 }

@@ -4,6 +4,7 @@
 // often the work is stopped and continued.
 #pragma once
 
+#include "render/direct_light.h"
 #include "render/extras.h"
 #include "render/schedule.h"
 #include "render/statistics.h"
@@ -11,13 +12,32 @@
 
 #include <functional>
 
-/// What the caller may want to know while a picture is made. Both may be called from several
+/// How a world is rendered, which is settled before the first sample and the same for all parts of
+/// a picture.
+struct RenderPlan {
+    const World& world;
+    RenderSettings settings;
+    ShadowRays shadow_rays;        ///< at each hit
+    std::uint32_t samples = 1;     ///< of each pixel in the first round, or altogether
+    std::optional<BlurRule> blur;  ///< of the camera, when it decides how many follow
+
+    /// Whether all pixels get the same number of samples. Neither an adaptive scheme nor a lens is
+    /// so.
+    bool is_even() const { return ::is_even(settings) && !blur; }
+};
+
+/// Traces some pixels where the settings leave open what pays best.
+RenderPlan plan_of(const World&, const RenderSettings&);
+
+/// What the caller may want to know while a picture is made. All may be called from several
 /// threads, and may be empty.
 struct RenderHooks {
     std::function<void(double fraction)> progress;  ///< of the whole picture
     std::function<bool()> cancelled;                ///< true: stop within some samples
-    bool counts_lights = false;                     ///< fills RayCounts::lights
-    Extras extras = {};                             ///< the film has sums for them
+    /// Called once, when a round has nothing left to begin and the first core becomes free.
+    std::function<void()> winds_down;
+    bool counts_lights = false;  ///< fills RayCounts::lights
+    Extras extras = {};          ///< the film has sums for them
 };
 
 struct Rendering {
@@ -30,11 +50,4 @@ Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
 
 /// Goes on with a picture until it is finished; false when the hook has stopped it. Adds to the
 /// counts.
-bool advance(const World&, const RenderSettings&, RenderState&, RayCounts&, const RenderHooks&);
-
-/// Camera rays a pixel that settings ask for, with the automatic choice made: one where nothing is
-/// left to chance.
-int samples_per_pixel(const World&, const RenderSettings&);
-
-/// Whether all pixels get the same number of samples. Neither an adaptive scheme nor a lens is so.
-bool is_even(const World&, const RenderSettings&);
+bool advance(const RenderPlan&, RenderState&, RayCounts&, const RenderHooks& = {});

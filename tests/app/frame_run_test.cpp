@@ -32,7 +32,7 @@ TEST_CASE("a frame renders when it may, and is heard when it may speak") {
     shell.write("a.pov", std::string(lit_scene) + "#debug \"here\\n\"");
     FrameRun frame(shell.options("a"), shell.console, {});
     CHECK(frame.render());
-    CHECK(frame.wait_rendered());
+    CHECK(frame.wait_wound_down());
     CHECK(shell.err.empty());
     CHECK_FALSE(fs::exists(shell.path("a.png")));  // pictures are written in order
     frame.speak();
@@ -48,9 +48,9 @@ TEST_CASE("a frame is rendered while the one before it is not written yet") {
     FrameRun before(shell.options("a"), shell.console, {});
     FrameRun now(shell.options("b"), shell.console, {}, shell.path("a.png"));
     CHECK(before.render());
-    CHECK(before.wait_rendered());
+    CHECK(before.wait_wound_down());
     CHECK(now.render());
-    CHECK(now.wait_rendered());
+    CHECK(now.wait_wound_down());
     CHECK_FALSE(fs::exists(shell.path("a.png")));
     before.speak();
     CHECK(before.finish() == exit_status::done);

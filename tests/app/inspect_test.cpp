@@ -35,7 +35,7 @@ struct Look {
         settings.height = 24;
         settings.samples = 2;
         state = begin_picture(settings);
-        advance(world, settings, state, rays, {});
+        advance(plan_of(world, settings), state, rays, {});
     }
     Exhibit exhibit() const { return {world, sources, settings, state.film, rays, 1}; }
 };

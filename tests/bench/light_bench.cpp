@@ -184,7 +184,7 @@ void figure5() {
         settings.seed = seed;
         RenderState state = begin_picture(settings);
         RayCounts rays;
-        advance(world, settings, state, rays, {});
+        advance(plan_of(world, settings), state, rays, {});
         std::vector<double> variances;
         for (const PixelSum& pixel : state.film.pixels())
             variances.push_back(pixel.variance_of_mean());
@@ -192,7 +192,7 @@ void figure5() {
         const double bound = variances[static_cast<std::size_t>(0.91 * size * size)];
         for (PixelSum& pixel : state.film.pixels())
             if (pixel.variance_of_mean() > bound) pixel.target = 30;
-        advance(world, settings, state, rays, {});
+        advance(plan_of(world, settings), state, rays, {});
         return state.film;
     };
     const Film a = refined(0), b = refined(1);

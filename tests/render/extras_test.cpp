@@ -18,7 +18,7 @@ RenderState made(const World& world, const Extras& extras, int samples = 4) {
     RenderHooks hooks;
     hooks.extras = extras;
     RayCounts rays;
-    CHECK(advance(world, settings, state, rays, hooks));
+    CHECK(advance(plan_of(world, settings), state, rays, hooks));
     return state;
 }
 

@@ -104,12 +104,12 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
     RenderSettings settings = small(2);
     RenderState whole = begin_picture(settings), broken = whole;
     RayCounts rays;
-    CHECK(advance(world, settings, whole, rays, {}));
+    CHECK(advance(plan_of(world, settings), whole, rays, {}));
     std::atomic<int> asked = 0;
     RenderHooks hooks;
     int stops = 0, next = 40;
     hooks.cancelled = [&] { return ++asked > next; };
-    while (!advance(world, settings, broken, rays, hooks)) {
+    while (!advance(plan_of(world, settings), broken, rays, hooks)) {
         asked = 0;
         next = 40 + 61 * (++stops % 5);
         REQUIRE(stops < 1000);
@@ -124,13 +124,13 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
     settings.samples = 5;
     RayCounts rays;
     RenderState whole = begin_picture(settings);
-    advance(world, settings, whole, rays, {});
+    advance(plan_of(world, settings), whole, rays, {});
     Film sum(settings.width, settings.height);
     for (const auto& [first, count] : {std::pair{3u, 2}, std::pair{0u, 1}, std::pair{1u, 2}}) {
         settings.samples = count;
         RenderState part = begin_picture(settings);
         part.share.first_sample = first;
-        advance(world, settings, part, rays, {});
+        advance(plan_of(world, settings), part, rays, {});
         for (std::size_t i = 0; i < sum.pixels().size(); ++i)
             sum.pixels()[i].add(part.film.pixels()[i]);
     }
@@ -156,4 +156,24 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
     CHECK(one.lights[world.statement_of_light[0]].light.value() > 0);
     CHECK(one.lights[world.statement_of_luminaire[0]].light.value() > 0);
     CHECK(render(world, small(1)).rays.lights.empty());
+}
+
+TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
+    const World world = world_of(lamps);
+    RenderSettings settings = small(1);
+    settings.samples = 5;  // in several passes over the tiles, of which only the last winds down
+    RenderState state = begin_picture(settings);
+    RayCounts rays;
+    int winds_down = 0;
+    double done = 0;
+    RenderHooks hooks;
+    hooks.progress = [&](double share) { done = share; };
+    hooks.winds_down = [&] {
+        ++winds_down;
+        CHECK(done > 0.5);
+        CHECK(done < 1);
+    };
+    CHECK(advance(plan_of(world, settings), state, rays, hooks));
+    CHECK(winds_down == 1);
+    CHECK(done == 1);
 }
