@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/child.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 
@@ -13,6 +15,15 @@ std::string shell_quoted(std::string_view text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return result + "'";
+}
+
+std::string shell_word(std::string_view text) {
+    const auto plain = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) ||
+               std::string_view("/._-+,=@:").find(c) != std::string_view::npos;
+    };
+    return !text.empty() && std::ranges::all_of(text, plain) ? std::string(text)
+                                                             : shell_quoted(text);
 }
 
 std::string find_program(const std::string& name) {

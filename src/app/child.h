@@ -9,6 +9,9 @@
 /// In single quotes, so that the shell (and ffmpeg in its lists) takes any text for one word.
 std::string shell_quoted(std::string_view text);
 
+/// The same without quotes where there is no need of them.
+std::string shell_word(std::string_view text);
+
 /// The program that the shell would find under this name, or "".
 std::string find_program(const std::string& name);
 

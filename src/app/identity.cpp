@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/identity.h"
 
+#include "app/command_line.h"
 #include "app/help.h"
 #include "app/region.h"
 #include "text/harmless.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::string_view file_prefix = "file ";
 constexpr std::string_view even = "even";
+constexpr std::string_view command = "command";
 
 std::string one_line(std::string text) {
     std::ranges::replace_if(
@@ -93,6 +95,7 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
     if (!options.layers.empty()) identity.emplace_back("layers", layer_list(options.layers));
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
+    identity.emplace_back(command, one_line(command_line(options)));
     return identity;
 }
 
@@ -112,10 +115,10 @@ std::string description(const Identity& identity, int samples) {
             text += name.substr(file_prefix.size());
     text += message(", sha256 ", scene_digest(identity), ";");
     for (const auto& [name, value] : identity)
-        if (name != "program" && !name.starts_with(file_prefix))
+        if (name != "program" && name != command && !name.starts_with(file_prefix))
             text += message(' ', name, '=', value, ';');
     if (fact(identity, "sampling") == even) text += message(" samples=", samples, ';');
-    return text;
+    return message(text, " made by: ", fact(identity, std::string(command)));
 }
 
 void tell_layers(const Identity& identity, FilmFiles& files) {
@@ -162,6 +165,7 @@ std::string difference(const Identity& before, const Identity& now) {
     const auto look = [&](const Identity& some, const Identity& others) {
         for (const auto& [name, value] : some) {
             if (name == "sampling" && fact(now, name) == even) continue;
+            if (name == command) continue;  // the other facts say what it means
             // The same name may stand for several files.
             if (std::ranges::find(others, Fact{name, value}) != others.end()) continue;
             const std::string called = harmless(name);

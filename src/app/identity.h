@@ -33,7 +33,8 @@ Identity identity_of(const Options&, const std::vector<ReadFile>&, const Picture
 /// The digest of all files together.
 std::string scene_digest(const Identity&);
 
-/// What a picture file says about its origin: program, scene, options.
+/// What a picture file says about its origin: program, scene, options, and the command that makes
+/// it again.
 std::string description(const Identity&, int samples);
 
 std::string to_text(const Identity&);

@@ -6,27 +6,16 @@
 #include "text/message.h"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace {
 
-/// As one word of the shell.
-std::string word(const std::string& text) {
-    const auto plain = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) ||
-               std::string_view("/._-+,=@:").find(c) != std::string_view::npos;
-    };
-    if (!text.empty() && std::ranges::all_of(text, plain)) return text;
-    return shell_quoted(text);
-}
-
 std::string fact(char sign, const CommandFacts& facts) {
     switch (sign) {
         case 'o':
-            return word(facts.output);
+            return shell_word(facts.output);
         case 's':
-            return word(facts.scene);
+            return shell_word(facts.scene);
         case 'n':
             return message(facts.frame);
         case 'k':
