@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/parts.h"
 
+#include "evaluate/normals.h"
 #include "evaluate/texture_list.h"
 #include "evaluate/textures.h"
 #include "evaluate/transforms.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::string_view effectless_words = "sturm hierarchy";
 
-/// texture, pigment and finish of a part.
+/// texture, pigment, normal and finish of a part.
 class PartLookReader : public SimpleReader {
 public:
     explicit PartLookReader(OpenBlock& block)
@@ -30,6 +31,8 @@ public:
             good = read_texture(block_.binder, element, draft_);
         else if (element.word == "pigment"_word)
             good = read_pigment(block_.binder, element, draft_.edit().pigment);
+        else if (element.word == "normal"_word)
+            good = read_normal(block_.binder, element, draft_.edit().normal);
         else if (element.word == "finish"_word)
             good = read_finish(block_.binder, element, draft_.edit().finish);
         else
@@ -42,7 +45,8 @@ public:
         if (given_ && draft_.movable()) draft_.edit() = transformed(draft_.now(), transform);
     }
     void add_words(WordList& words) const {
-        if (block_.part_textures) words.insert(words.end(), {"texture", "pigment", "finish"});
+        if (block_.part_textures)
+            words.insert(words.end(), {"texture", "pigment", "normal", "finish"});
     }
     /// The numbers of the textures in the list, or -1.
     void number(int* looks, int count) {

@@ -9,6 +9,18 @@
 #include <map>
 #include <utility>
 
+/// Primitives are numbered by kind: all spheres, all triangles, all other shapes, all leaves of
+/// composites.
+enum class PrimitiveKind { sphere, triangle, shape, leaf };
+
+/// A primitive by its number among those of its kind, when all of the others are known, too.
+inline PrimitiveIndex primitive(const World& world, PrimitiveKind kind, std::uint32_t index) {
+    const auto triangles = static_cast<PrimitiveIndex>(world.spheres.size());
+    const auto shapes = static_cast<PrimitiveIndex>(triangles + world.triangles.size());
+    return std::array{0u, triangles, shapes, world.leaves_begin()}[static_cast<std::size_t>(kind)] +
+           index;
+}
+
 /// Numbers of the statements that make lights, in the order in which they do.
 class LightStatements {
 public:
@@ -43,10 +55,10 @@ public:
     void begin(Span object) {
         if (wanted_) world_.object_spans.push_back(object);
     }
-    /// A primitive of that kind was placed: 0 sphere, 1 triangle, 2 shape, 3 leaf.
-    void placed(std::size_t kind) {
+    void placed(PrimitiveKind kind) {
         if (wanted_)
-            objects_[kind].push_back(static_cast<std::uint32_t>(world_.object_spans.size() - 1));
+            objects_[static_cast<std::size_t>(kind)].push_back(
+                static_cast<std::uint32_t>(world_.object_spans.size() - 1));
     }
     void finish() {
         for (const auto& objects : objects_)

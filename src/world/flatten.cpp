@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/flatten.h"
 
-#include "luminaire/composite.h"
-#include "shape/area.h"
 #include "solid/assemble.h"
 #include "text/message.h"
 #include "world/bookkeeping.h"
 #include "world/dark.h"
+#include "world/emitters.h"
 #include "world/materials.h"
 
 #include <algorithm>
@@ -18,6 +17,22 @@ bool is_composite(const Object& object) {
     const Union* group = std::get_if<Union>(&object.form);
     return object.confines || object.inverse || (group && group->csg != Csg::together);
 }
+
+template <class T>
+bool has_looks_of(const Object& object) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    return shape && std::holds_alternative<Shared<T>>(*shape) && object.part_textures &&
+           !object.part_textures->list.empty();
+}
+
+/// Whether faces of a mesh have textures of their own.
+bool has_face_looks(const Object& object) {
+    return has_looks_of<Mesh>(object) &&
+           !std::get<Shared<Mesh>>(std::get<Shape>(object.form))->looks.empty();
+}
+
+/// Whether components of a blob have.
+bool has_component_looks(const Object& object) { return has_looks_of<Blob>(object); }
 
 class Flattener {
 public:
@@ -47,7 +62,11 @@ public:
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
-        const std::uint32_t material = materials_.index(here);
+        const std::uint32_t material =
+            has_component_looks(object)
+                ? parted_material(object, here, outer.transform, PrimitiveKind::shape,
+                                  world_.shapes.size())
+                : materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
         world_.objects += row ? row->spheres.size() : 1;
         const bool placed = all_ || materials_.glows(material);
@@ -60,9 +79,8 @@ public:
         }
         objects_.begin(object.span);
         const Shape& shape = std::get<Shape>(object.form);
-        if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
-            mesh && object.part_textures && !(*mesh)->looks.empty())
-            add_textured(**mesh, object, here, outer.transform);
+        if (has_face_looks(object))
+            add_textured(*std::get<Shared<Mesh>>(shape), object, here, outer.transform);
         else if (placed)
             place(shape, here, material, object.span);
     }
@@ -94,9 +112,8 @@ public:
         if (!world_.normals.empty())
             world_.normals_of.resize(world_.triangles.size(), no_primitive);
         objects_.finish();
-        const auto triangles = static_cast<PrimitiveIndex>(world_.spheres.size());
-        const auto shapes = static_cast<PrimitiveIndex>(triangles + world_.triangles.size());
-        const PrimitiveIndex leaves = world_.leaves_begin();
+        const PrimitiveIndex shapes = primitive(world_, PrimitiveKind::shape, 0),
+                             leaves = world_.leaves_begin();
         for (std::uint32_t& item : world_.unbounded) item += shapes;
         for (std::uint32_t i = 0; i < world_.composites.size(); ++i) {
             PlacedComposite& placed = world_.composites[i];
@@ -104,16 +121,20 @@ public:
             if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
                 world_.unbounded.push_back(leaves + i);
         }
-        collect_luminaires({0, triangles, shapes, leaves});
+        for (Parted& each : parted_)
+            world_.part_textures[primitive(world_, each.kind, each.index)] =
+                std::move(each.textures);
+        add_luminaires(world_, glowing_, diagnostics_);
     }
 
 private:
-    struct Unplaced {
-        enum Kind { sphere, triangle, shape, leaf } kind;
+    /// A surface whose parts have textures of their own.
+    struct Parted {
+        PrimitiveKind kind;
         std::uint32_t index;
-        Span span;
-        std::uint32_t statement;  ///< of World::light_statements
+        TextureList textures;
     };
+
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
         here.transform = combined(object.transform, outer.transform);
@@ -165,6 +186,14 @@ private:
         add_mesh(mesh, here.transform.get(), materials, object.span);
     }
 
+    /// The material of a surface whose parts have textures of their own, which are noted.
+    std::uint32_t parted_material(const Object& object, const Inherited& look,
+                                  const Handle<Transform>& outside, PrimitiveKind kind,
+                                  std::size_t index) {
+        parted_.push_back({kind, static_cast<std::uint32_t>(index), {}});
+        return materials_.of_parts(object, look, outside, parted_.back().textures);
+    }
+
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
             place_sphere(*sphere, here.transform, material, span);
@@ -212,10 +241,10 @@ private:
     }
 
     void add_sphere(const SpherePrimitive& sphere, std::uint32_t material, Span span) {
-        note_luminaire(Unplaced::sphere, world_.spheres.size(), material, span);
+        note_luminaire(PrimitiveKind::sphere, world_.spheres.size(), material, span);
         world_.spheres.push_back(sphere);
         sphere_materials_.push_back(material);
-        objects_.placed(Unplaced::sphere);
+        objects_.placed(PrimitiveKind::sphere);
     }
 
     void add_triangle(TrianglePrimitive t, const Transform* transform, std::uint32_t material,
@@ -223,10 +252,10 @@ private:
         if (transform)
             t = {transform->point(t.corner1), transform->point(t.corner2),
                  transform->point(t.corner3)};
-        note_luminaire(Unplaced::triangle, world_.triangles.size(), material, span);
+        note_luminaire(PrimitiveKind::triangle, world_.triangles.size(), material, span);
         world_.triangles.push_back(t);
         triangle_materials_.push_back(material);
-        objects_.placed(Unplaced::triangle);
+        objects_.placed(PrimitiveKind::triangle);
     }
 
     /// Of the triangle that was added last.
@@ -243,11 +272,11 @@ private:
                    std::uint32_t material, Span span) {
         const auto index = static_cast<std::uint32_t>(world_.shapes.size());
         const Box own = bounds(shape);
-        note(Unplaced::shape, index, material, span, finite(own));
+        note(PrimitiveKind::shape, index, material, span, finite(own));
         if (!finite(own)) world_.unbounded.push_back(index);
         world_.shapes.push_back({shape, transform, transform ? transform->box(own) : own});
         shape_materials_.push_back(material);
-        objects_.placed(Unplaced::shape);
+        objects_.placed(PrimitiveKind::shape);
     }
 
     /// What the composite's leaves look like.
@@ -264,21 +293,16 @@ private:
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {
             const Inherited& look = around.back();
-            const auto* shape = std::get_if<Shape>(&object.form);
-            const auto* mesh = shape ? std::get_if<Shared<Mesh>>(shape) : nullptr;
-            std::uint32_t material = 0;
-            if (mesh && object.part_textures && !(*mesh)->looks.empty()) {
-                const Handle<Transform>& outside = around[around.size() - 2].transform;
-                FaceTextures& list = flattener.world_.face_textures[static_cast<std::uint32_t>(
-                    flattener.leaf_materials_.size())];
-                material = flattener.materials_.of_leaf(object, look, outside, list);
-            } else {
-                material = flattener.materials_.index(look);
-            }
+            const bool parted = has_face_looks(object) || has_component_looks(object);
+            const std::uint32_t material =
+                parted ? flattener.parted_material(
+                             object, look, around[around.size() - 2].transform, PrimitiveKind::leaf,
+                             flattener.leaf_materials_.size())
+                       : flattener.materials_.index(look);
             transparent |= flattener.world_.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);
-            flattener.objects_.placed(Unplaced::leaf);
+            flattener.objects_.placed(PrimitiveKind::leaf);
         }
     };
 
@@ -296,12 +320,13 @@ private:
             world_.composite_of.push_back(number);
             const Box& seen = composite->leaf_bounds(static_cast<std::uint32_t>(leaf - first));
             if (!seen.empty())
-                note(Unplaced::leaf, leaf, leaf_materials_[leaf], leaf_spans_[leaf], finite(seen));
+                note(PrimitiveKind::leaf, leaf, leaf_materials_[leaf], leaf_spans_[leaf],
+                     finite(seen));
         }
     }
 
     /// A primitive that glows lights others, unless it has no end.
-    void note(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span,
+    void note(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span,
               bool bounded) {
         if (bounded) return note_luminaire(kind, index, material, span);
         if (!materials_.glows(material)) return;
@@ -310,68 +335,10 @@ private:
                 .with_help("make it a large `box` or `disc`, which can be sampled"));
     }
 
-    void note_luminaire(Unplaced::Kind kind, std::size_t index, std::uint32_t material, Span span) {
+    void note_luminaire(PrimitiveKind kind, std::size_t index, std::uint32_t material, Span span) {
         if (materials_.glows(material))
             glowing_.push_back(
                 {kind, static_cast<std::uint32_t>(index), span, statements_.number()});
-    }
-
-    /// `first` is the number of the first primitive of each kind.
-    void collect_luminaires(const std::array<PrimitiveIndex, 4>& first) {
-        for (const Unplaced& glow : glowing_) {
-            Luminaire luminaire;
-            luminaire.emitter = emitter(glow);
-            luminaire.primitive = first[glow.kind] + glow.index;
-            set_radiance(luminaire);
-            if (emitting_area(luminaire.emitter) > 0) {
-                world_.luminaires.push_back(std::move(luminaire));
-                world_.statement_of_luminaire.push_back(glow.statement);
-            } else
-                diagnostics_.add(
-                    warning(Fault::degenerate, glow.span,
-                            "this luminaire has no area, so it gives no light")
-                        .with_help(
-                            "give it three corners that do not lie on one line, or leave it out"));
-        }
-    }
-
-    void set_radiance(Luminaire& luminaire) const {
-        const Material& look = world_.material(luminaire.primitive);
-        luminaire.radiance = greatest_emission(*look.texture);
-        luminaire.varying = varied(*look.texture);
-        const auto include = [&](const Handle<Texture>& other) {
-            luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
-            luminaire.varying = true;
-        };
-        if (look.texture2) include(look.texture2), include(look.texture3);
-        if (luminaire.primitive < world_.leaves_begin()) return;
-        const auto faces = world_.face_textures.find(luminaire.primitive - world_.leaves_begin());
-        if (faces != world_.face_textures.end()) std::ranges::for_each(faces->second, include);
-    }
-
-    /// Whether one more luminaire without a formula may take some time and memory.
-    bool may_guide() { return guides_left_ > 0 && guides_left_-- > 0; }
-
-    Emitter emitter(const Unplaced& glow) {
-        if (glow.kind == Unplaced::sphere) {
-            const SpherePrimitive& s = world_.spheres[glow.index];
-            return SphereEmitter{s.centre, s.radius};
-        }
-        if (glow.kind == Unplaced::triangle) {
-            const TrianglePrimitive& t = world_.triangles[glow.index];
-            return TriangleEmitter{t.corner1, t.corner2, t.corner3};
-        }
-        if (glow.kind == Unplaced::leaf) {
-            const PlacedComposite& placed = world_.composites[world_.composite_of[glow.index]];
-            const PrimitiveIndex leaf = world_.leaves_begin() + glow.index;
-            return composite_emitter(placed.composite, leaf - placed.first_leaf, may_guide());
-        }
-        const PlacedShape& placed = world_.shapes[glow.index];
-        if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
-        CompositeBuilder builder;
-        const PartRef alone = builder.add({placed.shape, placed.transform});
-        return composite_emitter(make_handle<Composite>(builder.finish(alone)), alone.index,
-                                 may_guide());
     }
 
     World& world_;
@@ -380,8 +347,8 @@ private:
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;
     std::vector<Span> leaf_spans_;
-    std::vector<Unplaced> glowing_;
-    int guides_left_ = 64;
+    std::vector<GlowingPrimitive> glowing_;
+    std::vector<Parted> parted_;
     ObjectMemory objects_;
     LightStatements statements_;
     bool all_;

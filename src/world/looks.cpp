@@ -31,6 +31,39 @@ Vec3 positive(const Vec3& weights) {
     return clipped / (clipped.x + clipped.y + clipped.z);
 }
 
+struct PartLooks {
+    const Texture& own;  ///< of parts that have no texture
+    const TextureList& list;
+
+    const Texture& operator[](int number) const {
+        return number < 0 ? own : *list[static_cast<std::size_t>(number)];
+    }
+};
+
+/// Of a mesh's face.
+void blend_corners(const BuiltMesh& built, const PartLooks& looks, std::uint32_t part,
+                   const Vec3& point, Use use) {
+    if (part == any_part) part = face_at(built, point);
+    std::array<const Texture*, 3> textures;
+    for (std::size_t i = 0; i < 3; ++i) textures[i] = &looks[built.mesh->looks[part][i]];
+    blend(textures, positive(corner_weights(face(*built.mesh, part).corners, point)), use);
+}
+
+/// Each component counts by the strength of its field, whatever its sign.
+void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3& point, Use use) {
+    std::vector<double> strengths(looks.list.size() + 1);  // that of the blob's own texture first
+    double sum = 0;
+    blob.index.around(point, [&](std::uint32_t i) {
+        const BuiltBlob::Source& source = blob.sources[i];
+        const double strength = std::abs(strength_at(source, point));
+        strengths[static_cast<std::size_t>(source.look + 1)] += strength;
+        sum += strength;
+    });
+    if (sum == 0) return use(1, looks.own);
+    for (std::size_t i = 0; i < strengths.size(); ++i)
+        if (strengths[i] > 0) use(strengths[i] / sum, looks[static_cast<int>(i) - 1]);
+}
+
 }  // namespace
 
 const CompositeLeaf& World::leaf(std::uint32_t number) const {
@@ -46,21 +79,20 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
                      positive(corner_weights(corners(face), point)), use);
     }
-    const auto found = face_textures.empty() || primitive < leaves_begin()
-                           ? face_textures.end()
-                           : face_textures.find(primitive - leaves_begin());
-    if (found == face_textures.end()) return use(1, *look.texture);
-    const CompositeLeaf& placed = leaf(primitive - leaves_begin());
-    const BuiltMesh& built = *std::get<Shared<BuiltMesh>>(placed.shape);
-    const Vec3 here = local(placed.transform, point);
-    if (part == any_part) part = face_at(built, here);
-    std::array<const Texture*, 3> textures;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int number = built.mesh->looks[part][i];
-        textures[i] =
-            number < 0 ? look.texture.get() : found->second[static_cast<std::size_t>(number)].get();
-    }
-    blend(textures, positive(corner_weights(face(*built.mesh, part).corners, here)), use);
+    const auto found = part_textures.empty() ? part_textures.end() : part_textures.find(primitive);
+    if (found == part_textures.end()) return use(1, *look.texture);
+    const PartLooks looks{*look.texture, found->second};
+    const auto show = [&](const auto& placed) {
+        const Vec3 here = local(placed.transform, point);
+        if (const auto* blob = std::get_if<Shared<BuiltBlob>>(&placed.shape))
+            blend_components(**blob, looks, here, use);
+        else
+            blend_corners(*std::get<Shared<BuiltMesh>>(placed.shape), looks, part, here, use);
+    };
+    if (primitive < leaves_begin())
+        show(shapes[primitive - spheres.size() - triangles.size()]);
+    else
+        show(leaf(primitive - leaves_begin()));
 }
 
 Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) const {

@@ -105,6 +105,7 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
 /// A material of which a part has another look.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
     world_.materials[material].transparent |= world_.materials[part].transparent;
+    world_.materials[material].focuses |= world_.materials[part].focuses;
     world_.materials[material].uv |= world_.materials[part].uv;
     glows_[material] = glows_[material] || glows_[part];
 }
@@ -125,11 +126,11 @@ std::uint32_t Materials::of_face(const std::vector<std::uint32_t>& materials, co
     return mixed;
 }
 
-std::uint32_t Materials::of_leaf(const Object& mesh, const Inherited& look,
-                                 const Handle<Transform>& outside, FaceTextures& list) {
+std::uint32_t Materials::of_parts(const Object& object, const Inherited& look,
+                                  const Handle<Transform>& outside, TextureList& list) {
     const std::uint32_t result = own(index(look));
     Inherited part = look;
-    for (const Handle<Texture>& texture : mesh.part_textures->list) {
+    for (const Handle<Texture>& texture : object.part_textures->list) {
         list.push_back(lit(world_texture(texture, outside, look.uv)));
         part.texture = &list.back();
         include(result, index(part));

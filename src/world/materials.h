@@ -42,9 +42,9 @@ public:
     /// The material of a mesh's face, by the numbers of its corners' textures; `materials` are the
     /// mesh's.
     std::uint32_t of_face(const std::vector<std::uint32_t>& materials, const Face& looks);
-    /// The material of a mesh as a leaf, whose faces' textures are in the list.
-    std::uint32_t of_leaf(const Object& mesh, const Inherited& look,
-                          const Handle<Transform>& outside, FaceTextures& list);
+    /// The material of a surface that is one primitive, and the textures of its parts.
+    std::uint32_t of_parts(const Object& object, const Inherited& look,
+                           const Handle<Transform>& outside, TextureList& list);
 
     /// Whether primitives of the material light others.
     bool glows(std::uint32_t material) const { return glows_[material]; }

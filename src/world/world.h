@@ -54,8 +54,8 @@ struct CornerNormals {
     Vec3 normal1, normal2, normal3;
 };
 
-/// Textures of a mesh's faces, by their numbers in Mesh::looks.
-using FaceTextures = std::vector<Handle<Texture>>;
+/// Textures of the parts of a surface, by the numbers that the shape has for them.
+using TextureList = std::vector<Handle<Texture>>;
 
 /// A primitive of any other shape, under any affine map.
 struct PlacedShape {
@@ -122,8 +122,8 @@ public:
     Vec3 emission(PrimitiveIndex, const Vec3& point) const;
 
     /// Calls use(share, texture) for each texture that shows at a point of the surface: one, or
-    /// those of the corners of a mesh's face. The shares add up to 1. `part` is the hit's, or
-    /// any_part.
+    /// those of the corners of a mesh's face, or of a blob's components. The shares add up to 1.
+    /// `part` is the hit's, or any_part.
     void for_textures(PrimitiveIndex, std::uint32_t part, const Vec3& point,
                       FunctionRef<void(double, const Texture&)> use) const;
 
@@ -192,7 +192,8 @@ public:
     std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
     std::vector<std::uint32_t> uvs_of;  ///< per triangle: index in uvs, or no_primitive; the last
                                         ///< ones are left out when they have none
-    std::unordered_map<std::uint32_t, FaceTextures> face_textures;  ///< by leaf, counted from 0
+    /// Of faces of meshes that are leaves, and of components of blobs.
+    std::unordered_map<PrimitiveIndex, TextureList> part_textures;
     std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;

@@ -69,3 +69,38 @@ TEST_CASE("u and v of meshes and of leaves", "[world]") {
         "#version 3.7; plane { z, 0 pigment { uv_mapping gradient y } translate y }";
     CHECK(seen(world_of(plane), 0.4, 0.1).x == Approx(0.1));
 }
+
+TEST_CASE("textures of a blob's components are mixed by the strength of their fields", "[world]") {
+    const std::string blob =
+        "#version 3.7; blob { threshold 0.2 "
+        "sphere { -0.5*x, 1, 1 pigment { rgb x } } "
+        "sphere { 0.5*x, 1, -0.5 texture { pigment { rgb y } } } "
+        "cylinder { <0, -1, 0>, <0, 1, 0>, 0.6, 0.3 } ";
+    const auto field = [](double distance2, double radius) {
+        const double nearness = std::max(0.0, 1 - distance2 / (radius * radius));
+        return nearness * nearness;
+    };
+    for (const auto* end :
+         {"pigment { rgb z } }", "pigment { rgb z } clipped_by { box { -2, 2 } } }",
+          "pigment { rgb z } rotate 90*z rotate -90*z }"})
+        for (const double x : {-0.9, -0.3, -0.1}) {
+            const World world = world_of(blob + end);
+            Hit hit;
+            REQUIRE(world.first_hit({Vec3(x, 0, -5), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
+            const double z2 = hit.position.z * hit.position.z;
+            const Vec3 strengths(field((x + 0.5) * (x + 0.5) + z2, 1),
+                                 field((x - 0.5) * (x - 0.5) + z2, 1) / 2,
+                                 field(x * x + z2, 0.6) * 0.3);
+            CAPTURE(end, x);
+            CHECK(close(seen(world, x, 0), strengths / (strengths.x + strengths.y + strengths.z)));
+        }
+}
+
+TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
+    const World world = world_of(
+        "#version 3.7; blob { threshold 0.2 sphere { 0, 1, 1 pigment { "
+        "rgb 1 } finish { emission 2 } } sphere { x, 1, 1 } }");
+    REQUIRE(world.luminaires.size() == 1);
+    CHECK(world.luminaires[0].radiance == Vec3(2));
+    CHECK(world.luminaires[0].varying);
+}

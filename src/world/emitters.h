@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Primitives that glow become luminaires. Called when a world's primitives and materials are
+// complete.
+#pragma once
+
+#include "text/diagnostic.h"
+#include "world/bookkeeping.h"
+#include "world/world.h"
+
+#include <span>
+
+struct GlowingPrimitive {
+    PrimitiveKind kind;
+    std::uint32_t index;      ///< among those of its kind
+    Span span;                ///< of the object
+    std::uint32_t statement;  ///< of World::light_statements
+};
+
+/// Fills World::luminaires and World::statement_of_luminaire. What has no area is warned of.
+void add_luminaires(World&, std::span<const GlowingPrimitive>, Diagnostics&);
