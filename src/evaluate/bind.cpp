@@ -160,7 +160,7 @@ void ItemReader::take_loose(const Element& element) {
     const FieldInfo& field = info.fields[static_cast<std::size_t>(loose_next_)];
     const auto name = [&] { return message('`', field.name, "` of `", info.name, '`'); };
     const auto help = [&] { return usage(info); };
-    const auto value = converted(block_, element, field.type, {name, help});
+    auto value = converted(block_, element, field.type, {name, help});
     if (value && in_range(field.range, {name, help}, *value, element.span))
         info.set(loose_part_, static_cast<std::size_t>(loose_next_), *value);
     if (++loose_next_ < info.positional) return;
@@ -301,7 +301,7 @@ void ItemReader::store(int field, const Element& element) {
         given_ &= ~(std::uint64_t{1} << field);
     const auto name = [&] { return of_block(field); };
     const auto way_out = [&] { return help(field); };
-    const auto value = converted(block_, element, info.type, {name, way_out});
+    auto value = converted(block_, element, info.type, {name, way_out});
     if (value && in_range(info.range, {name, way_out}, *value, element.span))
         set(field, *value, element.span);
 }
@@ -316,8 +316,9 @@ void ItemReader::set(int field, const FieldValue& value, Span) {
     stored_ = field;
 }
 
-bool ItemReader::in_range(const Range& range, const Slot& slot, const FieldValue& value,
-                          Span span) {
+bool ItemReader::in_range(const Range& range, const Slot& slot, FieldValue& value, Span span) {
+    if (double* number = std::get_if<double>(&value); number && range.any_sign)
+        *number = std::abs(*number);
     const double* wrong = offender(range, value);
     if (!wrong) return true;
     block_.report(error(Fault::out_of_range, span,

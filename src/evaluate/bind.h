@@ -65,7 +65,8 @@ private:
     int find(std::string_view word) const;
     void begin(int field, Span word);
     void missing_value();
-    bool in_range(const Range&, const Slot&, const FieldValue&, Span);
+    /// Takes the sign away from what may have any.
+    bool in_range(const Range&, const Slot&, FieldValue&, Span);
     std::string of_block(int field) const;
     std::string help(int field) const;
     void read_list(int field, const Element&);

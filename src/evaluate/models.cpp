@@ -44,7 +44,8 @@ ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
     Object& object = made.edit();
     if (item) {
         Shape& shape = std::get<Shape>(object.form);
-        if (!set_values(Kinds<Shape>::address(shape), *item, variation) || !problem(shape).empty())
+        if (!set_values(Kinds<Shape>::address(shape), *item, variation) ||
+            !problem(shape).empty() || !vanishes(shape).empty())
             return nullptr;
     }
     if (variable.coloured()) {
@@ -61,7 +62,8 @@ bool joins(const RowEnd& end, const Object& model, const Variation& variation, S
     // What is inverse or confined is a solid of its own.
     if (!std::holds_alternative<Sphere>(shape) || model.confines || model.inverse) return false;
     Sphere sphere;
-    if (!set_values(&sphere, Sphere::vocabulary, variation)) return false;
+    if (!set_values(&sphere, Sphere::vocabulary, variation) || !vanishes(sphere).empty())
+        return false;
     add(end, model, sphere, span);
     return true;
 }

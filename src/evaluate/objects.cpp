@@ -265,23 +265,19 @@ private:
 
     void check(const Shape& shape) {
         const std::string wrong = problem(shape);
-        if (wrong.empty()) return check_looks(shape);
-        // A text without letters is nothing that can be seen.
-        if (const auto* text = std::get_if<Shared<Text>>(&shape);
-            text && (*text)->text.empty() && (*text)->thickness != 0) {
-            draft_.made.edit().form = Union{};
-            return;
-        }
-        const bool triangle = std::holds_alternative<Shared<Triangle>>(shape) ||
-                              std::holds_alternative<Shared<SmoothTriangle>>(shape);
-        if (triangle) {
-            // As in POV-Ray: modellers write such triangles, and they are of no area.
-            block_.report(warning(Fault::degenerate, element_.word_span,
-                                  message("this ", block_.quoted(), " is left out: ", wrong)));
-            draft_.made.edit().form = Union{};
-            return;
-        }
+        if (wrong.empty()) return check_looks(shape), leave_out_if_nothing(shape);
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
+    }
+
+    /// As in POV-Ray: loops and animations begin with a radius of 0, modellers write triangles
+    /// without area, and a text may be blank, which needs no word.
+    void leave_out_if_nothing(const Shape& shape) {
+        const std::string why = vanishes(shape);
+        if (why.empty()) return;
+        if (!std::holds_alternative<Shared<Text>>(shape))
+            block_.report(warning(Fault::degenerate, element_.word_span,
+                                  message("this ", block_.quoted(), " is left out: ", why)));
+        draft_.made.edit().form = Union{};
     }
 
     /// Faces name textures that there are.

@@ -6,11 +6,13 @@
 
 #include "base/roots.h"
 
+#include <algorithm>
+
 const ItemInfo BlobSphere::vocabulary = described<BlobSphere>([] {
     using F = Field<BlobSphere>;
     return schema<BlobSphere>(
         "sphere", "A field around a point.", F{"centre", &BlobSphere::centre, positional, "centre"},
-        F{"radius", &BlobSphere::radius, positional, "how far the field reaches", above(0)},
+        F{"radius", &BlobSphere::radius, positional, "how far the field reaches", any_sign()},
         maybe(F{"strength", &BlobSphere::strength, positional, "field in the centre"}),
         F{"strength", &BlobSphere::strength, item, "the same, with its word"});
 });
@@ -21,7 +23,7 @@ const ItemInfo BlobCylinder::vocabulary = described<BlobCylinder>([] {
         "cylinder", "A field around a line, with round ends.",
         F{"base", &BlobCylinder::base, positional, "one end of the line"},
         F{"cap", &BlobCylinder::cap, positional, "the other end"},
-        F{"radius", &BlobCylinder::radius, positional, "how far the field reaches", above(0)},
+        F{"radius", &BlobCylinder::radius, positional, "how far the field reaches", any_sign()},
         maybe(F{"strength", &BlobCylinder::strength, positional, "field on the line"}),
         F{"strength", &BlobCylinder::strength, item, "the same, with its word"});
 });
@@ -31,7 +33,7 @@ const ItemInfo BlobComponent::vocabulary = described<BlobComponent>([] {
     return schema<BlobComponent>(
         "component", "A field around a point, as old scenes write it.",
         F{"strength", &BlobComponent::strength, positional, "field in the centre"},
-        F{"radius", &BlobComponent::radius, positional, "how far the field reaches", above(0)},
+        F{"radius", &BlobComponent::radius, positional, "how far the field reaches", any_sign()},
         F{"centre", &BlobComponent::centre, positional, "centre"});
 });
 
@@ -173,7 +175,7 @@ BuiltBlob build(const Blob& blob) {
     BuiltBlob result;
     result.threshold = blob.threshold;
     const auto add = [&](const Source& field) {
-        if (field.strength != 0) result.sources.push_back(field);
+        if (field.strength != 0 && field.radius2 != 0) result.sources.push_back(field);
     };
     for (const BlobSphere& s : blob.spheres)
         add({Kind::ball, s.centre, Vec3(0), 0, s.radius * s.radius, s.strength, handle(s.transform),
@@ -202,6 +204,14 @@ std::string problem(const Blob& blob) {
     return blob.spheres.empty() && blob.cylinders.empty() && blob.components.empty()
                ? "a `blob` needs a component"
                : "";
+}
+
+std::string vanishes(const Blob& blob) {
+    const auto seen = [](const auto& each) { return each.strength > 0 && each.radius > 0; };
+    return std::ranges::any_of(blob.spheres, seen) || std::ranges::any_of(blob.cylinders, seen) ||
+                   std::ranges::any_of(blob.components, seen)
+               ? ""
+               : "no component has a radius and a strength above 0";
 }
 
 Box bounds(const BuiltBlob& blob) { return blob.index.bounds(); }

@@ -71,6 +71,8 @@ BuiltBlob build(const Blob&);
 /// What is wrong beyond the ranges of single fields (no component), as a sentence; empty when
 /// nothing is.
 std::string problem(const Blob&);
+/// See shape.h.
+std::string vanishes(const Blob&);
 
 Box bounds(const BuiltBlob&);
 void crossings(const BuiltBlob&, const Ray&, Crossings&);

@@ -8,9 +8,9 @@ const ItemInfo Cone::vocabulary = described<Cone>([] {
     return schema<Cone>(
         "cone", "A cone or a frustum with flat ends.",
         F{"base", &Cone::base, positional, "centre of one end"},
-        F{"base_radius", &Cone::base_radius, positional, "radius at that end", at_least(0)},
+        F{"base_radius", &Cone::base_radius, positional, "radius at that end", any_sign()},
         F{"cap", &Cone::cap, positional, "centre of the other end"},
-        F{"cap_radius", &Cone::cap_radius, positional, "radius there", at_least(0)},
+        F{"cap_radius", &Cone::cap_radius, positional, "radius there", any_sign()},
         F{"open", &Cone::open, flag, "leaves the ends out"});
 });
 
@@ -162,8 +162,9 @@ bool inside(const Cone& cone, const Vec3& point) {
 }
 
 std::string problem(const Cone& cone) {
-    if (!(length(cone.cap - cone.base) > 0)) return "a `cone` needs two different end points";
-    return cone.base_radius > 0 || cone.cap_radius > 0
-               ? ""
-               : "a `cone` needs a radius above 0 at one of its ends";
+    return length(cone.cap - cone.base) > 0 ? "" : "a `cone` needs two different end points";
+}
+
+std::string vanishes(const Cone& cone) {
+    return cone.base_radius == 0 && cone.cap_radius == 0 ? "both its radii are 0" : "";
 }

@@ -19,6 +19,8 @@ struct Cone {
 Box bounds(const Cone&);
 void crossings(const Cone&, const Ray&, Crossings&);
 bool inside(const Cone&, const Vec3&);
-/// What is wrong beyond the ranges of single fields (ends that coincide, no radius), as a sentence;
-/// empty when nothing is.
+/// What is wrong beyond the ranges of single fields (ends that coincide), as a sentence; empty when
+/// nothing is.
 std::string problem(const Cone&);
+/// See shape.h.
+std::string vanishes(const Cone&);

@@ -10,7 +10,7 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
     return schema<Cylinder>("cylinder", "A cylinder with flat ends.",
                             F{"base", &Cylinder::base, positional, "centre of one end"},
                             F{"cap", &Cylinder::cap, positional, "centre of the other end"},
-                            F{"radius", &Cylinder::radius, positional, "radius", above(0)},
+                            F{"radius", &Cylinder::radius, positional, "radius", any_sign()},
                             F{"open", &Cylinder::open, flag, "leaves the ends out"});
 });
 
@@ -34,4 +34,8 @@ bool inside(const Cylinder& cylinder, const Vec3& point) {
 std::string problem(const Cylinder& cylinder) {
     return length(cylinder.cap - cylinder.base) > 0 ? ""
                                                     : "a `cylinder` needs two different end points";
+}
+
+std::string vanishes(const Cylinder& cylinder) {
+    return cylinder.radius == 0 ? "its radius is 0" : "";
 }

@@ -21,3 +21,5 @@ bool inside(const Cylinder&, const Vec3&);
 /// What is wrong beyond the ranges of single fields (ends that coincide), as a sentence; empty when
 /// nothing is.
 std::string problem(const Cylinder&);
+/// See shape.h.
+std::string vanishes(const Cylinder&);

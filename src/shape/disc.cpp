@@ -9,8 +9,8 @@ const ItemInfo Disc::vocabulary = described<Disc>([] {
         "disc", "A flat disc, with or without a hole.",
         F{"centre", &Disc::centre, positional, "centre"},
         F{"normal", &Disc::normal, positional, "direction of its face, of any length but 0"},
-        F{"radius", &Disc::radius, positional, "outer radius", above(0)},
-        maybe(F{"hole", &Disc::hole, positional, "radius of the hole", at_least(0)}));
+        F{"radius", &Disc::radius, positional, "outer radius", any_sign()},
+        maybe(F{"hole", &Disc::hole, positional, "radius of the hole", any_sign()}));
 });
 
 Box bounds(const Disc& disc) {
@@ -43,7 +43,12 @@ Box inside_bounds(const Disc&) {
 
 std::string problem(const Disc& disc) {
     const double size = length(disc.normal);
-    if (!(size > 0 && size < 1e150))
-        return "a `disc` needs a normal with a length above 0 and below 1e150";
-    return disc.hole < disc.radius ? "" : "a `disc` needs a hole that is smaller than its radius";
+    return size > 0 && size < 1e150
+               ? ""
+               : "a `disc` needs a normal with a length above 0 and below 1e150";
+}
+
+std::string vanishes(const Disc& disc) {
+    if (disc.radius == 0) return "its radius is 0";
+    return disc.hole < disc.radius ? "" : "its hole is as wide as itself";
 }

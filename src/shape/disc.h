@@ -20,6 +20,8 @@ void crossings(const Disc&, const Ray&, Crossings&);
 bool inside(const Disc&, const Vec3&);
 /// The half space behind it has no end.
 Box inside_bounds(const Disc&);
-/// What is wrong beyond the ranges of single fields (normal without a direction, hole as wide as
-/// the disc), as a sentence; empty when nothing is.
+/// What is wrong beyond the ranges of single fields (normal without a direction), as a sentence;
+/// empty when nothing is.
 std::string problem(const Disc&);
+/// See shape.h.
+std::string vanishes(const Disc&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_orbit.h"
 
+#include <algorithm>
 #include <complex>
 
 namespace {
@@ -101,11 +102,47 @@ auto with_function(const JuliaFractal& julia, Use use) {
 }
 
 Vec4 start(const JuliaSet& set, const Vec3& p) {
-    const bool shifted = set.by_formula && function_of(set.julia) != julia_reciprocal;
-    const double z = shifted ? p.y : p.z;
     const Vec4& s = set.slice;
-    return {p.x, p.y, z, (set.julia.distance - s.x * p.x - s.y * p.y - s.z * z) / s.w};
+    return {p.x, p.y, p.z, (set.julia.distance - s.x * p.x - s.y * p.y - s.z * p.z) / s.w};
 }
+
+/// Bounds the distance to the set from below, as long as an orbit has not escaped and where it has.
+/// Quaternions have one size; a hypercomplex number is two complex ones, of which each has its own
+/// set: the point is as far away as from the further one.
+class DistanceBound {
+public:
+    DistanceBound(bool two_numbers, double growth) : two_(two_numbers), growth_(growth) {}
+
+    void follow(const Vec4& q) {
+        const Vec2 sizes = sizes2(q);
+        product2_ *= sizes;
+        factor_ /= growth_;
+    }
+    /// The logarithmic bound of each iteration's derivative: |q_n| ln|q_n| / (2 |q_n'|).
+    double at(const Vec4& q) const {
+        const Vec2 sizes = sizes2(q);
+        const double first = bound(sizes.x, product2_.x);
+        if (!two_) return first;
+        // Distances in the plane of both numbers are larger by the root of 2.
+        return std::max(first, bound(sizes.y, product2_.y)) / std::sqrt(2.0);
+    }
+
+private:
+    Vec2 sizes2(const Vec4& q) const {
+        if (!two_) return Vec2(size2(q), 1);
+        const Vec2 a(q.x - q.w, q.y + q.z), b(q.x + q.w, q.y - q.z);
+        return {glm::dot(a, a), glm::dot(b, b)};
+    }
+    double bound(double size2, double product2) const {
+        const double step = 0.25 * factor_ * std::sqrt(size2 / product2) * std::log(size2);
+        return std::isfinite(step) && size2 > 1 ? step : 0;
+    }
+
+    bool two_;
+    double growth_;  ///< degree of the function
+    double factor_ = 1;
+    Vec2 product2_ = Vec2(1);
+};
 
 double limit2(const JuliaFractal& julia) {
     if (julia.algebra == hypercomplex_numbers) return 16;
@@ -128,20 +165,14 @@ JuliaSet::JuliaSet(const JuliaFractal& fractal)
 
 JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
     const JuliaFractal& julia = set.julia;
-    const bool cubic = function_of(julia) == julia_cube;
+    const bool cubic = function_of(julia) == julia_cube && julia.algebra != hypercomplex_numbers;
     return with_function(julia, [&](const auto& image) -> JuliaOrbit {
         Vec4 q = start(set, point);
-        double product2 = 1;
+        DistanceBound bound(julia.algebra == hypercomplex_numbers, cubic ? 3 : 2);
         for (int n = 0; n < julia.max_iteration; ++n) {
-            const double distance2 = size2(q);
-            if (distance2 > set.limit2) {
-                const double step = set.by_formula
-                                        ? 0
-                                        : 0.25 * (cubic ? std::pow(3, -n) : std::ldexp(1, -n)) *
-                                              std::sqrt(distance2 / product2) * std::log(distance2);
-                return {false, distance2, std::isfinite(step) ? step : 0};
-            }
-            product2 *= distance2;
+            if (const double distance2 = size2(q); distance2 > set.limit2)
+                return {false, distance2, set.by_formula ? 0 : bound.at(q)};
+            bound.follow(q);
             q = image(q) + julia.parameter;
         }
         return {true, size2(q), 0};

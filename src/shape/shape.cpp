@@ -4,3 +4,7 @@
 std::string problem(const Shape& shape) {
     return visit_shape([](const auto& s) { return problem(s); }, shape);
 }
+
+std::string vanishes(const Shape& shape) {
+    return visit_shape([](const auto& s) { return vanishes(s); }, shape);
+}

@@ -73,3 +73,14 @@ std::string problem(const T&) {
 /// What is wrong with the shape, as a sentence; empty when nothing is, and only then may it be
 /// built.
 std::string problem(const Shape& shape);
+
+/// Why no point of a shape can be seen, though all is right with it: "its radius is 0". Such shapes
+/// come from loops and animations, and are left out. Empty when some point can. This is the answer
+/// for shapes that have no vanishes() of their own.
+template <class T>
+std::string vanishes(const T&) {
+    return {};
+}
+
+/// The same for any shape.
+std::string vanishes(const Shape& shape);

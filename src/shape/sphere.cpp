@@ -7,7 +7,7 @@ const ItemInfo Sphere::vocabulary = described<Sphere>([] {
     using F = Field<Sphere>;
     return schema<Sphere>("sphere", "All points at one distance from a centre.",
                           F{"centre", &Sphere::centre, positional, "centre"},
-                          F{"radius", &Sphere::radius, positional, "radius", above(0)});
+                          F{"radius", &Sphere::radius, positional, "radius", any_sign()});
 });
 
 namespace {
@@ -77,3 +77,5 @@ Box clipped_bounds(const Sphere& sphere, const Box& cell) {
     }
     return result;
 }
+
+std::string vanishes(const Sphere& sphere) { return sphere.radius == 0 ? "its radius is 0" : ""; }

@@ -17,6 +17,8 @@ struct Sphere {
 Box bounds(const Sphere&);
 void crossings(const Sphere&, const Ray&, Crossings&);
 bool inside(const Sphere&, const Vec3&);
+/// See shape.h.
+std::string vanishes(const Sphere&);
 /// Bounds of the part of the surface in the cell; empty when the surface does not pass through it.
 Box clipped_bounds(const Sphere&, const Box& cell);
 

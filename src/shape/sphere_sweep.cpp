@@ -5,6 +5,8 @@
 
 #include "base/roots.h"
 
+#include <algorithm>
+
 const ItemInfo SphereSweep::vocabulary = described<SphereSweep>([] {
     using F = Field<SphereSweep>;
     return schema<SphereSweep>(
@@ -178,9 +180,13 @@ std::string problem(const SphereSweep& sweep) {
     if (sweep.spheres.size() < least)
         return "a `sphere_sweep` with this spline needs at least " + std::to_string(least) +
                " spheres";
-    for (const Ball& each : sweep.spheres)
-        if (each.radius > 0) return {};
-    return "a `sphere_sweep` needs a radius above 0";
+    return {};
+}
+
+std::string vanishes(const SphereSweep& sweep) {
+    return std::ranges::any_of(sweep.spheres, [](const Ball& each) { return each.radius > 0; })
+               ? ""
+               : "all its radii are 0";
 }
 
 Box bounds(const BuiltSphereSweep& sweep) { return sweep.index.bounds(); }

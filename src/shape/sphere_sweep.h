@@ -44,6 +44,8 @@ BuiltSphereSweep build(const SphereSweep&);
 /// What is wrong beyond the ranges of single fields (no kind of spline, too few spheres), as a
 /// sentence; empty when nothing is.
 std::string problem(const SphereSweep&);
+/// See shape.h.
+std::string vanishes(const SphereSweep&);
 
 Box bounds(const BuiltSphereSweep&);
 void crossings(const BuiltSphereSweep&, const Ray&, Crossings&);

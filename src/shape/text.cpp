@@ -24,7 +24,11 @@ Vec3 exchanged(const Vec3& v) { return {v.x, v.z, v.y}; }
 std::string problem(const Text& text) {
     if (text.font.empty() && text.internal == 0) return "a `text` needs `ttf` or `internal`";
     if (text.thickness == 0) return "a `text` needs a thickness";
-    return text.letters && !text.letters->loops.empty() ? "" : "this `text` has no visible letter";
+    return {};
+}
+
+std::string vanishes(const Text& text) {
+    return text.letters && !text.letters->loops.empty() ? "" : "it has no visible letter";
 }
 
 BuiltText build(const Text& text) {

@@ -29,9 +29,11 @@ struct BuiltText {
     BuiltPrism prism;  ///< with y and z exchanged
 };
 
-/// What is wrong beyond the ranges of single fields (no font, no letters), as a sentence; empty
+/// What is wrong beyond the ranges of single fields (no font, no thickness), as a sentence; empty
 /// when nothing is.
 std::string problem(const Text&);
+/// See shape.h.
+std::string vanishes(const Text&);
 BuiltText build(const Text&);
 
 Box bounds(const BuiltText&);

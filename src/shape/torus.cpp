@@ -9,8 +9,8 @@ const ItemInfo Torus::vocabulary = described<Torus>([] {
     using F = Field<Torus>;
     return schema<Torus>(
         "torus", "A ring around the y axis.",
-        F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
-        F{"minor", &Torus::minor, positional, "radius of the tube", above(0)});
+        F{"major", &Torus::major, positional, "radius of the ring's centre line", any_sign()},
+        F{"minor", &Torus::minor, positional, "radius of the tube", any_sign()});
 });
 
 namespace {
@@ -77,4 +77,8 @@ void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
 bool inside(const Torus& torus, const Vec3& point) {
     const double off = from_axis(point) - torus.major;
     return off * off + point.y * point.y <= torus.minor * torus.minor;
+}
+
+std::string vanishes(const Torus& torus) {
+    return torus.minor == 0 ? "the radius of its tube is 0" : "";
 }

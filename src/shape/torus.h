@@ -17,3 +17,5 @@ struct Torus {
 Box bounds(const Torus&);
 void crossings(const Torus&, const Ray&, Crossings&);
 bool inside(const Torus&, const Vec3&);
+/// See shape.h.
+std::string vanishes(const Torus&);

@@ -121,10 +121,8 @@ Box clipped_bounds(const Triangle& t, const Box& cell) {
     return clip(Box{part.low - pad, part.high + pad}, cell);
 }
 
-std::string problem(const Triangle& t) {
-    return on_one_line(t.corner1, t.corner2, t.corner3)
-               ? "a `triangle` needs three corners that are not on one line"
-               : "";
+std::string vanishes(const Triangle& t) {
+    return on_one_line(t.corner1, t.corner2, t.corner3) ? "its corners are on one line" : "";
 }
 
 Box bounds(const SmoothTriangle& t) { return corner_box(t.corner1, t.corner2, t.corner3); }
@@ -141,12 +139,15 @@ void crossings(const SmoothTriangle& t, const Ray& ray, Crossings& found) {
 bool inside(const SmoothTriangle&, const Vec3&) { return false; }
 
 std::string problem(const SmoothTriangle& t) {
-    if (on_one_line(t.corner1, t.corner2, t.corner3))
-        return "a `smooth_triangle` needs three corners that are not on one line";
+    if (!vanishes(t).empty()) return {};
     for (const Vec3& normal : {t.normal1, t.normal2, t.normal3})
         if (!(length(normal) > 0 && length(normal) < 1e150))
             return "a `smooth_triangle` needs normals with lengths above 0 and below 1e150";
     return {};
+}
+
+std::string vanishes(const SmoothTriangle& t) {
+    return vanishes(Triangle{t.corner1, t.corner2, t.corner3});
 }
 
 Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point) {

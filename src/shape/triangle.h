@@ -33,10 +33,12 @@ Box bounds(const SmoothTriangle&);
 void crossings(const SmoothTriangle&, const Ray&, Crossings&);
 bool inside(const SmoothTriangle&, const Vec3&);
 
-/// What is wrong beyond the ranges of single fields (corners on one line, a normal of length 0), as
-/// a sentence; empty when nothing is.
-std::string problem(const Triangle&);
+/// What is wrong beyond the ranges of single fields (a normal of length 0), as a sentence; empty
+/// when nothing is.
 std::string problem(const SmoothTriangle&);
+/// See shape.h.
+std::string vanishes(const Triangle&);
+std::string vanishes(const SmoothTriangle&);
 
 /// Unit normal of a flat triangle, on the side that POV-Ray 3.7 gives it; 0 when the corners are on
 /// one line.

@@ -4,6 +4,8 @@
 #include "base/turn.h"
 #include "shape/triangle.h"
 
+#include <algorithm>
+
 namespace {
 
 using std::numbers::pi;
@@ -121,7 +123,13 @@ std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
         if (on_end && radius < rim * (1 - 1e-9))
             return Vec2(turn_around_axis(point), top ? 1 - radius / rim : radius / rim);
     }
-    return Vec2(turn_around_axis(point), share);
+    // All pieces of the curve have the same part of v, as in POV-Ray.
+    const auto above = std::ranges::find_if(
+        sor.parts, [&](const BuiltSor::Part& part) { return point.y < part.high; });
+    const auto& part = above == sor.parts.end() ? sor.parts.back() : *above;
+    const double number = static_cast<double>(&part - sor.parts.data()),
+                 within = std::clamp((point.y - part.low) / (part.high - part.low), 0.0, 1.0);
+    return Vec2(turn_around_axis(point), (number + within) / static_cast<double>(sor.parts.size()));
 }
 
 std::optional<Vec2> uv(const BuiltBicubicPatch& patch, const Vec3& point, std::uint32_t part) {

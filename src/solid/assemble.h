@@ -53,10 +53,11 @@ private:
                             std::move(parts));
     }
 
-    /// Light sources, and what has been left out of the scene.
-    static bool is_nothing(const Object& object) {
+    /// What is no part of a solid: light sources, and, where it makes no difference, what has been
+    /// left out of the scene because it is nowhere.
+    static bool is_nothing(const Object& object, bool cuts) {
         const auto* group = std::get_if<Union>(&object.form);
-        return group && group->children.empty();
+        return group && group->children.empty() && (!cuts || !group->lights.empty());
     }
 
     /// What is inverse is, as De Morgan says, the other combination of inverse parts; that of what
@@ -68,7 +69,7 @@ private:
                                                                   : Combination::together;
         std::vector<PartRef> parts;
         for (const ObjectHandle& child : group.children) {
-            if (is_nothing(*child)) continue;
+            if (is_nothing(*child, cuts)) continue;
             const bool taken_away = group.csg == Csg::difference && !parts.empty();
             parts.push_back(add(*child, transform, inverse != taken_away));
         }

@@ -38,12 +38,14 @@ double volume(const Box& box) {
     return size.x * size.y * size.z;
 }
 
+/// Of what is in all of them.
+Box shared(const std::vector<ObjectHandle>& objects) {
+    Box result = everywhere();
+    for (const ObjectHandle& each : objects) result = clip(result, extent(*each));
+    return result;
+}
+
 Box confined(const Box& box, const Confines& confines) {
-    const auto shared = [](const std::vector<ObjectHandle>& objects) {
-        Box result = everywhere();
-        for (const ObjectHandle& each : objects) result = clip(result, extent(*each));
-        return result;
-    };
     Box result = box;
     for (const auto* objects : {&confines.clips, &confines.bounds}) {
         const Box other = shared(*objects);
@@ -98,4 +100,18 @@ Box extent(const Object& object) {
     if (object.transform) box = object.transform->box(box);
     if (object.confines) box = confined(box, *object.confines);
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};
+}
+
+bool has_needless_bounds(const Object& object) {
+    if (!object.confines || object.confines->bounds.empty()) return false;
+    if (const auto* shape = std::get_if<Shape>(&object.form))
+        return !(std::holds_alternative<Shared<Cubic>>(*shape) ||
+                 std::holds_alternative<Shared<Quartic>>(*shape) ||
+                 std::holds_alternative<Shared<Poly>>(*shape));
+    const auto* group = std::get_if<Union>(&object.form);
+    if (!group || group->csg != Csg::together || !object.confines->clips.empty()) return false;
+    Box box = own_extent(object);
+    if (object.transform) box = object.transform->box(box);
+    return finite(box) && volume(box) < no_end &&
+           volume(box) <= volume(shared(object.confines->bounds));
 }

@@ -12,3 +12,8 @@ inline constexpr double no_end = 1e10;
 Box extent(const Object&);
 /// The same before it is moved and confined.
 Box own_extent(const Object&);
+
+/// Whether rays do without what bounds the object, so that all of it is seen even where that is too
+/// small. POV-Ray removes the bounds of single shapes other than polynomials, and of unions that
+/// have an end and are no larger than their bounds.
+bool has_needless_bounds(const Object&);

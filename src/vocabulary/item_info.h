@@ -46,6 +46,7 @@ struct Range {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
     bool low_excluded = false;
+    bool any_sign = false;  ///< a negative number stands for its opposite, as radii in POV-Ray
 
     bool contains(double x) const { return (low_excluded ? x > low : x >= low) && x <= high; }
 };
@@ -53,6 +54,7 @@ constexpr Range at_least(double low) {
     return {low, std::numeric_limits<double>::infinity(), false};
 }
 constexpr Range above(double low) { return {low, std::numeric_limits<double>::infinity(), true}; }
+constexpr Range any_sign() { return {0, std::numeric_limits<double>::infinity(), false, true}; }
 constexpr Range between(double low, double high) { return {low, high, false}; }
 
 using Face = std::array<int, 3>;

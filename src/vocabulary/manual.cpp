@@ -76,6 +76,7 @@ std::string_view name_of(Placement place) {
 }
 
 std::string limits(const Range& range) {
+    if (range.any_sign) return ", whose sign does not count";
     const bool low = range.low > -std::numeric_limits<double>::infinity();
     const bool high = range.high < std::numeric_limits<double>::infinity();
     if (low && high && !range.low_excluded) return message(" from ", range.low, " to ", range.high);
@@ -212,7 +213,9 @@ Json json_field(const ItemInfo& item, std::size_t index) {
                  {"type", name_of(field.type)},
                  {"default", json_value(item.default_value(index))},
                  {"optional", !field.unnamed() || field.may_be_left_out}};
-    if (std::isfinite(field.range.low))
+    if (field.range.any_sign)
+        json["any_sign"] = true;
+    else if (std::isfinite(field.range.low))
         json[field.range.low_excluded ? "above" : "minimum"] = field.range.low;
     if (std::isfinite(field.range.high)) json["maximum"] = field.range.high;
     json["help"] = field.help;

@@ -2,6 +2,7 @@
 #include "world/flatten.h"
 
 #include "solid/assemble.h"
+#include "solid/extent.h"
 #include "text/message.h"
 #include "world/bookkeeping.h"
 #include "world/dark.h"
@@ -49,6 +50,7 @@ public:
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known.
     void add(const Object& object, const Inherited& outer) {
+        if (has_needless_bounds(object)) return add(unbounded(object), outer);
         const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
         if (dark || is_composite(object)) {
             ++world_.objects;
@@ -135,6 +137,15 @@ private:
         TextureList textures;
     };
 
+    static Object unbounded(const Object& object) {
+        Object free = object;
+        if (object.confines->clips.empty())
+            free.confines = nullptr;
+        else
+            free.confines.edit().bounds.clear();
+        return free;
+    }
+
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
         here.transform = combined(object.transform, outer.transform);
@@ -148,7 +159,12 @@ private:
                 &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
         else if (object.texture)
             here.inner = nullptr;
-        if (object.interior) here.interior = &object.interior;
+        if (object.interior) {
+            const auto* group = std::get_if<Union>(&object.form);
+            const bool shared = group && group->csg == Csg::together;
+            here.interior = &object.interior;
+            here.shared_interior = shared ? ++shared_interiors_ : 0;
+        }
         here.no_shadow |= object.no_shadow;
         here.no_image |= object.no_image;
         here.no_reflection |= object.no_reflection;
@@ -351,6 +367,7 @@ private:
     std::vector<Parted> parted_;
     ObjectMemory objects_;
     LightStatements statements_;
+    std::uint32_t shared_interiors_ = 0;  ///< so far
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;

@@ -18,6 +18,7 @@ struct Inherited {
     const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
     const Handle<Interior>* interior = nullptr;
     std::uint32_t light_group = 0;
+    std::uint32_t shared_interior = 0;  ///< see Material
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
          hollow = false, uv = false;
 };
@@ -55,7 +56,7 @@ private:
         const Texture* texture;
         const Texture* inner;
         const Interior* interior;
-        std::uint32_t light_group;
+        std::uint32_t light_group, shared_interior;
         bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
 
         friend bool operator==(const Key&, const Key&) = default;

@@ -37,6 +37,9 @@ struct Material {
     bool focuses = false;             ///< a finish of its texture has caustics
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
     std::uint32_t light_group = 0;    ///< in World::light_groups; 0: none
+    /// Number of the union that gave its interior to all of its parts: rays take them for one solid
+    /// that they enter and leave in turn, as in POV-Ray. 0: the interior is its own.
+    std::uint32_t shared_interior = 0;
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
 };
 
@@ -160,8 +163,11 @@ public:
     }
 
     /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
-    /// leaves of a composite.
+    /// leaves of a composite, and all parts of a union that share its interior.
     std::uint32_t solid(PrimitiveIndex primitive) const {
+        constexpr std::uint32_t above_all = 0x80000000;
+        if (const std::uint32_t number = material(primitive).shared_interior)
+            return above_all - number;
         const bool face =
             primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
         if (primitive >= leaves_begin())

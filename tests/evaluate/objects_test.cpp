@@ -2,6 +2,10 @@
 #include "evaluate/objects.h"
 
 #include "evaluate/script.h"
+#include "solid/extent.h"
+#include "support/scripts.h"
+#include "text/message.h"
+#include "world/compile.h"
 
 #include <catch2/catch.hpp>
 
@@ -121,4 +125,38 @@ TEST_CASE("the function of a julia fractal may be a power", "[evaluate]") {
     CHECK(julia.exponent == Vec2(1.5, 0.8));
     CHECK(julia.distance == 0.2);
     CHECK(julia.max_iteration == 9);
+}
+
+TEST_CASE("the sign of a radius does not count, and what has none is left out") {
+    const auto extents = [](const std::string& script) {
+        std::string said;
+        for (const ObjectHandle& object : scene_of(script).objects) {
+            const Box box = extent(*object);
+            said += message(box.size().x, ' ', box.size().y, ';');
+        }
+        return said;
+    };
+    for (const char* pair : {"sphere { 0, %2 }", "cylinder { 0, y, %2 }", "cone { 0, %2, y, 1 }",
+                             "torus { 3, %2 }", "torus { %2, 1 }", "disc { 0, y, %2 }",
+                             "disc { 0, y, 3, %2 }", "blob { sphere { 0, %2, 3 } }"}) {
+        const std::string text = pair;
+        const std::size_t at = text.find('%');
+        CAPTURE(text);
+        CHECK(extents(std::string(text).replace(at, 1, "-")) ==
+              extents(std::string(text).replace(at, 1, "")));
+    }
+    CHECK(world_of("#for (I, -9, 9) sphere { 0, I } #end").spheres.size() == 18);
+    CHECK(extents("difference { sphere { 0, 1 } sphere { 0, 0 } }") == "2 2;");
+    for (const char* nothing :
+         {"sphere { 0, 0 }", "cylinder { 0, y, 0 }", "cone { 0, 0, y, 0 }", "torus { 1, 0 }",
+          "disc { 0, y, 0 }", "disc { 0, y, 1, 2 }", "blob { sphere { 0, 0, 1 } }",
+          "triangle { 0, x, 2*x }", "text { internal 1 \" \" 1, 0 }",
+          "intersection { sphere { 0, 0 } box { -1, 1 } }",
+          "difference { sphere { 0, 0 } box { -1, 1 } }"}) {
+        CAPTURE(nothing);
+        Hit hit;
+        const World world = world_of(nothing);
+        CHECK_FALSE(world.first_hit({Vec3(0.1, 0.2, -9), unit(Vec3(-0.01, -0.02, 1))}, 0,
+                                    RayKind::camera, hit));
+    }
 }

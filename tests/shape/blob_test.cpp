@@ -88,6 +88,9 @@ TEST_CASE("the surface of a blob is where the fields reach the threshold", "[sha
 TEST_CASE("a blob needs a component", "[shape]") {
     CHECK(problem(Blob{}) == "a `blob` needs a component");
     CHECK(problem(blob(1, {ball(o, 1, 1)})).empty());
+    CHECK(vanishes(blob(1, {ball(o, 1, 1)})).empty());
+    CHECK(vanishes(blob(1, {ball(o, 0, 1), ball(o, 1, -1)})) ==
+          "no component has a radius and a strength above 0");
     // One whose fields are all 0 is never met.
     CHECK(hits(build(blob(1, {ball(o, 1, 0)})), {-5.0 * x, x}).empty());
 }

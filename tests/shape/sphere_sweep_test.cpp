@@ -83,6 +83,6 @@ TEST_CASE("what can be wrong with a sphere sweep is said", "[shape]") {
         "a `sphere_sweep` needs `linear_spline`, `cubic_spline` or `b_spline` before its spheres");
     CHECK(problem(SphereSweep{linear_way, {{o, 1}}}) ==
           "a `sphere_sweep` with this spline needs at least 2 spheres");
-    CHECK(problem(SphereSweep{linear_way, {{o, 0}, {x, 0}}}) ==
-          "a `sphere_sweep` needs a radius above 0");
+    CHECK(vanishes(SphereSweep{linear_way, {{o, 0}, {x, 0}}}) == "all its radii are 0");
+    CHECK(vanishes(SphereSweep{linear_way, {{o, 0}, {x, 1}}}).empty());
 }

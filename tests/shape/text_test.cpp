@@ -9,7 +9,7 @@ TEST_CASE("letters stand in the plane of x and y, and go backwards", "[shape]") 
     Text text;
     CHECK(problem(text) == "a `text` needs `ttf` or `internal`");
     text.font = "a.ttf";
-    CHECK(problem(text) == "this `text` has no visible letter");
+    CHECK(vanishes(text) == "it has no visible letter");
     text.thickness = 0.5;
     text.letters = make_handle<Letters>(
         Letters{{curve(linear_curve, std::array{Vec2(0, 0), Vec2(1, 0), Vec2(1, 2), Vec2(0, 0)})}});

@@ -57,6 +57,11 @@ TEST_CASE("v follows the points of a lathe and the height of a sor", "[shape]") 
     // On its lower end v goes from the middle to the rim, on the upper one back.
     CHECK(close(uv(vase, Vec3(.25, 4, 0), 0), {0, .75}));
     CHECK(close(uv(vase, Vec3(0, 0, .25), 0), {.25, .25}));
+    // Pieces of different heights have the same part of v.
+    sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}, {1, 6}};
+    const BuiltSor tall = build(sor);
+    CHECK(close(uv(tall, Vec3(-1, 2, 0), 0), {.5, .25}));
+    CHECK(close(uv(tall, Vec3(-1, 4.5, 0), 0), {.5, .75}));
 }
 
 TEST_CASE("a patch lies between the u and v of its corners", "[shape]") {

@@ -48,3 +48,51 @@ TEST_CASE("a luminaire that cannot light says so", "[world]") {
     REQUIRE(diagnostics.all().size() == 1);
     CHECK(diagnostics.all()[0].severity == Severity::warning);
 }
+
+TEST_CASE("bounds that POV-Ray removes cut nothing away", "[world]") {
+    const std::string box = "bounded_by { box { <0, -3, -3>, 3 } } }",
+                      tight = "bounded_by { sphere { 2*x, 0.1 } } }";
+    struct Case {
+        std::string script;
+        bool seen;
+    };
+    for (const Case& c : std::vector<Case>{
+             {"sphere { 0, 1 " + tight, true},
+             {"sphere { 0, 1 rotate y " + tight, true},
+             {"sphere { 0, 1 clipped_by { plane { x, 0.1 } } " + tight, true},
+             {"sphere { 0, 1 clipped_by { plane { -x, -0.1 } } " + tight, false},
+             {"quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2.26, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, "
+              "2, 0, "
+              "1.74, 0, 0, 0, 0, 1, 0, -2.26, 0, .7569> translate x " +
+                  tight,
+              false},
+             {"union { sphere { 0, 1 } sphere { x, 1 } " + box, true},
+             {"union { sphere { 0, 1 } sphere { x, 1 } " + tight, false},
+             {"union { sphere { 0, 1 } plane { y, -5 } " + box, false},
+             {"difference { sphere { 0, 1 } sphere { -9*x, 1 } " + box, false},
+             {"union { sphere { 0, 1 " + tight + " sphere { 9*x, 1 } }", true},
+             {"intersection { sphere { 0, 1 " + tight + " sphere { 0, 2 } }", false}}) {
+        CAPTURE(c.script);
+        const World world = world_of("#version 3.7; " + c.script);
+        Hit hit;
+        CHECK(world.first_hit({Vec3(-0.1, 0.1, -9), Vec3(0, 0, 1)}, 0, RayKind::camera, hit) ==
+              c.seen);
+    }
+}
+
+TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
+    const auto solids = [](const std::string& script) {
+        const World world = world_of("#version 3.7; " + script);
+        std::vector<std::uint32_t> result;
+        for (PrimitiveIndex i = 0; i < world.material_of.size(); ++i)
+            result.push_back(world.solid(i));
+        std::ranges::sort(result);
+        return std::unique(result.begin(), result.end()) - result.begin();
+    };
+    const std::string parts = "sphere { 0, 1 } box { 0, 1 } ", glass = "interior { ior 1.5 } } ";
+    CHECK(solids("union { " + parts + glass) == 1);
+    CHECK(solids("#declare U = union { " + parts + glass + "object { U } object { U }") == 2);
+    CHECK(solids("union { " + parts + "sphere { 2, 1 " + glass + glass) == 2);
+    CHECK(solids("union { " + parts + "}") == 2);
+    CHECK(solids("union { union { " + parts + "} difference { " + parts + "} " + glass) == 1);
+}
