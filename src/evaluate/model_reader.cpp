@@ -49,9 +49,10 @@ private:
     std::vector<ObjectHandle>& objects_;
 };
 
-bool all_finite(const Polyhedron& mesh) {
-    return std::ranges::all_of(mesh.points, [](const Polyhedron::Point& p) {
-        return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+template <std::size_t count>
+bool all_finite(const std::vector<std::array<double, count>>& list) {
+    return std::ranges::all_of(list, [](const std::array<double, count>& each) {
+        return std::ranges::all_of(each, [](double x) { return std::isfinite(x); });
     });
 }
 
@@ -103,7 +104,12 @@ void ModelReader::read_hull(const Element& element) {
 }
 
 void ModelReader::wrong(const std::string& why) {
-    block_.report(error(Fault::degenerate, span_, message("this does not become a mesh: ", why)));
+    Diagnostic fault =
+        error(Fault::degenerate, span_, message("this does not become a mesh: ", why));
+    if (object_)
+        fault = std::move(fault).with_help(
+            "what becomes a mesh is closed and has an end; planes may cut it");
+    block_.report(std::move(fault));
 }
 
 std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const Polyhedra* library) {
@@ -111,7 +117,10 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
     if (!asked.file.empty()) {
         const auto path = evaluator.find_data(asked.file, block_.span);
         if (!path) return std::nullopt;
-        return read_polyhedron(*path, evaluator.diagnostics(), block_.span);
+        std::optional<MeshFile> read = read_mesh_file(*path, evaluator.diagnostics(), block_.span);
+        if (!read) return std::nullopt;
+        look_ = std::move(read->look);
+        return std::move(read->shape);
     }
     SolidMesh solid;
     if (object_) {
@@ -166,7 +175,7 @@ std::optional<Mesh> ModelReader::made(const TriangleMesh& asked) {
         helped ? modelling_library(block_.binder.evaluator.diagnostics(), block_.span) : nullptr;
     std::optional<Polyhedron> mesh;
     if (library || !helped) mesh = source(asked, library);
-    if (mesh && !all_finite(*mesh)) {
+    if (mesh && !(all_finite(mesh->points) && all_finite(look_.normals) && all_finite(look_.uvs))) {
         wrong("a point of it is not a number");
         mesh.reset();
     }
@@ -174,6 +183,7 @@ std::optional<Mesh> ModelReader::made(const TriangleMesh& asked) {
     block_.broken |= !mesh;
     if (!mesh) return std::nullopt;
     Mesh result = asked.smooth ? smooth_mesh(*mesh) : ::mesh(*mesh);
+    if (asked.subdivide == 0) dress(result, look_);
     result.inside_vector = asked.inside_vector;
     // What was a solid stays one.
     if (!result.inside_vector && modelled) result.inside_vector = odd_direction;

@@ -38,5 +38,6 @@ private:
     bool is_mesh_;
     ObjectHandle object_;
     std::optional<Hull> hull_;
-    Span span_;  ///< of the object or hull
+    PolyhedronLook look_;  ///< of a file
+    Span span_;            ///< of the object or hull
 };

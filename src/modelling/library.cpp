@@ -73,15 +73,26 @@ Mesh smooth_mesh(const Polyhedron& from) {
     return made;
 }
 
-std::optional<Polyhedron> read_polyhedron(const std::string& path, Diagnostics& diagnostics,
-                                          Span asked_at) {
+std::optional<MeshFile> read_mesh_file(const std::string& path, Diagnostics& diagnostics,
+                                       Span asked_at) {
     const Polyhedra* library = modelling_library(diagnostics, asked_at);
     if (!library) return std::nullopt;
-    Polyhedron made;
-    const std::string problem = library->read(path, made);
+    MeshFile made;
+    const std::string problem = library->read(path, made.shape, made.look);
     if (problem.empty()) return made;
     diagnostics.add(
         error(Fault::io, asked_at,
               message("cannot read the mesh `", harmless(path), "`: ", harmless(problem))));
     return std::nullopt;
+}
+
+void dress(Mesh& mesh, const PolyhedronLook& look) {
+    const auto copy = [](const std::vector<Polyhedron::Face>& from, std::vector<Face>& to) {
+        for (const auto& [a, b, c] : from) to.push_back({a, b, c});
+    };
+    for (const auto& [u, v] : look.uvs) mesh.uvs.emplace_back(u, v);
+    copy(look.uv_faces, mesh.uv_faces);
+    if (!mesh.normals.empty()) return;
+    for (const Polyhedron::Point& normal : look.normals) mesh.normals.push_back(vector(normal));
+    copy(look.normal_faces, mesh.normal_faces);
 }

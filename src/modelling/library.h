@@ -22,6 +22,14 @@ Mesh mesh(const Polyhedron&);
 /// average, weighted by their angles.
 Mesh smooth_mesh(const Polyhedron&);
 
-/// The triangles of an OBJ, PLY, STL or OFF file; nothing, with a diagnostic at the span, when it
-/// cannot be read. Asks nobody whether it may.
-std::optional<Polyhedron> read_polyhedron(const std::string& path, Diagnostics&, Span asked_at);
+struct MeshFile {
+    Polyhedron shape;
+    PolyhedronLook look;
+};
+/// What an OBJ, PLY, STL or OFF file says; nothing, with a diagnostic at the span, when it cannot
+/// be read. Asks nobody whether it may.
+std::optional<MeshFile> read_mesh_file(const std::string& path, Diagnostics&, Span asked_at);
+
+/// Gives a mesh what a file says beyond its shape; normals only if it has none. Precondition: the
+/// mesh has the file's points and faces.
+void dress(Mesh&, const PolyhedronLook&);

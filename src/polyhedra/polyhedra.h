@@ -20,6 +20,15 @@ struct Polyhedron {
     std::vector<Face> faces;
 };
 
+/// What files say of a surface beyond its shape, as far as they do. Without faces of their own,
+/// normals and places in pictures are those of the points.
+struct PolyhedronLook {
+    std::vector<Polyhedron::Point> normals;
+    std::vector<Polyhedron::Face> normal_faces;
+    std::vector<std::array<double, 2>> uvs;
+    std::vector<Polyhedron::Face> uv_faces;
+};
+
 /// A step on the way to a solid that is made of others: each puts a solid on a stack. All but the
 /// first kind take the two uppermost from there.
 enum class SolidOperation {
@@ -39,8 +48,8 @@ enum class SubdivisionRule {
 /// complete.
 struct Polyhedra {
     /// The triangles of an OBJ, PLY, STL or OFF file, which is told by its extension; larger faces
-    /// are taken apart.
-    std::string (*read)(const std::string& path, Polyhedron&);
+    /// are taken apart. Normals and places in pictures are those of OBJ and PLY files.
+    std::string (*read)(const std::string& path, Polyhedron&, PolyhedronLook&);
     /// The smallest convex polyhedron around the points.
     std::string (*hull)(std::span<const Polyhedron::Point>, Polyhedron&);
     /// A solid from closed surfaces that do not cut themselves. Exact: coordinates are rounded

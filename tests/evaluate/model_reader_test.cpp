@@ -73,6 +73,29 @@ TEST_CASE("files are read where scenes may read", "[evaluate]") {
     CHECK(complaint("mesh { file \"none.ply\" }").ends_with("there is no file `none.ply`"));
 }
 
+TEST_CASE("normals and uv of files are kept as far as the shape is", "[evaluate]") {
+    const Folder folder;
+    const std::string file = folder / "t.obj";
+    folder.put("t.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 0 1 0\n"
+               "f 1/1/1 2/2/1 3/3/2\n");
+    const auto read = [&](const std::string& words) {
+        return run("#version 3.7; mesh { file \"" + file + "\" " + words + " }",
+                   {{file, folder.get("t.obj")}});
+    };
+    const Script plain = read("");
+    CHECK(plain.text.empty());
+    CHECK(face(mesh_of(plain), 0).normals[2] == Vec3(0, 1, 0));
+    CHECK(face_uvs(mesh_of(plain), 0)[1] == Vec2(1, 0));
+    const Script smooth = read("smooth");
+    CHECK(face(mesh_of(smooth), 0).normals[2] == Vec3(0, 0, 1));
+    CHECK(face_uvs(mesh_of(smooth), 0)[1] == Vec2(1, 0));
+    const Script finer = read("subdivide 1");
+    CHECK(mesh_of(finer).faces.size() == 4);
+    CHECK(mesh_of(finer).normals.empty());
+    CHECK(mesh_of(finer).uvs.empty());
+}
+
 TEST_CASE("what does not become a mesh is told", "[evaluate]") {
     const std::string head = "error degenerate: this does not become a mesh: ";
     CHECK(complaint("mesh { plane { y, 0 } }") == head + "it has no end");

@@ -11,10 +11,10 @@ TEST_CASE("a mesh in a file is read back as it was", "[modelling]") {
     const Folder folder;
     folder.put("a.ply", ply(mesh));
     Diagnostics diagnostics;
-    const auto read = read_polyhedron(folder / "a.ply", diagnostics, {});
+    const auto read = read_mesh_file(folder / "a.ply", diagnostics, {});
     REQUIRE(read);
-    CHECK(read->points.size() == 4);  // the first corner has no face
-    CHECK(read->points[0] == Polyhedron::Point{0.1, 2, 3});
-    CHECK(read->points[2][1] == -1e20);
-    CHECK(read->faces == std::vector<Polyhedron::Face>{{0, 1, 2}, {2, 1, 3}});
+    CHECK(read->shape.points.size() == 4);  // the first corner has no face
+    CHECK(read->shape.points[0] == Polyhedron::Point{0.1, 2, 3});
+    CHECK(read->shape.points[2][1] == -1e20);
+    CHECK(read->shape.faces == std::vector<Polyhedron::Face>{{0, 1, 2}, {2, 1, 3}});
 }

@@ -26,7 +26,10 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
         const std::string name = std::string("a.") + c.extension;
         folder.put(name, c.text);
         Polyhedron made;
-        REQUIRE(the_polyhedra().read(folder / name, made) == "");
+        PolyhedronLook look;
+        REQUIRE(the_polyhedra().read(folder / name, made, look) == "");
+        CHECK(look.normals.empty());
+        CHECK(look.uvs.empty());
         CHECK(made.points.size() == c.points);
         CHECK(made.faces.size() == c.faces);
     }
@@ -34,11 +37,14 @@ TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
 
 TEST_CASE("what is no mesh is said", "[polyhedra]") {
     Polyhedron made;
-    CHECK(the_polyhedra().read("/nowhere/nothing.ply", made) == "the file cannot be opened");
+    PolyhedronLook look;
+    CHECK(the_polyhedra().read("/nowhere/nothing.ply", made, look) == "the file cannot be opened");
     const Folder folder;
-    folder.put("text.ply", "no mesh");
-    CHECK(the_polyhedra().read(folder / "text.ply", made) ==
+    folder.put("text.off", "no mesh");
+    CHECK(the_polyhedra().read(folder / "text.off", made, look) ==
           "it is no OBJ, PLY, STL or OFF file, or is damaged");
     folder.put("wild.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
-    CHECK(the_polyhedra().read(folder / "wild.off", made) != "");
+    CHECK(the_polyhedra().read(folder / "wild.off", made, look) != "");
+    folder.put("NONE.OBJ", "v 0 0 0\n");
+    CHECK(the_polyhedra().read(folder / "NONE.OBJ", made, look) == "it has no faces");
 }

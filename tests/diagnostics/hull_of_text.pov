@@ -1,0 +1,1 @@
+mesh { convex_hull { "corner" sphere { 0, 1 } } }

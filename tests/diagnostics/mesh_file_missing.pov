@@ -1,0 +1,2 @@
+#declare Rabbit = mesh { file "rabbit.ply" smooth }
+object { Rabbit }

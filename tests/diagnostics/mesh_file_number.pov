@@ -1,0 +1,1 @@
+mesh { file 3 }

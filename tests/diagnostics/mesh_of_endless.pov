@@ -1,0 +1,1 @@
+mesh { union { box { 0, 1 } plane { y, 0 } } }

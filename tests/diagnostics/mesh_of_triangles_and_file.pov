@@ -1,0 +1,1 @@
+mesh { triangle { 0, x, y } file "rabbit.ply" }

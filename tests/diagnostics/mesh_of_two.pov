@@ -1,0 +1,4 @@
+mesh {
+    sphere { 0, 1 }
+    box { 0, 2 }
+}

@@ -1,0 +1,1 @@
+#declare Places = scatter(3, 0.1);

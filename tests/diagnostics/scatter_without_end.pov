@@ -1,0 +1,1 @@
+#declare Places = scatter(plane { y, 0 }, 0.1);

@@ -1,0 +1,1 @@
+mesh { box { -1, 1 } subdivide 9 }
