@@ -60,9 +60,8 @@ public:
         }
         objects_.begin(object.span);
         const Shape& shape = std::get<Shape>(object.form);
-        if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
-            mesh && object.part_textures && !(*mesh)->looks.empty())
-            add_textured(**mesh, object, here, outer.transform);
+        if (parts_have_looks(object))
+            add_textured(object, here, outer.transform);
         else if (placed)
             place(shape, here, material, object.span);
     }
@@ -104,6 +103,10 @@ public:
             if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
                 world_.unbounded.push_back(leaves + i);
         }
+        for (auto& [shape, list] : textured_shapes_)
+            world_.part_textures[static_cast<PrimitiveIndex>(shapes + shape)] = std::move(list);
+        for (auto& [leaf, list] : textured_leaves_)
+            world_.part_textures[static_cast<PrimitiveIndex>(leaves + leaf)] = std::move(list);
         collect_luminaires({0, triangles, shapes, leaves});
     }
 
@@ -159,10 +162,18 @@ private:
         return any;
     }
 
-    void add_textured(const Mesh& mesh, const Object& object, const Inherited& here,
+    /// Precondition: parts_have_looks(object).
+    void add_textured(const Object& object, const Inherited& here,
                       const Handle<Transform>& outside) {
-        const std::vector<std::uint32_t> materials = materials_.of_faces(object, here, outside);
-        add_mesh(mesh, here.transform.get(), materials, object.span);
+        const Shape& shape = std::get<Shape>(object.form);
+        if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape))
+            return add_mesh(**mesh, here.transform.get(),
+                            materials_.of_faces(object, here, outside), object.span);
+        PartTextureList list;
+        const std::uint32_t material = materials_.of_parts(object, here, outside, list);
+        if (!all_ && !materials_.glows(material)) return;
+        add_shape(shapes_.built(shape), here.transform, material, object.span);
+        textured_shapes_.emplace_back(world_.shapes.size() - 1, std::move(list));
     }
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
@@ -264,14 +275,13 @@ private:
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {
             const Inherited& look = around.back();
-            const auto* shape = std::get_if<Shape>(&object.form);
-            const auto* mesh = shape ? std::get_if<Shared<Mesh>>(shape) : nullptr;
             std::uint32_t material = 0;
-            if (mesh && object.part_textures && !(*mesh)->looks.empty()) {
+            if (parts_have_looks(object)) {
                 const Handle<Transform>& outside = around[around.size() - 2].transform;
-                FaceTextures& list = flattener.world_.face_textures[static_cast<std::uint32_t>(
-                    flattener.leaf_materials_.size())];
-                material = flattener.materials_.of_leaf(object, look, outside, list);
+                PartTextureList list;
+                material = flattener.materials_.of_parts(object, look, outside, list);
+                flattener.textured_leaves_.emplace_back(flattener.leaf_materials_.size(),
+                                                        std::move(list));
             } else {
                 material = flattener.materials_.index(look);
             }
@@ -322,7 +332,7 @@ private:
             Luminaire luminaire;
             luminaire.emitter = emitter(glow);
             luminaire.primitive = first[glow.kind] + glow.index;
-            set_radiance(luminaire);
+            set_radiance(luminaire, world_);
             if (emitting_area(luminaire.emitter) > 0) {
                 world_.luminaires.push_back(std::move(luminaire));
                 world_.statement_of_luminaire.push_back(glow.statement);
@@ -333,20 +343,6 @@ private:
                         .with_help(
                             "give it three corners that do not lie on one line, or leave it out"));
         }
-    }
-
-    void set_radiance(Luminaire& luminaire) const {
-        const Material& look = world_.material(luminaire.primitive);
-        luminaire.radiance = greatest_emission(*look.texture);
-        luminaire.varying = varied(*look.texture);
-        const auto include = [&](const Handle<Texture>& other) {
-            luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
-            luminaire.varying = true;
-        };
-        if (look.texture2) include(look.texture2), include(look.texture3);
-        if (luminaire.primitive < world_.leaves_begin()) return;
-        const auto faces = world_.face_textures.find(luminaire.primitive - world_.leaves_begin());
-        if (faces != world_.face_textures.end()) std::ranges::for_each(faces->second, include);
     }
 
     /// Whether one more luminaire without a formula may take some time and memory.
@@ -380,6 +376,8 @@ private:
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;
     std::vector<Span> leaf_spans_;
+    /// Whose parts have textures, by their numbers among shapes and among leaves.
+    std::vector<std::pair<std::size_t, PartTextureList>> textured_shapes_, textured_leaves_;
     std::vector<Unplaced> glowing_;
     int guides_left_ = 64;
     ObjectMemory objects_;

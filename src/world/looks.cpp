@@ -25,6 +25,28 @@ void blend(const std::array<const Texture*, 3>& textures, const Vec3& weights, U
             use(weight, *textures[i]);
 }
 
+/// The textures of a blob's components, each as strong as the fields of those that have it are at
+/// the point; fields that take away count as well.
+template <class TextureOf>
+void blend_fields(const BuiltBlob& blob, const Vec3& point, TextureOf texture_of, Use use) {
+    std::vector<std::pair<const Texture*, double>> strengths;
+    double sum = 0;
+    blob.index.around(point, [&](std::uint32_t i) {
+        const double strength = std::abs(strength_at(blob.sources[i], point));
+        if (strength == 0) return;
+        const Texture* const texture = texture_of(blob.sources[i].look);
+        const auto same =
+            std::ranges::find(strengths, texture, &std::pair<const Texture*, double>::first);
+        if (same == strengths.end())
+            strengths.emplace_back(texture, strength);
+        else
+            same->second += strength;
+        sum += strength;
+    });
+    if (strengths.empty()) return use(1, *texture_of(-1));
+    for (const auto& [texture, strength] : strengths) use(strength / sum, *texture);
+}
+
 /// Within the triangle, whatever rounding says.
 Vec3 positive(const Vec3& weights) {
     const Vec3 clipped = glm::max(weights, Vec3(0));
@@ -46,20 +68,24 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
                      positive(corner_weights(corners(face), point)), use);
     }
-    const auto found = face_textures.empty() || primitive < leaves_begin()
-                           ? face_textures.end()
-                           : face_textures.find(primitive - leaves_begin());
-    if (found == face_textures.end()) return use(1, *look.texture);
-    const CompositeLeaf& placed = leaf(primitive - leaves_begin());
-    const BuiltMesh& built = *std::get<Shared<BuiltMesh>>(placed.shape);
-    const Vec3 here = local(placed.transform, point);
+    const auto found = part_textures.empty() ? part_textures.end() : part_textures.find(primitive);
+    if (found == part_textures.end()) return use(1, *look.texture);
+    const auto texture_of = [&](int number) {
+        return number < 0 ? look.texture.get()
+                          : found->second[static_cast<std::size_t>(number)].get();
+    };
+    const bool is_leaf = primitive >= leaves_begin();
+    const CompositeLeaf* const placed = is_leaf ? &leaf(primitive - leaves_begin()) : nullptr;
+    const PlacedShape* const alone =
+        is_leaf ? nullptr : &shapes[primitive - spheres.size() - triangles.size()];
+    const BuiltShape& shape = is_leaf ? placed->shape : alone->shape;
+    const Vec3 here = local(is_leaf ? placed->transform : alone->transform, point);
+    if (const auto* blob = std::get_if<Shared<BuiltBlob>>(&shape))
+        return blend_fields(**blob, here, texture_of, use);
+    const BuiltMesh& built = *std::get<Shared<BuiltMesh>>(shape);
     if (part == any_part) part = face_at(built, here);
     std::array<const Texture*, 3> textures;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int number = built.mesh->looks[part][i];
-        textures[i] =
-            number < 0 ? look.texture.get() : found->second[static_cast<std::size_t>(number)].get();
-    }
+    for (std::size_t i = 0; i < 3; ++i) textures[i] = texture_of(built.mesh->looks[part][i]);
     blend(textures, positive(corner_weights(face(*built.mesh, part).corners, here)), use);
 }
 

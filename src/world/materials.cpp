@@ -3,6 +3,8 @@
 
 #include "surface/simplified.h"
 
+#include <algorithm>
+
 std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
@@ -125,14 +127,38 @@ std::uint32_t Materials::of_face(const std::vector<std::uint32_t>& materials, co
     return mixed;
 }
 
-std::uint32_t Materials::of_leaf(const Object& mesh, const Inherited& look,
-                                 const Handle<Transform>& outside, FaceTextures& list) {
+std::uint32_t Materials::of_parts(const Object& object, const Inherited& look,
+                                  const Handle<Transform>& outside, PartTextureList& list) {
     const std::uint32_t result = own(index(look));
     Inherited part = look;
-    for (const Handle<Texture>& texture : mesh.part_textures->list) {
+    for (const Handle<Texture>& texture : object.part_textures->list) {
         list.push_back(lit(world_texture(texture, outside, look.uv)));
         part.texture = &list.back();
         include(result, index(part));
     }
     return result;
+}
+
+bool parts_have_looks(const Object& object) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    if (!shape || !object.part_textures) return false;
+    const auto has_look = [](const auto& part) { return part.look >= 0; };
+    if (const auto* blob = std::get_if<Shared<Blob>>(shape))
+        return std::ranges::any_of((*blob)->spheres, has_look) ||
+               std::ranges::any_of((*blob)->cylinders, has_look);
+    const auto* mesh = std::get_if<Shared<Mesh>>(shape);
+    return mesh && !(*mesh)->looks.empty();
+}
+
+void set_radiance(Luminaire& luminaire, const World& world) {
+    const Material& look = world.material(luminaire.primitive);
+    luminaire.radiance = greatest_emission(*look.texture);
+    luminaire.varying = varied(*look.texture);
+    const auto include = [&](const Handle<Texture>& other) {
+        luminaire.radiance = glm::max(luminaire.radiance, greatest_emission(*other));
+        luminaire.varying = true;
+    };
+    if (look.texture2) include(look.texture2), include(look.texture3);
+    const auto parts = world.part_textures.find(luminaire.primitive);
+    if (parts != world.part_textures.end()) std::ranges::for_each(parts->second, include);
 }

@@ -42,9 +42,9 @@ public:
     /// The material of a mesh's face, by the numbers of its corners' textures; `materials` are the
     /// mesh's.
     std::uint32_t of_face(const std::vector<std::uint32_t>& materials, const Face& looks);
-    /// The material of a mesh as a leaf, whose faces' textures are in the list.
-    std::uint32_t of_leaf(const Object& mesh, const Inherited& look,
-                          const Handle<Transform>& outside, FaceTextures& list);
+    /// The material of a shape that is one primitive and whose parts have the textures in the list.
+    std::uint32_t of_parts(const Object& object, const Inherited& look,
+                           const Handle<Transform>& outside, PartTextureList& list);
 
     /// Whether primitives of the material light others.
     bool glows(std::uint32_t material) const { return glows_[material]; }
@@ -80,3 +80,9 @@ private:
     std::vector<Handle<Texture>> kept_textures_;
     std::map<std::pair<std::uint32_t, Face>, std::uint32_t> blended_;  ///< by mesh
 };
+
+/// Whether the object is a mesh or a blob some of whose parts have textures of their own.
+bool parts_have_looks(const Object&);
+
+/// What a luminaire sends at most, by all textures that its primitive has.
+void set_radiance(Luminaire&, const World&);

@@ -54,8 +54,9 @@ struct CornerNormals {
     Vec3 normal1, normal2, normal3;
 };
 
-/// Textures of a mesh's faces, by their numbers in Mesh::looks.
-using FaceTextures = std::vector<Handle<Texture>>;
+/// Textures of the parts of a shape, by the numbers that a mesh's faces and a blob's components
+/// have for them.
+using PartTextureList = std::vector<Handle<Texture>>;
 
 /// A primitive of any other shape, under any affine map.
 struct PlacedShape {
@@ -192,7 +193,7 @@ public:
     std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
     std::vector<std::uint32_t> uvs_of;  ///< per triangle: index in uvs, or no_primitive; the last
                                         ///< ones are left out when they have none
-    std::unordered_map<std::uint32_t, FaceTextures> face_textures;  ///< by leaf, counted from 0
+    std::unordered_map<PrimitiveIndex, PartTextureList> part_textures;
     std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
