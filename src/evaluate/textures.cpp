@@ -124,7 +124,7 @@ public:
     bool wants() const { return pattern_.named() && pattern_.wants(); }
 
     bool take(const Element& element) {
-        if (pattern_.names_pattern(element) || pattern_.named())
+        if (pattern_.names_pattern(element) || pattern_.named() || is_function(element))
             if (pattern_.take(element)) return true;
         return element.kind == Element::Kind::block && take_block(element);
     }
@@ -152,6 +152,10 @@ public:
     }
 
 private:
+    static bool is_function(const Element& element) {
+        return element.kind == Element::Kind::value && element.value.handle<Formula>();
+    }
+
     bool take_block(const Element& element) {
         if (element.word == "texture_map"_word)
             take_map(element);

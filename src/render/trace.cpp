@@ -6,6 +6,7 @@
 #include "surface/simplified.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace {
@@ -34,13 +35,49 @@ Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * dot(direction, normal) * normal;
 }
 
+/// Where the pattern of a camera's normal is asked for a point of the picture. Measured from
+/// POV-Ray: a coordinate that stands for an angle is that angle in radians; round pictures have
+/// the angle around their middle and the angle away from it.
+Vec3 bump_place(const Projection& camera, double u, double v) {
+    const double width = length(camera.right), height = length(camera.up);
+    switch (camera.lens) {
+        case Lens::fisheye:
+        case Lens::omnimax: {
+            const Vec3 towards = camera.ray(u, v).direction;
+            const double away = std::acos(dot(unit(camera.direction), towards));
+            const double around =
+                std::atan2(dot(camera.up, towards) / height, dot(camera.right, towards) / width);
+            // Counted from a quarter of a turn below, as POV-Ray does.
+            const bool low = around < -0.5 * std::numbers::pi;
+            return {low ? around + 2 * std::numbers::pi : around, away, 0};
+        }
+        case Lens::ultra_wide:
+            return {u * camera.angle, v * camera.angle * height / width, 0};
+        case Lens::panoramic:
+            return {std::numbers::pi * (0.5 - u), std::numbers::pi * v, 0};
+        case Lens::cylinder1:
+        case Lens::cylinder3:
+            return {u * camera.angle, v * height, 0};
+        case Lens::cylinder2:
+        case Lens::cylinder4:
+            return {u * width, v * camera.angle, 0};
+        case Lens::spherical:
+            return {u * camera.angle, v * camera.vertical_angle, 0};
+        case Lens::flat:
+        case Lens::parallel:
+        case Lens::mesh:
+            break;
+    }
+    return {u, v, 0};
+}
+
 }  // namespace
 
 Ray pinhole_ray(const World& world, double u, double v) {
     Ray ray = world.camera.ray(u, v);
     if (ray.direction != Vec3(0) && world.camera_normal.pattern)
-        ray.direction =
-            bumped(world.camera_normal, ray.direction, Vec3(u, v, 0), world.pattern_scene());
+        ray.direction = bumped(world.camera_normal, ray.direction, bump_place(world.camera, u, v),
+                               world.pattern_scene());
     return ray;
 }
 
@@ -158,9 +195,9 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
     const auto show = [&](double share, const Texture& texture) {
+        if (share < world_.settings.adc_bailout) return;
         for_layers(texture, s.position, s.normal, place.scene,
                    [&](double weight, std::span<const Layer> layers) {
-                       if (share * weight < world_.settings.adc_bailout) return;
                        const Scaled scaled(rays_, Vec3(share * weight));
                        sum += share * weight * layered(path, hit, s, layers);
                    });

@@ -38,14 +38,19 @@ struct Around {
 
 struct Visit {
     const PatternScene& scene;
+    const Vec3& normal;  ///< outside of all patterns
     UseLayers use;
 };
 
+/// `normal` is in the space of the patterns around. As in POV-Ray, a layer without bumps has its
+/// normal from outside, and patterns that depend on the normal see that one.
 Layer layer_at(const Texture& texture, const Vec3& point, const Vec3& normal, const Around* around,
-               const PatternScene& scene) {
+               const Visit& to) {
+    const PatternScene& scene = to.scene;
+    const bool bumpy = texture.normal.pattern != nullptr;
     Layer layer;
     layer.finish = &texture.finish;
-    layer.normal = texture.normal.pattern ? bumped(texture.normal, normal, point, scene) : normal;
+    layer.normal = bumpy ? bumped(texture.normal, normal, point, scene) : to.normal;
     PatternScene here = scene;
     SurfaceView view;
     if (scene.view) {
@@ -54,7 +59,8 @@ Layer layer_at(const Texture& texture, const Vec3& point, const Vec3& normal, co
         here.view = &view;
     }
     layer.colour = evaluate(texture.pigment, point, here);
-    for (; around; around = around->next) layer.normal = unit(around->space.leave(layer.normal));
+    for (; bumpy && around; around = around->next)
+        layer.normal = unit(around->space.leave(layer.normal));
     return layer;
 }
 
@@ -78,7 +84,7 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
     const std::span<Layer> layers = count > few.size() ? std::span(many) : std::span(few);
     std::size_t i = 0;
     for (const Texture* layer = &texture; layer; layer = layer->below.get())
-        layers[i++] = layer_at(*layer, point, normal, around, to.scene);
+        layers[i++] = layer_at(*layer, point, normal, around, to);
     to.use(weight, layers.first(count));
 }
 
@@ -179,7 +185,7 @@ bool transparent(const Texture& texture) {
 
 void for_layers(const Texture& texture, const Vec3& point, const Vec3& normal,
                 const PatternScene& scene, UseLayers use) {
-    visit(texture, point, normal, 1, nullptr, {scene, use});
+    visit(texture, point, normal, 1, nullptr, {scene, normal, use});
 }
 
 bool scatters(const Texture& texture) {

@@ -77,6 +77,13 @@ TEST_CASE("a texture chooses from others by a pattern", "[evaluate]") {
     CHECK(tiles.texture().choice->map[1].texture->pigment.colour.rgb == Vec3(1, 0, 0));
 }
 
+TEST_CASE("a function chooses textures", "[evaluate]") {
+    const Script done = sphere_with(
+        "texture { function { x } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } }");
+    CHECK(std::holds_alternative<FunctionPattern>(done.texture().choice->use.pattern));
+    CHECK(done.texture().choice->map.size() == 2);
+}
+
 TEST_CASE("a material is a texture with an interior", "[evaluate]") {
     const Script done =
         sphere_with("material { M scale 3 }",

@@ -62,3 +62,23 @@ TEST_CASE("light gets round the edge of a shadow the farther, the larger a milli
     CHECK(shaded("1") > 2 * shaded("10"));
     CHECK(shaded("10") > 2 * shaded("100"));
 }
+
+TEST_CASE("light inside is as even as POV-Ray's with as many samples", "[render]") {
+    const World world =
+        world_of("global_settings { subsurface { samples 100, 0 } } " +
+                 std::string("light_source { -1000*z rgb 1 parallel point_at 0 } ") + box +
+                 "finish { ambient 0 diffuse 1 subsurface { translucency 1 } } "
+                 "interior { ior 1.3 } }");
+    double sum = 0, squares = 0;
+    constexpr std::uint32_t count = 200;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Key key;
+        key.pixel = mix(i);
+        const double light = Tracer(world, {}).radiance({Vec3(0, 0, -10), Vec3(0, 0, 1)}, key).y;
+        sum += light;
+        squares += light * light;
+    }
+    const double mean = sum / count;
+    // There the deviation is 2.6 % of the mean.
+    CHECK(std::sqrt(squares / count - mean * mean) < 0.035 * mean);
+}

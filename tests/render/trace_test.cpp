@@ -4,6 +4,7 @@
 #include "support/scripts.h"
 #include "world/compile.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 namespace {
@@ -61,4 +62,78 @@ TEST_CASE("filtered light takes the pigment's colour", "[render]") {
                       "ambient 0 diffuse 0 } }"
                       "background { rgb 1 } global_settings { adc_bailout 0 }") -
                  Vec3(1, 0.25, 0)) < 1e-12);
+}
+
+TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
+    struct Case {
+        const char* camera;
+        Vec3 along_x, along_y;  // by POV-Ray 3.7, in steps of 1/32768: of bumps along x, along y
+    };
+    const Case cases[] = {
+        {"perspective angle 45", {0.1816, 0.2029, 0.9622}, {-0.1029, -0.0463, 0.9936}},
+        {"orthographic", {0.2739, 0.0035, 0.9618}, {0.0000, -0.2399, 0.9708}},
+        {"fisheye angle 120", {-0.3786, 0.6174, 0.6895}, {-0.2664, 0.7530, 0.6016}},
+        {"ultra_wide_angle angle 80 up 2*y", {0.1248, 0.6415, 0.7569}, {-0.1548, 0.7238, 0.6724}},
+        {"omnimax", {-0.0825, 0.8939, 0.4405}, {-0.3289, 0.8252, 0.4592}},
+        {"panoramic angle 90", {0.0688, 0.8807, 0.4686}, {-0.1939, 0.9161, 0.3511}},
+        {"spherical angle 90 50", {0.0104, 0.2866, 0.9580}, {-0.1949, -0.0461, 0.9797}},
+        {"cylinder 1 angle 80 up 1.5*y", {0.1414, 0.4455, 0.8840}, {-0.1440, 0.5586, 0.8169}},
+        {"cylinder 2 angle 80", {0.1538, 0.4416, 0.8839}, {-0.1402, 0.6443, 0.7518}},
+        {"cylinder 3 angle 90", {0.0020, -0.0058, 1.0000}, {-0.1894, -0.2399, 0.9521}},
+        {"cylinder 4 angle 90", {0.3031, 0.4748, 0.8262}, {0.0000, 0.4968, 0.8678}},
+    };
+    for (const Case& c : cases)
+        for (const bool along_y : {false, true}) {
+            INFO(c.camera);
+            const World world = world_of("#version 3.7; camera { " + std::string(c.camera) +
+                                         " location 0 right 4/3*x normal { gradient " +
+                                         (along_y ? "y" : "x") + " 0.8 sine_wave scale 0.3 } }");
+            const Vec3 found = pinhole_ray(world, 1.5 / 4 - 0.5, 0.5 - 0.5 / 3).direction;
+            CHECK(max_abs_component(found - (along_y ? c.along_y : c.along_x)) < 2e-4);
+        }
+}
+
+TEST_CASE("the textures of a blob's components flow into each other as POV-Ray's do", "[render]") {
+    const std::string blob = R"(#version 3.7;
+        #default { finish { ambient 1 diffuse 0 } }
+        blob {
+            threshold 0.3
+            sphere { -0.5*x, 1.5, 1 pigment { rgb x } }
+            sphere { 0.5*x, 1.5, 1 pigment { rgb y } }
+            cylinder { -y, y, 1.2, 1 pigment { rgb z } translate 0.3*x }
+            sphere { y, 1.6, -0.5 }
+            pigment { rgb 1 }
+        )";
+    const auto cases = std::array{// What is below adc_bailout is left out: here 0.0022 of white.
+                                  std::pair{Vec3(-0.9, 0.1, -5), Vec3(0.9978, 0, 0)},
+                                  std::pair{Vec3(-0.2, 0, -5), Vec3(0.7227, 0.3063, 0.0541)},
+                                  std::pair{Vec3(0.3, 0.2, -5), Vec3(0.2328, 0.7175, 0.2712)},
+                                  std::pair{Vec3(0.1, 0.6, -5), Vec3(0.4544, 0.5519, 0.5691)},
+                                  std::pair{Vec3(0.7, -0.3, -5), Vec3(0, 0.8555, 0.1445)}};
+    for (const std::string end : {"}", "clipped_by { sphere { 0, 9 } } }"})
+        for (const auto& [from, colour] : cases)
+            CHECK(max_abs_component(seen(blob + end, from) - colour) < 1e-4);
+}
+
+TEST_CASE("what a pattern gives a small share of is seen all the same", "[render]") {
+    CHECK(seen("plane { -z, -5 texture { gradient x texture_map { [0 pigment { rgb 0 } ] "
+               "[1 pigment { rgb 50 } finish { ambient 1 diffuse 0 }] } } }",
+               Vec3(0.001, 0, 0))
+              .x == Approx(0.05));
+}
+
+TEST_CASE("slopes in a patterned texture see the normal from outside, as POV-Ray's", "[render]") {
+    const std::string ball = R"(#version 3.7;
+        #default { finish { ambient 1 diffuse 0 } }
+        sphere { 0, 1 texture { checker
+            texture { pigment { slope <-0.979, 0.752, -0.766> color_map { [0 rgb 0] [1 rgb 1] } } }
+            texture { pigment { slope y color_map { [0 rgb 0] [1 rgb 1] } }
+                      normal { gradient x 0.001 } }
+            rotate <-46.7, 82.6, 86.9> } })";
+    const auto cases =
+        std::array{std::pair{Vec3(-0.6, 0.1, -5), 0.8388}, std::pair{Vec3(-0.2, 0, -5), 0.7258},
+                   std::pair{Vec3(0.3, 0.2, -5), 0.6286}, std::pair{Vec3(0.1, 0.6, -5), 0.3662},
+                   std::pair{Vec3(0.7, -0.3, -5), 0.4079}};
+    for (const auto& [from, brightness] : cases)
+        CHECK(std::abs(seen(ball, from).x - brightness) < 2e-4);
 }
