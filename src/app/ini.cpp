@@ -36,10 +36,34 @@ std::string_view unquoted(std::string_view value) {
 /// Blanks around the first `=` go, and quotes around the value.
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
-    if (equals == line.npos || line[0] == '+' || line[0] == '-') return std::string(unquoted(line));
+    if (equals == line.npos || line[0] == '-') return std::string(unquoted(line));
     const std::string_view value = trimmed(line.substr(equals + 1));
     // A declared string keeps its quotes: they are what makes it a string.
     return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
+}
+
+/// Switches and file names with blanks between them, outside of quotes, which go.
+std::vector<std::string> words_of(std::string_view line) {
+    std::vector<std::string> words;
+    char quote = 0;
+    bool within = false;
+    for (const char c : line) {
+        const bool blank = !quote && blanks.find(c) != blanks.npos;
+        if (!blank && !within) words.emplace_back();
+        within = !blank;
+        if (blank) continue;
+        if (quote ? c == quote : (c == '"' || c == '\''))
+            quote = quote ? 0 : c;
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
+/// `+W320 +H240` are several, `Width=320` and `--noise=0.1` are one.
+std::vector<std::string> as_arguments(std::string_view line) {
+    const bool switches = (line[0] == '+' || line[0] == '-') && !line.starts_with("--");
+    return switches ? words_of(line) : std::vector{as_argument(line)};
 }
 
 }  // namespace
@@ -58,7 +82,8 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
                 !section.empty() && same_letters(trimmed(line.substr(1, line.size() - 2)), section);
             found |= taken;
         } else if (taken && !line.empty()) {
-            lines.push_back({number, as_argument(line)});
+            for (std::string& option : as_arguments(line))
+                lines.push_back({number, std::move(option)});
         }
     }
     return found ? std::optional(std::move(lines)) : std::nullopt;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// INI files: options, one on a line, with sections and comments. Reads no file itself.
+// INI files: options, a keyword or several switches on a line, with sections and comments. Reads no
+// file itself.
 #pragma once
 
 #include <optional>
@@ -7,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// One line as an argument of the command line: "Width=640".
+/// An argument of the command line: "Width=640".
 struct IniLine {
     int number = 0;  ///< counted from 1
     std::string option;

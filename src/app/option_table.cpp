@@ -15,6 +15,7 @@ constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
 constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";
+constexpr std::string_view old = "it has no meaning any more";
 constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view kd_tree = "a kd-tree is always used";
 
@@ -280,6 +281,17 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("", "User_Abort_Return", value, "action", over),
     ignored("", "Fatal_Error_Return", value, "action", over),
     ignored("", "Continue_Trace_Log", value, "file", "states have names of their own; see STATES"),
+    ignored("", "Histogram_Name", value, "file", old),
+    ignored("", "Histogram_Type", value, "x", old),
+    ignored("", "Histogram_Grid_Size", value, "n", old),
+    ignored("", "Buffer_Output", sign, "", old),
+    ignored("", "Buffer_Size", value, "n", old),
+    ignored("", "Video_Mode", value, "x", old),
+    ignored("", "Palette", value, "x", old),
+    ignored("", "Draw_Vistas", sign, "", old),
+    ignored("", "Clockless_Animation", sign, "", old),
+    ignored("", "Real_Time_Raytracing", sign, "", old),
+    ignored("", "Compression", value, "n", "files are stored in their formats' usual quality"),
     benchmark,
     refused("TH", "Dither", sign_and_value, "x",
             "pictures are not dithered; 16 bits have no steps that are seen: +FN16"),

@@ -105,7 +105,7 @@ private:
 
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
-        if (const auto ini = only_files_ ? std::nullopt : ini_name(argument)) {
+        if (const auto ini = only_files_ ? std::nullopt : ini_of(argument)) {
             const bool permits = std::exchange(may_permit_, false);
             read_ini(argument, *ini);
             may_permit_ = permits;
@@ -118,6 +118,18 @@ private:
         bare_scene_ = true;
         options_.scene = argument;
         options_.given.push_back(message("Input_File_Name=", argument));
+    }
+
+    /// A bare word may be the name of an INI file without its ending, if there is one, as in
+    /// POV-Ray.
+    std::optional<IniName> ini_of(std::string_view argument) const {
+        if (auto named = ini_name(argument)) return named;
+        const std::size_t section = argument.ends_with(']') ? argument.rfind('[') : argument.npos;
+        const std::string_view word = argument.substr(0, section);
+        const bool bare = word.find_last_of("./") == word.npos;
+        const auto ini = ini_name(
+            message(word, ".ini", section == argument.npos ? "" : argument.substr(section)));
+        return bare && ini && read_ && read_(ini->file) ? ini : std::nullopt;
     }
 
     void read_ini(std::string_view argument, const IniName& ini) {
@@ -197,6 +209,8 @@ private:
                 near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
         }
         const std::string text(argument.substr(equals + 1));
+        // POV-Ray's INI files name keywords that they leave as they are.
+        if (text.empty() && !where_.empty()) return;
         if (row->takes == Takes::value) {
             if (text.empty()) return fail(argument, "needs a value");
             return accept(*row, {argument, true, text, where_});
@@ -211,7 +225,13 @@ private:
         const OptionRow* row =
             find_named(&OptionRow::word,
                        argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
-        if (!row) return fail(argument, "there is no such option", meant(argument));
+        if (!row) {
+            // Its value is no scene.
+            if (equals == std::string_view::npos && next_ < arguments_.size() &&
+                number(arguments_[next_]))
+                ++next_;
+            return fail(argument, "there is no such option", meant(argument));
+        }
         Given given{argument, true, {}, where_};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");

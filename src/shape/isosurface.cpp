@@ -18,9 +18,11 @@ const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
         F{"function", &Isosurface::function, positional, "the function; inside it is lower"},
         parts<&Isosurface::containers>("contained_by", "box or sphere that closes the surface"),
         F{"threshold", &Isosurface::threshold, item, "value on the surface"},
-        F{"accuracy", &Isosurface::accuracy, item, "size of the smallest detail", above(0)},
+        F{"accuracy", &Isosurface::accuracy, item,
+          "size of the smallest detail; not above 0: the usual one"},
         F{"max_gradient", &Isosurface::max_gradient, item,
-          "greatest slope of a function that is not written out; others need none", above(0)},
+          "greatest slope of a function that is not written out; others need none; not "
+          "above 0: the usual one"},
         F{"evaluate", &Isosurface::evaluate1, item, "accepted, and not needed"},
         F{"evaluate 2", &Isosurface::evaluate2, following, "accepted"},
         F{"evaluate 3", &Isosurface::evaluate3, following, "accepted"},
@@ -99,9 +101,14 @@ std::string problem(const Isosurface& surface) {
 }
 
 BuiltIsosurface build(const Isosurface& surface) {
-    return {surface.function,     container_shape(surface.containers),
-            surface.threshold,    surface.accuracy,
-            surface.max_gradient, surface.open};
+    const auto positive = [](double value, double usual) { return value > 0 ? value : usual; };
+    const Isosurface usual;
+    return {surface.function,
+            container_shape(surface.containers),
+            surface.threshold,
+            positive(surface.accuracy, usual.accuracy),
+            positive(surface.max_gradient, usual.max_gradient),
+            surface.open};
 }
 
 Box bounds(const BuiltIsosurface& surface) {

@@ -15,7 +15,10 @@ constexpr const char* file =
     "Width=160\n"
     "[ High ]\n"
     "Width=1280\n"
-    "more.ini";
+    "more.ini\n"
+    "[several]\n"
+    "+W8 +H6  -A \"+Oa b.png\" '+I'c.pov ; all\n"
+    "--noise=0.1";
 
 std::string lines(std::string_view section) {
     const auto found = ini_lines(file, section);
@@ -36,6 +39,9 @@ TEST_CASE("a section comes after what stands above all", "[app]") {
     CHECK(lines("low") == "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|7:Width=160|");
     CHECK(lines("HIGH") ==
           "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|9:Width=1280|10:more.ini|");
+    CHECK(lines("several") ==
+          "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|12:+W8|12:+H6|12:-A|"
+          "12:+Oa b.png|12:+Ic.pov|13:--noise=0.1|");
     CHECK(lines("none") == "no such section");
 }
 

@@ -16,6 +16,8 @@ TEST_CASE("rows and columns count from 1, or are fractions") {
     options.end_row = 1000;
     options.start_row = 1;
     CHECK(region_of(options) == Region{50, 0, 100, 100});
+    options.end_row = 1;
+    CHECK(region_of(options).bottom == 100);
     options.start_row = 101;
     CHECK(region_of(options).top == 100);
 }

@@ -42,7 +42,7 @@ TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
 
 TEST_CASE("what follows from a hole is not told of", "[evaluate]") {
     CHECK(run("#version 3.7; sphere { Nothing, 1 }").said.size() == 1);
-    CHECK(run("#version 3.7; #declare A = sphere { 0, -1 } object { A translate x } union { A A }")
+    CHECK(run("#version 3.7; #declare A = torus { 0, x } object { A translate x } union { A A }")
               .said.size() == 1);
     CHECK(run("#version 3.7; #declare T = texture { pigment { Nothing } } sphere { 0, 1 texture { "
               "T } }")

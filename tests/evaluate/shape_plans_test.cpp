@@ -116,7 +116,7 @@ TEST_CASE("values that do not fit are reported wherever the loop stands", "[eval
         const char* said;
     };
     const auto [body, said] = GENERATE(values<Case>({
-        {"sphere { I, 5 - I }", "`radius` of `sphere`"},
+        {"sphere { I, 5 - I }", "this `sphere` is left out: its radius is 0"},
         {"sphere { I, 1 / (I - 5) }", "zero"},
         {"#if (I = 5) #undef A #end sphere { A[I], 1 }", "`A`"},
         {"#if (I = 5) #declare A = \"five\"; #else #declare A = I; #end sphere { A, 1 }",
