@@ -29,6 +29,45 @@ struct Task {
 
 Box grown(const Box& box, double by) { return {box.low - Vec3(by), box.high + Vec3(by)}; }
 
+/// What a ray that passes a cell, and only asks whether anything is in its way, may expect there.
+struct Prospect {
+    double chance;  ///< to be stopped
+    double steps;   ///< until that is known
+};
+
+/// What rays may expect where items are tested in groups. Of what an item hides, its box tells as
+/// much as is needed: the factor changes little.
+Prospect prospect(std::span<const Fragment> fragments, const Box& cell) {
+    double passing = 1;
+    for (const Fragment& f : fragments)
+        passing *= 1 - std::min(1.0, 0.5 * area(f.box) / area(cell));
+    const double groups = std::ceil(static_cast<double>(fragments.size()) / group_size);
+    return {passing < 1 ? 1 - passing : 0, 1 + 2 * groups};
+}
+
+/// Of a cell and its halves. Rays begin where a step stops them likeliest (Ize and Hansen, "RTSAH
+/// Traversal Order for Occlusion Rays", 2011), unless the halves differ so little that the nearer
+/// one is as good: measured, the meshes of even surfaces lose by any other order.
+struct Order {
+    KdNode::Half likely = KdNode::Half::neither;
+    Prospect whole;
+
+    Order(const Box& cell, const std::pair<Box, Box>& cells, Prospect below, Prospect above) {
+        constexpr double even = 1.5;
+        const double for_above = above.chance * below.steps, for_below = below.chance * above.steps;
+        if (for_above > even * for_below) likely = KdNode::Half::above;
+        if (for_below > even * for_above) likely = KdNode::Half::below;
+        double first = area(cells.first) / area(cell), second = area(cells.second) / area(cell);
+        if (for_above > for_below) {
+            std::swap(below, above);
+            std::swap(first, second);
+        }
+        const double past_first = 1 - first * below.chance;
+        whole.chance = 1 - past_first * (1 - second * above.chance);
+        whole.steps = 1 + first * below.steps + past_first * second * above.steps;
+    }
+};
+
 /// How far a cell may still be divided.
 struct Allowance {
     int depth;
@@ -47,8 +86,10 @@ public:
                    task.settings.empty_bonus, group_size},
                   task.slack) {
         nodes_.push_back(KdNode::leaf(0, 0));
-        build(0, 0, cell, allowance);
+        prospect_ = build(0, 0, cell, allowance);
     }
+
+    const Prospect& prospect() const { return prospect_; }
 
     std::vector<KdNode> take_nodes() { return std::move(nodes_); }
     std::vector<std::uint32_t> take_items() { return std::move(items_); }
@@ -62,12 +103,13 @@ private:
         std::size_t size() const { return below.size() + above.size(); }
     };
 
-    void build(std::size_t node, std::size_t first, const Box& cell, Allowance);
-    void make_leaf(std::size_t node, std::size_t first);
+    Prospect build(std::size_t node, std::size_t first, const Box& cell, Allowance);
+    Prospect make_leaf(std::size_t node, std::size_t first, const Box& cell);
     std::size_t divide(std::size_t first, const std::pair<Box, Box>& cells, const Split&);
     Sides sides(const Fragment&, const std::pair<Box, Box>& cells, const Split&) const;
     Halves take_halves(const std::pair<Box, Box>& cells, const Split&);
-    void fork(std::uint32_t children, Halves, const std::pair<Box, Box>& cells, Allowance);
+    std::pair<Prospect, Prospect> fork(std::uint32_t children, Halves,
+                                       const std::pair<Box, Box>& cells, Allowance);
     void adopt(std::size_t node, const Subtree&);
 
     const Task& task_;
@@ -75,6 +117,7 @@ private:
     std::vector<KdNode> nodes_;
     std::vector<std::uint32_t> items_;
     SplitFinder finder_;
+    Prospect prospect_;
 };
 
 std::pair<Box, Box> halves(const Box& cell, const Split& split) {
@@ -85,13 +128,13 @@ std::pair<Box, Box> halves(const Box& cell, const Split& split) {
 }
 
 /// Builds the cell whose fragments are those from `first` on, and takes them off the stack.
-void Subtree::build(std::size_t node, std::size_t first, const Box& cell, Allowance allowance) {
+Prospect Subtree::build(std::size_t node, std::size_t first, const Box& cell, Allowance allowance) {
     const std::size_t count = fragments_.size() - first;
     const auto leaf_size = static_cast<std::size_t>(std::max(task_.settings.leaf_size, 0));
     if (count <= leaf_size || allowance.depth == 0 || allowance.duplication < 1)
-        return make_leaf(node, first);
+        return make_leaf(node, first, cell);
     const Split split = finder_.find(std::span(fragments_).subspan(first), cell);
-    if (!split.found()) return make_leaf(node, first);
+    if (!split.found()) return make_leaf(node, first, cell);
 
     const auto cells = halves(cell, split);
     const bool forks = count > fork_limit;
@@ -104,16 +147,25 @@ void Subtree::build(std::size_t node, std::size_t first, const Box& cell, Allowa
     const auto children = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node] = KdNode::inner(split.axis, split.position, children);
     nodes_.insert(nodes_.end(), 2, KdNode::leaf(0, 0));
-    if (forks) return fork(children, std::move(apart), cells, allowance);
-    build(children, lower_first, cells.first, allowance);
-    build(children + 1, first, cells.second, allowance);
+    std::pair<Prospect, Prospect> found;
+    if (forks) {
+        found = fork(children, std::move(apart), cells, allowance);
+    } else {
+        found.first = build(children, lower_first, cells.first, allowance);
+        found.second = build(children + 1, first, cells.second, allowance);
+    }
+    const Order order(cell, cells, found.first, found.second);
+    nodes_[node] = nodes_[node].with_likely(order.likely);
+    return order.whole;
 }
 
-void Subtree::make_leaf(std::size_t node, std::size_t first) {
+Prospect Subtree::make_leaf(std::size_t node, std::size_t first, const Box& cell) {
+    const Prospect found = ::prospect(std::span(fragments_).subspan(first), cell);
     nodes_[node] = KdNode::leaf(static_cast<std::uint32_t>(items_.size()),
                                 static_cast<std::uint32_t>(fragments_.size() - first));
     for (std::size_t i = first; i < fragments_.size(); ++i) items_.push_back(fragments_[i].item);
     fragments_.resize(first);
+    return found;
 }
 
 /// The parts of a fragment on both sides of a plane; empty boxes where there are none. Only boxes
@@ -140,9 +192,17 @@ std::size_t Subtree::divide(std::size_t first, const std::pair<Box, Box>& cells,
     std::size_t above = first;
     for (std::size_t i = first; i < end; ++i) {
         const Fragment f = fragments_[i];
-        const Sides part = sides(f, cells, split);
-        if (!part.above.empty()) fragments_[above++] = {part.above, f.item};
-        if (!part.below.empty()) fragments_.push_back({part.below, f.item});
+        const bool is_below = reaches_below(f.box.low[split.axis], split.position, task_.slack);
+        const bool is_above = reaches_above(f.box.high[split.axis], split.position, task_.slack);
+        if (!is_below) {
+            fragments_[above++] = f;
+        } else if (!is_above) {
+            fragments_.push_back(f);
+        } else {
+            const Sides part = sides(f, cells, split);
+            if (!part.above.empty()) fragments_[above++] = {part.above, f.item};
+            if (!part.below.empty()) fragments_.push_back({part.below, f.item});
+        }
     }
     fragments_.erase(fragments_.begin() + static_cast<std::ptrdiff_t>(above),
                      fragments_.begin() + static_cast<std::ptrdiff_t>(end));
@@ -176,16 +236,18 @@ Subtree::Halves Subtree::take_halves(const std::pair<Box, Box>& cells, const Spl
 
 /// Builds the halves side by side, with the same result as one after the other: each apart, then
 /// appended in order.
-void Subtree::fork(std::uint32_t children, Halves halves, const std::pair<Box, Box>& cells,
-                   Allowance allowance) {
+std::pair<Prospect, Prospect> Subtree::fork(std::uint32_t children, Halves halves,
+                                            const std::pair<Box, Box>& cells, Allowance allowance) {
     std::optional<Subtree> lower;
     std::optional<Subtree> upper;
     oneapi::tbb::parallel_invoke(
         [&] { lower.emplace(task_, std::move(halves.below), cells.first, allowance); },
         [&] { upper.emplace(task_, std::move(halves.above), cells.second, allowance); });
+    const std::pair found{lower->prospect(), upper->prospect()};
     adopt(children, *lower);
     lower.reset();
     adopt(children + 1, *upper);
+    return found;
 }
 
 void Subtree::adopt(std::size_t node, const Subtree& other) {

@@ -24,8 +24,8 @@
 /// what rays wait for; a test much slower than a sphere's deserves a higher intersection_cost.
 struct KdTreeSettings {
     double traversal_cost = 1;        ///< of going from a cell to its halves
-    double intersection_cost = 0.25;  ///< of testing one item
-    double empty_bonus = 0.1;  ///< fraction of the cost forgiven to planes that cut off empty space
+    double intersection_cost = 0.32;  ///< of testing one item
+    double empty_bonus = 0.14;        ///< share of the cost forgiven where empty space is cut off
     int max_depth = 0;  ///< 0: 8 + 1.3 log2 of the number of items; never above KdTree::depth_limit
     int leaf_size = 1;  ///< cells with so few items are not divided any more
     /// Cells are not divided further where items have been cut into so many parts on average:
@@ -43,6 +43,9 @@ using ClipItem = std::function<Box(std::uint32_t item, const Box& cell)>;
 /// as much among 10^4, and cannot divide small clusters far from the origin.
 class KdNode {
 public:
+    /// Of a cell; where both are as good, rays visit the nearer one first.
+    enum class Half : std::uint32_t { neither = 0, above = 1, below = 2 };
+
     static KdNode inner(int axis, double plane, std::uint32_t first_child) {
         return {plane, first_child, static_cast<std::uint32_t>(axis)};
     }
@@ -57,6 +60,12 @@ public:
     std::uint32_t first_child() const { return first_; }
     std::uint32_t first_item() const { return first_; }
     std::uint32_t item_count() const { return kind_ >> 2; }
+    /// Whether a ray that asks for anything in its way visits the farther child first, of a node
+    /// that it passes downwards (backward is 1) or upwards.
+    bool starts_far(std::uint32_t backward) const { return (kind_ >> (2 + backward) & 1) != 0; }
+    KdNode with_likely(Half half) const {
+        return {plane_, first_, axis() | static_cast<std::uint32_t>(half) << 2};
+    }
     /// Where a leaf's pack begins in the tree's packs.
     std::uint64_t pack() const { return std::bit_cast<std::uint64_t>(plane_); }
     KdNode with_pack(std::uint64_t first) const {
@@ -76,7 +85,9 @@ private:
 
     double plane_;
     std::uint32_t first_;
-    std::uint32_t kind_;  ///< low two bits: axis, or 3 for a leaf; above: a leaf's number of items
+    /// Low two bits: axis, or 3 for a leaf. Above: a leaf's number of items, or an inner node's
+    /// likely half.
+    std::uint32_t kind_;
 };
 static_assert(sizeof(KdNode) == 16);
 
@@ -104,7 +115,16 @@ public:
     /// when it found a hit; leaves behind it are left out. When visit returns true, traversal stops
     /// and returns true. An item may be visited several times.
     template <class Visit>
-    bool traverse(const Ray& ray, Interval range, Visit&& visit) const;
+    bool traverse(const Ray& ray, Interval range, Visit&& visit) const {
+        return walk<false>(ray, range, visit);
+    }
+
+    /// The same for who only wants to know whether anything is met: first where the ray, for its
+    /// steps, is likeliest to be stopped. visit leaves range as it is.
+    template <class Visit>
+    bool traverse_likely(const Ray& ray, Interval range, Visit&& visit) const {
+        return walk<true>(ray, range, visit);
+    }
 
     /// Holds all items, and is a little larger than their boxes together.
     const Box& bounds() const { return bounds_; }
@@ -128,6 +148,9 @@ private:
         double min, max;
     };
 
+    template <bool likely_first, class Visit>
+    bool walk(const Ray& ray, Interval range, Visit& visit) const;
+
     Box bounds_;
     std::vector<KdNode> nodes_;
     std::vector<std::uint32_t> items_;
@@ -145,8 +168,8 @@ private:
 KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
                     const KdTreeSettings& = {}, int threads = 0);
 
-template <class Visit>
-bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
+template <bool likely_first, class Visit>
+bool KdTree::walk(const Ray& ray, Interval range, Visit& visit) const {
     if (nodes_.empty()) return false;
     // For a zero component of the direction, planes lie at plus or minus infinity, or at NaN for an
     // origin on the plane: the comparisons with bounds are written so that NaN cuts off nothing,
@@ -182,6 +205,10 @@ bool KdTree::traverse(const Ray& ray, Interval range, Visit&& visit) const {
             if (!(t < max)) {
                 node = nodes + near;
             } else if (!(t > min)) {
+                node = nodes + far;
+            } else if (likely_first && node->starts_far(backward[axis])) {
+                *pending_end++ = {near, min, t};
+                min = t;
                 node = nodes + far;
             } else {
                 *pending_end++ = {far, t, max};

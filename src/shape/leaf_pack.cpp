@@ -28,10 +28,19 @@ float rounded_up(double x) {
 
 /// A bit for each marked lane.
 [[gnu::always_inline]] inline std::uint32_t lanes_of(const Marks& marks) {
+#ifdef __x86_64__
+    // What every such machine has; through the memory it takes twice as long.
+    using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+    const auto low = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 0, 1, 2, 3));
+    const auto high = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 4, 5, 6, 7));
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskps(low) | __builtin_ia32_movmskps(high)
+                                                                         << 4);
+#else
     constexpr Marks bits = {1, 2, 4, 8, 16, 32, 64, 128};
-    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4>>(marks & bits);
+    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4> >(marks & bits);
     const std::uint64_t pairs = (quarters[0] | quarters[2]) | (quarters[1] | quarters[3]);
     return static_cast<std::uint32_t>(pairs | pairs >> 32);
+#endif
 }
 
 [[gnu::always_inline]] inline void take_roots(Floats& of) {
@@ -82,14 +91,16 @@ void PackRay::prepare() {
     length_ = length(direction_);
     // Directions that have no length in numbers rule out nothing: comparisons with NaN fail.
     if (!(length_ > 1e-150 && length_ < 1e150)) length_ = std::numeric_limits<double>::quiet_NaN();
+    const double shorter = 1 / length_;
     for (int axis = 0; axis < 3; ++axis)
-        along_[axis] = static_cast<float>(direction_[axis] / length_);
+        along_[axis] = static_cast<float>(direction_[axis] * shorter);
     const Vec3 size = glm::abs(direction_);
     z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     x_ = (z_ + 1) % 3;
     y_ = (x_ + 1) % 3;
-    shear_ = {static_cast<float>(direction_[x_] / direction_[z_]),
-              static_cast<float>(direction_[y_] / direction_[z_])};
+    const double upright = 1 / direction_[z_];
+    shear_ = {static_cast<float>(direction_[x_] * upright),
+              static_cast<float>(direction_[y_] * upright)};
 }
 
 void PackRay::start(const KdLeaf& leaf, const Interval& range) {
@@ -131,7 +142,7 @@ template <bool sure>
     const Floats pad = static_cast<float>(float_error) * (radius + reach_) + slack_;
     const std::uint32_t near =
         lanes_of(~((spare < 0) | (along - half > most_ + pad) | (along + half < least_ - pad)));
-    if constexpr (!sure) return {near, 0};
+    if (!sure || near == 0) return {near, 0};
     // The radius as it was, and as much less as it had been made more. Comparisons with NaN, the
     // root of what is negative, are false.
     const Floats inner = radius - 4 * pad;

@@ -256,10 +256,11 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
     PackRay packed(ray);
-    const bool blocked = tree.traverse(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
-        return any_clear ? packed.candidates(leaf, whole, blocks)
-                         : packed.blocked(leaf, whole, blocks);
-    });
+    const bool blocked =
+        tree.traverse_likely(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
+            return any_clear ? packed.candidates(leaf, whole, blocks)
+                             : packed.blocked(leaf, whole, blocks);
+        });
     if (blocked) return Vec3(0);
 
     // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that

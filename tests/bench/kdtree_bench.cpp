@@ -130,11 +130,15 @@ Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray
 template <class Index>
 bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray, double distance) {
     PackRay packed(ray);
-    return index.traverse(ray, {0, distance}, [&](LeafOf<Index> leaf, Interval& range) {
+    const auto visit = [&](LeafOf<Index> leaf, Interval& range) {
         return ask_any(packed, leaf, range, [&](std::uint32_t item) {
             return meet(balls[item], ray, range) < range.max;
         });
-    });
+    };
+    if constexpr (std::is_same_v<Index, KdTree>)
+        return index.traverse_likely(ray, {0, distance}, visit);
+    else
+        return index.traverse(ray, {0, distance}, visit);
 }
 
 Vec3 sphere_point(std::mt19937_64& random) {

@@ -88,7 +88,7 @@ Found first_hit(const KdTree& tree, const Surface& mesh, const Ray& ray) {
 bool blocked(const KdTree& tree, const Surface& mesh, const Ray& ray, double distance) {
     const ShearedRay sheared(ray);
     PackRay packed(ray);
-    return tree.traverse(ray, {0, distance}, [&](const KdLeaf& leaf, Interval& range) {
+    return tree.traverse_likely(ray, {0, distance}, [&](const KdLeaf& leaf, Interval& range) {
         return packed.blocked(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             return sheared.meet(f.corner1, f.corner2, f.corner3, range).t < range.max;

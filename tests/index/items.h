@@ -100,12 +100,16 @@ ItemHit first_hit(const Index& index, const std::vector<Item>& items, const Ray&
 template <class Index>
 bool any_hit(const Index& index, const std::vector<Item>& items, const Ray& ray,
              const Interval& whole) {
-    return index.traverse(ray, whole, [&](std::span<const std::uint32_t> leaf, Interval&) {
+    const auto visit = [&](std::span<const std::uint32_t> leaf, Interval&) {
         for (const std::uint32_t i : leaf) {
             if (meet(items[i], ray, whole) < no_hit) return true;
         }
         return false;
-    });
+    };
+    if constexpr (std::is_same_v<Index, KdTree>)
+        return index.traverse_likely(ray, whole, visit);
+    else
+        return index.traverse(ray, whole, visit);
 }
 
 inline std::vector<Box> boxes_of(const std::vector<Item>& items) {

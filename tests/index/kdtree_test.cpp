@@ -265,3 +265,27 @@ TEST_CASE("the tree's span of items holds each leaf's", "[index]") {
         return false;
     });
 }
+
+TEST_CASE("rays that ask for anything in their way pass the same leaves, the likely ones first",
+          "[index]") {
+    // Crumbs between the origin and a wall.
+    std::vector<Item> items = random_balls(400, 0.001, 0.01, 21);
+    items.push_back({{Vec3(2, -1, -1), Vec3(2.1, 1, 1)}});
+    const KdTree tree = tree_of(items, {.leaf_size = 0});
+    const Ray ray{Vec3(-2, 0.1, 0.2), Vec3(1, 0, 0)};
+    std::vector<const std::uint32_t*> near, likely;
+    const auto note = [](std::vector<const std::uint32_t*>& leaves) {
+        return [&](std::span<const std::uint32_t> leaf, Interval&) {
+            leaves.push_back(leaf.data());
+            return false;
+        };
+    };
+    CHECK_FALSE(tree.traverse(ray, {0, 5}, note(near)));
+    CHECK_FALSE(tree.traverse_likely(ray, {0, 5}, note(likely)));
+    REQUIRE(near.size() > 5);
+    CHECK(near.back() == likely.front());
+    CHECK(near != likely);
+    std::ranges::sort(near);
+    std::ranges::sort(likely);
+    CHECK(near == likely);
+}
