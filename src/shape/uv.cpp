@@ -121,7 +121,13 @@ std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
         if (on_end && radius < rim * (1 - 1e-9))
             return Vec2(turn_around_axis(point), top ? 1 - radius / rim : radius / rim);
     }
-    return Vec2(turn_around_axis(point), share);
+    // Each piece of the outline has an equal part of v.
+    std::size_t piece = 0;
+    while (piece + 1 < sor.parts.size() && point.y > sor.parts[piece].high) ++piece;
+    const auto& part = sor.parts[piece];
+    const double along = std::clamp((point.y - part.low) / (part.high - part.low), 0.0, 1.0);
+    return Vec2(turn_around_axis(point),
+                (static_cast<double>(piece) + along) / static_cast<double>(sor.parts.size()));
 }
 
 std::optional<Vec2> uv(const BuiltBicubicPatch& patch, const Vec3& point, std::uint32_t part) {

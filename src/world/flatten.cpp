@@ -130,7 +130,7 @@ private:
                 &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
         else if (object.texture)
             here.inner = nullptr;
-        if (object.interior) here.interior = &object.interior;
+        if (object.interior) materials_.fill(object, here);
         here.no_shadow |= object.no_shadow;
         here.no_image |= object.no_image;
         here.no_reflection |= object.no_reflection;
@@ -265,10 +265,12 @@ private:
     struct LeafVisitor {
         Flattener& flattener;
         std::vector<Inherited> around;
+        std::uint32_t shared_inside;
         bool transparent = false;
 
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
+            around.back().shared_inside = shared_inside;  // the whole is one solid
             if (const Union* group = std::get_if<Union>(&object.form))
                 flattener.enter_group(*group, around.back());
         }
@@ -295,7 +297,7 @@ private:
     void add_composite(const Object& object, const Inherited& outer) {
         const std::size_t first = leaf_materials_.size();
         CompositeBuilder builder;
-        LeafVisitor visitor{*this, {outer}};
+        LeafVisitor visitor{*this, {outer}, object.interior ? 0 : outer.shared_inside};
         const PartRef root =
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));

@@ -10,7 +10,7 @@ std::size_t Materials::Hash::operator()(const Key& key) const {
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
                          key.double_illuminate << 3 | key.hollow << 4;
     return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
-           static_cast<std::size_t>(switches);
+           key.shared_inside * 4096 + static_cast<std::size_t>(switches);
 }
 
 const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
@@ -27,11 +27,18 @@ const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
     return known;
 }
 
+void Materials::fill(const Object& object, Inherited& here) {
+    const Union* group = std::get_if<Union>(&object.form);
+    here.interior = &object.interior;
+    here.shared_inside = group && group->csg == Csg::together ? ++unions_ : 0;
+}
+
 std::uint32_t Materials::index(const Inherited& look) {
     const Key key{look.texture->get(),
                   look.inner ? look.inner->get() : nullptr,
                   look.interior ? look.interior->get() : nullptr,
                   look.light_group,
+                  look.shared_inside,
                   look.no_shadow,
                   look.no_image,
                   look.no_reflection,
@@ -69,6 +76,7 @@ void Materials::add(const Inherited& look) {
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
     material.focuses = focuses(texture);
     material.light_group = look.light_group;
+    material.shared_inside = look.shared_inside;
     material.no_shadow = look.no_shadow || world_.quality < quality_shadows;
     material.no_image = look.no_image;
     material.no_reflection = look.no_reflection;

@@ -18,6 +18,7 @@ struct Inherited {
     const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
     const Handle<Interior>* interior = nullptr;
     std::uint32_t light_group = 0;
+    std::uint32_t shared_inside = 0;
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
          hollow = false, uv = false;
 };
@@ -32,6 +33,8 @@ public:
     const Handle<Texture>& world_texture(const Handle<Texture>& texture,
                                          const Handle<Transform>& transform, bool uv);
 
+    /// An object with an interior gives it to all that is in it.
+    void fill(const Object& object, Inherited& here);
     /// The material of primitives that look so.
     std::uint32_t index(const Inherited& look);
     /// A copy of a material that nothing else has: it tells a mesh from other solids.
@@ -56,6 +59,7 @@ private:
         const Texture* inner;
         const Interior* interior;
         std::uint32_t light_group;
+        std::uint32_t shared_inside;
         bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
 
         friend bool operator==(const Key&, const Key&) = default;
@@ -70,6 +74,7 @@ private:
     void include(std::uint32_t material, std::uint32_t part);
 
     World& world_;
+    std::uint32_t unions_ = 0;  ///< with an interior
     std::vector<bool> glows_;
     std::unordered_map<Key, std::uint32_t, Hash> indices_;
     std::optional<Key> last_key_;

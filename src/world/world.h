@@ -38,6 +38,7 @@ struct Material {
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
     std::uint32_t light_group = 0;    ///< in World::light_groups; 0: none
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
+    std::uint32_t shared_inside = 0;  ///< of a union with an interior, counted from 1; 0: none
 };
 
 struct SpherePrimitive {
@@ -161,8 +162,11 @@ public:
     }
 
     /// What rays into a solid are told apart by: all faces of a mesh are one solid, and so are all
-    /// leaves of a composite.
+    /// leaves of a composite. As in POV-Ray, the parts of a union that has the interior are one:
+    /// where two of them overlap, a ray that meets the second is told to leave the first.
     std::uint32_t solid(PrimitiveIndex primitive) const {
+        if (const std::uint32_t number = material(primitive).shared_inside; number != 0)
+            return leaves_begin() + static_cast<std::uint32_t>(composites.size()) + number;
         const bool face =
             primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
         if (primitive >= leaves_begin())
