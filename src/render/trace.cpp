@@ -271,10 +271,11 @@ Vec3 Tracer::lit(const Path& path, const Hit& hit, const Shading& s, const Vec3&
 
 /// What the inside of a solid leaves of the light along the part of a ray that ends at its surface.
 Vec3 Tracer::faded(const Path& path, const Hit& hit) const {
-    if (path.solids.empty() || world_.solid(path.solids.back()) != world_.solid(hit.primitive))
-        return Vec3(1);
-    const auto& interior = world_.material(path.solids.back()).interior;
-    if (!interior || interior->fade_distance == 0) return Vec3(1);
+    const std::uint32_t left_behind = world_.solid(hit.primitive);
+    const bool inside = std::ranges::any_of(
+        path.solids, [&](PrimitiveIndex around) { return world_.solid(around) == left_behind; });
+    const auto& interior = world_.material(hit.primitive).interior;
+    if (!inside || !interior || interior->fade_distance == 0) return Vec3(1);
     return attenuation(*interior, length(hit.position - path.ray.origin));
 }
 

@@ -39,16 +39,20 @@ Vec3 slope_normal(const HeightGrid& grid, double rise_x, double rise_z) {
     return unit(Vec3(-rise_x * (grid.width - 1), 1, -rise_z * (grid.height - 1)));
 }
 
+/// The normal of a pixel, of no particular length: the mean of those to its neighbours. As in
+/// POV-Ray, all are unit vectors where pixels are units and heights go to 65536, so that the flat
+/// ones count most, and the mean's parts are whole numbers up to 32767.
 Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
+    constexpr double highest = 65536, longest = 32767;
     Vec3 sum(0);
     for (const int dx : {-1, 1})
         for (const int dz : {-1, 1}) {
             const int nx = x + dx, nz = z + dz;
             if (nx < 0 || nz < 0 || nx >= grid.width || nz >= grid.height) continue;
-            sum += slope_normal(grid, dx * (grid.at(nx, z) - grid.at(x, z)),
-                                dz * (grid.at(x, nz) - grid.at(x, z)));
+            sum += unit(Vec3(-highest * dx * (grid.at(nx, z) - grid.at(x, z)), 1,
+                             -highest * dz * (grid.at(x, nz) - grid.at(x, z))));
         }
-    return unit(sum);
+    return unit(glm::trunc(longest * unit(sum)) * Vec3(grid.width - 1, highest, grid.height - 1));
 }
 
 /// The plane of one half of a cell, in cells: height(x, z) = base + rise . (x, z).

@@ -220,24 +220,31 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     return sum;
 }
 
-/// What the insides of one item leave of light that passes through its surfaces.
+/// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
+/// what the light leaves dims it by the way since the last surface, whichever that is.
 Vec3 World::dimmed(std::vector<Passage>& passages) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::ranges::sort(passages, {}, &Passage::t);
+    std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+    std::vector<std::uint32_t> around;
+    const auto left_behind = [&](const Passage& passage) {
+        const std::uint32_t passed = solid(passage.primitive);
+        if (std::erase(around, passed) != 0) return true;
+        around.push_back(passed);
+        return false;
+    };
     // An odd number of surfaces: the light starts inside.
+    for (const Passage& each : passages) left_behind(each);
     Vec3 left(1);
-    double entered = 0;
-    bool inside = passages.size() % 2 == 1;
+    double before = 0;
     for (const Passage& each : passages) {
         const auto& interior = material(each.primitive).interior;
-        if (inside && interior && interior->fade_power > 0)
-            left *= attenuation(*interior, each.t - entered);
-        entered = each.t;
-        inside = !inside;
+        if (left_behind(each) && interior && interior->fade_power > 0)
+            left *= attenuation(*interior, each.t - before);
+        before = each.t;
     }
     return left;
 }
@@ -269,13 +276,9 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
     Vec3 left(1);
     std::vector<Passage> found;
-    for (const std::uint32_t item : clear) {
-        found.clear();
-        collect(item, ray, range, found);
-        for (const Passage& each : found) left *= passed(each, ray);
-        left *= dimmed(found);
-    }
-    return left;
+    for (const std::uint32_t item : clear) collect(item, ray, range, found);
+    for (const Passage& each : found) left *= passed(each, ray);
+    return left * dimmed(found);
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {

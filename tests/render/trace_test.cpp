@@ -137,3 +137,61 @@ TEST_CASE("slopes in a patterned texture see the normal from outside, as POV-Ray
     for (const auto& [from, brightness] : cases)
         CHECK(std::abs(seen(ball, from).x - brightness) < 2e-4);
 }
+
+namespace {
+
+/// A camera that is in none of the solids.
+const std::string away = "camera { location -500*z } ";
+
+}  // namespace
+
+TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render]") {
+    const auto box = [](const char* from, const char* to, const std::string& inside) {
+        return std::string("box { <-9, -9, ") + from + ">, <9, 9, " + to +
+               "> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { " + inside + " } } ";
+    };
+    const std::string one = "fade_distance 2 fade_power 1001 fade_color <0.9, 0.5, 0.1>";
+    const std::string two = "fade_distance 3 fade_power 1001 fade_color <0.2, 0.5, 0.8>";
+    struct Case {
+        std::string solids;
+        Vec3 seen, lit;  // by POV-Ray 3.7: of what is behind, and of light that comes from there
+    };
+    const Case cases[] = {
+        {box("0", "10", one) + box("3", "5", two),
+         {0.4569, 0.2053, 0.0922},
+         {0.5049, 0.3385, 0.2269}},
+        {box("0", "10", one) + box("5", "14", two),
+         {0.2680, 0.1471, 0.0807},
+         {0.2053, 0.1245, 0.0755}},
+        {box("0", "10", one) + box("5", "14", ""),
+         {0.7788, 0.2865, 0.1054},
+         {0.7788, 0.2865, 0.1054}},
+        // The insides of a union's parts are one: they end where the second begins.
+        {"union { box { <-9, -9, 0>, <9, 9, 6> } box { <-9, -9, 4>, <9, 9, 10> } "
+         "pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { " +
+             one + " } }",
+         {0.6703, 0.1353, 0.0273},
+         {0.6703, 0.1353, 0.0273}},
+    };
+    for (const Case& c : cases) {
+        const Vec3 behind = seen(away + "background { rgb 1 } " + c.solids, Vec3(0, 0, -50));
+        CHECK(max_abs_component(behind - c.seen) < 1e-4);
+        const Vec3 light = seen(
+            "light_source { -50*z rgb 1 parallel point_at 0 } plane { z, 60 "
+            "pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
+                c.solids,
+            Vec3(0, 0, 50));
+        CHECK(max_abs_component(light - c.lit) < 1e-4);
+    }
+}
+
+TEST_CASE("parts of a union that overlap bend light as in POV-Ray", "[render]") {
+    const std::string rest =
+        "box { <-99, -99, 0>, <99, 99, 6> } box { <-99, -99, 4>, <99, 99, 10> } "
+        "pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } } "
+        "plane { z, 30 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } scale 80 "
+        "translate -40*x } finish { ambient 1 diffuse 0 } }";
+    const Vec3 from(-34, 0, -50), towards(0.564642473395, 0, 0.82533561491);
+    CHECK(seen(away + "union { " + rest, from, towards).x == Approx(0.7313).margin(1e-4));
+    CHECK(seen(away + "merge { " + rest, from, towards).x == Approx(0.7244).margin(1e-4));
+}

@@ -44,7 +44,7 @@ TEST_CASE("u goes around a torus and v around its tube", "[shape]") {
     CHECK(close(uv(torus, -3.0 * z - y, 0), {.75, .25}));
 }
 
-TEST_CASE("v follows the points of a lathe and the height of a sor", "[shape]") {
+TEST_CASE("v follows the points of a lathe and of a sor", "[shape]") {
     Lathe lathe;
     lathe.points = {{1, 0}, {1, 3}, {2, 3}};
     const BuiltLathe built = build(lathe);
@@ -62,6 +62,12 @@ TEST_CASE("v follows the points of a lathe and the height of a sor", "[shape]") 
     const BuiltSor tall = build(sor);
     CHECK(close(uv(tall, Vec3(-1, 2, 0), 0), {.5, .25}));
     CHECK(close(uv(tall, Vec3(-1, 4.5, 0), 0), {.5, .75}));
+    // By POV-Ray 3.7: each piece has an equal part, however high it is.
+    sor.points = {{.3, -1.2}, {.3, -1}, {.9, -.2}, {.4, .8}, {.3, 1}};
+    const BuiltSor bottle = build(sor);
+    for (const auto& [height, v] : {std::pair{-.975, .01563}, std::pair{-.525, .29688},
+                                    std::pair{-.175, .51250}, std::pair{.775, .98750}})
+        CHECK(uv(bottle, Vec3(.5, height, 0), 0)->y == Approx(v).margin(1e-4));
 }
 
 TEST_CASE("a patch lies between the u and v of its corners", "[shape]") {
