@@ -10,7 +10,7 @@
 namespace {
 
 /// Clusters nearer than so many of their radii are taken apart at the point itself.
-constexpr double near_radii = 2;
+constexpr double near_radii = 4;
 /// Cells are divided when their noise is above the bound by this factor: less is made up for by
 /// weighing the entries at each point.
 constexpr double divided_above = 20;

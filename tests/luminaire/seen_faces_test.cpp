@@ -12,10 +12,10 @@ const Box box{Vec3(-0.4, -0.3, -0.02), Vec3(0.4, 0.3, 0.02)};
 }  // namespace
 
 TEST_CASE("faces of a box are seen from outside only", "[luminaire]") {
-    CHECK(SeenFaces(box, nullptr, Vec3(0, 0, 1)).any());
-    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0)).any());
+    CHECK(SeenFaces(box, nullptr, Vec3(0, 0, 1), nullptr).any());
+    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0), nullptr).any());
     // A point that rounding puts a little outside is on the face, and does not see it.
-    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0.02 + 1e-15)).any());
+    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0.02 + 1e-15), nullptr).any());
 }
 
 TEST_CASE("drawn points have the density that is stated for them", "[luminaire]") {
@@ -27,7 +27,7 @@ TEST_CASE("drawn points have the density that is stated for them", "[luminaire]"
         for (int i = 0; i < 40; ++i) {
             const Vec3 own = std::pow(10, draw.between(-0.6, 0.8)) * draw.direction();
             const Vec3 from = map ? map->point(own) : own;
-            const SeenFaces faces(box, map, from);
+            const SeenFaces faces(box, map, from, nullptr);
             if (!faces.any()) continue;
             // The mean of 1 / density is the solid angle; that of points seen through a wide
             // cone around a direction is at most the cone's.
