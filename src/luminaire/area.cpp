@@ -143,9 +143,10 @@ double solid_angle_density(double per_area, double distance, double seen) {
     return per_area * distance * distance / seen;
 }
 
-/// The normal below which nothing counts; null: everything does.
+/// The normal of the plane below which nothing counts; null: everything does, as where there is no
+/// surface.
 const Vec3* horizon_of(const ShadingPoint& point) {
-    return point.both_sides ? nullptr : &point.normal;
+    return point.both_sides || point.normal == Vec3(0) ? nullptr : &point.normal;
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec3* normal,
