@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: CC0-1.0
 // A city from the air: some 34,000 lit windows and 3000 street lamps, each of which lights the
-// streets and the houses opposite. Declare=Blocks=... makes it bigger.
+// streets and the houses opposite. Declare=Blocks=... makes it bigger; with Declare=Lit=0.01 one
+// window and one lamp in a hundred are lit.
 #version 3.7;
 #include "light_arrays.inc"
 global_settings { assumed_gamma 1.0 }
 background { rgb <0.006, 0.009, 0.022> }
 
 #ifndef (Blocks) #declare Blocks = 22; #end
+#ifndef (Lit) #declare Lit = 1; #end
 
 camera {
     location <-6, 19, -50>
@@ -19,6 +21,8 @@ camera {
 #declare Matt = finish { ambient 0 diffuse 1 }
 #declare Pitch = 5;
 #declare Random = seed(2026);
+#declare Chance = seed(7);
+#declare Dark = texture { pigment { rgb 0.1 } finish { Matt } }
 
 // A window in the plane z = 0, facing -z, in four kinds of light
 #declare Windows = array[4];
@@ -38,6 +42,7 @@ camera {
             #if (rand(Random) < Share)
                 object {
                     Windows[int(3.3*rand(Random))]
+                    #if (rand(Chance) >= Lit) texture { Dark } #end
                     translate <(Column - (Across - 1)/2)*0.42, 0.5 + 0.55*Row, -Away>
                     rotate Turn*y
                 }
@@ -79,7 +84,18 @@ camera {
 }
 #for (I, 0, Blocks)
     #declare Where = (I - Blocks/2)*Pitch;
-    object { Light_Grid(Lamp, <Blocks*3, 1, 1>, <Pitch/3, 0, 0>) translate Where*z }
-    object { Light_Grid(Lamp, <1, 1, Blocks*3>, <0, 0, Pitch/3>) translate Where*x }
+    #if (Lit = 1)
+        object { Light_Grid(Lamp, <Blocks*3, 1, 1>, <Pitch/3, 0, 0>) translate Where*z }
+        object { Light_Grid(Lamp, <1, 1, Blocks*3>, <0, 0, Pitch/3>) translate Where*x }
+    #else
+        #for (J, 0, 6*Blocks - 1)
+            #declare Along = (mod(J, 3*Blocks) - (3*Blocks - 1)/2)*Pitch/3;
+            object {
+                Lamp
+                #if (rand(Chance) >= Lit) texture { Dark } #end
+                translate (J < 3*Blocks ? <Along, 0, Where> : <Where, 0, Along>)
+            }
+        #end
+    #end
 #end
 plane { y, 0 pigment { rgb 0.25 } finish { Matt } }

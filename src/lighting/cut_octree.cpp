@@ -10,13 +10,13 @@
 namespace {
 
 /// Clusters nearer than so many of their radii are taken apart at the point itself.
-constexpr double near_radii = 2;
-/// Cells are divided when their noise is above the bound by this factor: less is made up for by
-/// weighing the entries at each point.
+constexpr double near_radii = 6;
+/// Cells that are not surveyed are divided when their noise is above the bound by this factor: less
+/// is made up for by weighing the entries at each point.
 constexpr double divided_above = 20;
 /// Cells that look bigger than so many pixels to the eye are divided: there are many hits in them,
-/// and what is seen from them differs. Smaller ones are not surveyed one by one, so that the
-/// survey's rays stay a small part of all.
+/// and what is seen from them differs. Smaller ones stay whole when they are surveyed, so that the
+/// survey's rays are a small part of all.
 constexpr double coarse_pixels = 32;
 /// As an angle (size over distance): bounds for large and for small pictures.
 constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
@@ -32,7 +32,8 @@ constexpr double most_raised = 1, most_raised_alone = 0.1;
 constexpr std::uint32_t trials = 48;
 /// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
 constexpr double least_noise = 0.02;
-/// How many times as much the noise of the choice counts: what told it taught the choice as well.
+/// How many times as much the noise of the choice counts against the outlook's: what told it taught
+/// the choice as well.
 constexpr double doubt = 3;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
 /// luminaire that nearly touches the point. Only where the choice has no noise at all, there is
@@ -42,9 +43,9 @@ constexpr double least_by_direction = 0.1, no_noise = 1e-6;
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double most_glare = 16;
 
-bool near(const Glow& g, const Vec3& position) {
-    const Vec3 v = g.centre - position;
-    return dot(v, v) < near_radii * near_radii * g.radius * g.radius;
+bool near(const Box& box, const Vec3& position) {
+    const Vec3 v = box.centre() - position, half = 0.5 * box.size();
+    return dot(v, v) < near_radii * near_radii * dot(half, half);
 }
 
 double estimate(const LightTree& tree, const LightCluster& c, const ShadingPoint& point) {
@@ -64,7 +65,7 @@ struct Halves {
 /// strength. Nothing when it is drawn from as it is.
 std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
                               const ShadingPoint& point) {
-    if (c.count == 1 || !near(tree.glow(c), point.position)) return {};
+    if (c.count == 1 || !near(tree.box(c), point.position)) return {};
     const auto [first, second] = tree.halves(c);
     if (tree.dark(first)) return Halves{first, second, 0};
     if (tree.dark(second)) return Halves{first, second, 1};
@@ -75,7 +76,7 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 
 }  // namespace
 
-/// What rays that were tried tell of a cell, for it and for the cells that it is divided into.
+/// What rays that were tried tell of a cell.
 struct BuiltCutOctree::Survey {
     LightCut cut;
     std::vector<float> shares;       ///< see arriving_shares()
@@ -158,13 +159,11 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0;
     const bool small = length(box.size()) <= limit, large = state_->eye && !small,
                learns = probe && !state_->settings.alone;
-    const double bound = state_->rule.noise * (large ? 1 : divided_above);
-    const bool divided =
-        cell->depth < state_->settings.max_depth &&
-        (cell->cut->noise() > bound || (learns && large && cell->cut->entries() > 1));
-    if (parent) cell->survey = parent->survey;
-    if (learns && !cell->survey && (small || !divided))
-        cell->survey = survey(box, *cell->cut, *probe);
+    const double noise = cell->cut->noise(), bound = state_->rule.noise;
+    const bool uneven = large ? noise > bound || (learns && cell->cut->entries() > 1)
+                              : !(learns && small) && noise > divided_above * bound,
+               divided = uneven && cell->depth < state_->settings.max_depth;
+    if (learns && !divided) cell->survey = survey(box, *cell->cut, *probe);
     if (divided)
         cell->cut.reset();
     else if (cell->survey)
@@ -189,7 +188,7 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
     if (found > no_noise)
         result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
     const double scattering = result->outlook->noise_of_scattering();
-    result->as_scattered = scattering <= std::fmin(outlook, choice) &&
+    result->as_scattered = scattering <= std::fmin(outlook, found + least_noise) &&
                            state_->brightest <= most_glare * result->outlook->mean_luminance();
     const double variance =
         result->as_scattered
@@ -208,8 +207,8 @@ std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
         Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
 }
 
-/// By what the weights of the entries of a cell are to be multiplied, by a survey of the cell or of
-/// one around it: as it says of those that they are part of, with caution.
+/// By what the weights of the entries of a cell are to be multiplied: as its survey says, with
+/// caution.
 std::vector<float> BuiltCutOctree::counted(const Survey& survey, const LightCut& cut,
                                            const Box& box) const {
     const std::size_t count = cut.entries();
@@ -283,8 +282,7 @@ BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const B
     cell = made.release();
     state_->cells += 1;
     state_->bytes += sizeof(Cell) + (cell->cut ? cell->cut->memory_bytes() : 0);
-    const bool surveyed = cell->survey && !(parent && parent->survey);
-    if (surveyed) state_->bytes += cell->survey->memory_bytes();
+    if (cell->survey) state_->bytes += cell->survey->memory_bytes();
     return cell;
 }
 

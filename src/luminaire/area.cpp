@@ -79,11 +79,11 @@ std::pair<Vec3, double> sphere_around(const T& shape) {
     return {box.centre(), length(box.size()) / 2};
 }
 
-/// The faces of a box seen from outside; nothing for other shapes.
-std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from) {
+/// The faces of a box seen from outside and above the horizon; nothing for other shapes.
+std::optional<SeenFaces> seen_faces(const AreaEmitter& e, const Vec3& from, const Vec3* normal) {
     const Cuboid* box = std::get_if<Cuboid>(&e.shape);
     if (!box) return {};
-    const SeenFaces faces(bounds(*box), e.transform.get(), from);
+    const SeenFaces faces(bounds(*box), e.transform.get(), from, normal);
     return faces.any() ? std::optional(faces) : std::nullopt;
 }
 
@@ -143,6 +143,31 @@ double solid_angle_density(double per_area, double distance, double seen) {
     return per_area * distance * distance / seen;
 }
 
+/// The normal of the plane below which nothing counts; null: everything does, as where there is no
+/// surface.
+const Vec3* horizon_of(const ShadingPoint& point) {
+    return point.both_sides || point.normal == Vec3(0) ? nullptr : &point.normal;
+}
+
+std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec3* normal,
+                                 const Vec2& u) {
+    if (const auto faces = seen_faces(e, from, normal)) {
+        const auto drawn = faces->draw(u);
+        return drawn ? std::optional(drawn->point) : std::nullopt;
+    }
+    const SurfacePoint drawn = sample_area(e.shape, u);
+    const double per_area = 1 / surface_area(e.shape);
+    const Vec3 position = to_world_point(e, drawn.position), offset = position - from;
+    const double distance = length(offset);
+    if (!(distance > 0)) return {};
+    const Vec3 direction = offset / distance, turned = stretched_normal(e, drawn.normal);
+    if (!turned_to(turned, -direction, closed(e), inside(e.shape, to_shape_point(e, from))))
+        return {};
+    const double seen = std::abs(dot(turned, direction));
+    if (!(seen > 0)) return {};
+    return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
+}
+
 }  // namespace
 
 LightBounds bounds(const AreaEmitter& e, double luminance) {
@@ -170,22 +195,12 @@ double unoccluded(const AreaEmitter& e, double luminance, const ShadingPoint& po
     return irradiance(glow(bounds(e, luminance)), point);
 }
 
+std::optional<LightPoint> sample(const AreaEmitter& e, const ShadingPoint& point, const Vec2& u) {
+    return sample(e, point.position, horizon_of(point), u);
+}
+
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec2& u) {
-    if (const auto faces = seen_faces(e, from)) {
-        const auto drawn = faces->draw(u);
-        return drawn ? std::optional(drawn->point) : std::nullopt;
-    }
-    const SurfacePoint drawn = sample_area(e.shape, u);
-    const double per_area = 1 / surface_area(e.shape);
-    const Vec3 position = to_world_point(e, drawn.position), offset = position - from;
-    const double distance = length(offset);
-    if (!(distance > 0)) return {};
-    const Vec3 direction = offset / distance, normal = stretched_normal(e, drawn.normal);
-    if (!turned_to(normal, -direction, closed(e), inside(e.shape, to_shape_point(e, from))))
-        return {};
-    const double seen = std::abs(dot(normal, direction));
-    if (!(seen > 0)) return {};
-    return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
+    return sample(e, from, nullptr, u);
 }
 
 void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction,
@@ -196,7 +211,7 @@ void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction
     if (met.size() == 0) return;
     const bool solid = closed(e), within = inside(e.shape, to_shape_point(e, point.position));
     const Vec3 flat = flat_normal(e);
-    const auto faces = seen_faces(e, point.position);
+    const auto faces = seen_faces(e, point.position, horizon_of(point));
     const double per_area = 1 / surface_area(e.shape);
     const auto broadest = [](const Vec3& own_normal) {
         const Vec3 size = glm::abs(own_normal);

@@ -8,6 +8,7 @@
 LightBounds bounds(const AreaEmitter&, double luminance);
 double unoccluded(const AreaEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
+std::optional<LightPoint> sample(const AreaEmitter&, const ShadingPoint&, const Vec2& u);
 void meet(const AreaEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
 double emitting_area(const AreaEmitter&);
 std::vector<BrightFace> flat_faces(const AreaEmitter&);

@@ -30,6 +30,8 @@ std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Shadin
                                         const Vec2& u) {
     if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
         return sample(*sphere, point, u);
+    if (const auto* area = std::get_if<AreaEmitter>(&luminaire.emitter))
+        return sample(*area, point, u);
     return std::visit([&](const auto& e) { return sample(e, point.position, u); },
                       luminaire.emitter);
 }

@@ -1,18 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/seen_faces.h"
 
+#include "base/ray.h"
+
+#include <algorithm>
+
 namespace {
 
 /// Squared diagonal over squared distance from which on a face is sampled by solid angle: below,
 /// points spread evenly over the area are as good.
-constexpr double large = 0.02;
+constexpr double large = 0.1;
 /// Points this near to the plane of a face, as a share of all lengths, lie on it: rounding says
 /// where they would see it.
 constexpr double surface = 1e-9;
+/// What a face counts for that is seen along the surface, as if it stood so much higher (a sine):
+/// it may light what is not matt.
+constexpr double least_height = 0.05;
+
+/// The part of a side that has something above the horizon, where it begins and ends as shares of
+/// the side: height + share * rise is the greatest height there.
+Interval above_horizon(double height, double rise) {
+    if (rise == 0) return height > 0 ? Interval{0, 1} : Interval{1, 0};
+    const double level = -height / rise;
+    if (rise > 0) return {std::fmax(level - surface, 0), 1};
+    return {0, std::fmin(level + surface, 1)};
+}
 
 }  // namespace
 
-SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from) : from_(from) {
+bool SeenFaces::Face::rise_above(const Vec3& from, const Vec3& normal) {
+    const double height = dot(normal, corner - from), rise1 = dot(normal, side1),
+                 rise2 = dot(normal, side2);
+    const Interval part1 = above_horizon(height + std::fmax(rise2, 0), rise1),
+                   part2 = above_horizon(height + std::fmax(rise1, 0), rise2);
+    if (!(part1.min < part1.max && part2.min < part2.max)) return false;
+    corner += part1.min * side1 + part2.min * side2;
+    side1 *= part1.max - part1.min;
+    side2 *= part2.max - part2.min;
+    return true;
+}
+
+double SeenFaces::Face::height(const Vec3& from, const Vec3& normal) const {
+    double sum = 0;
+    for (const Vec3& end : {corner, corner + side1, corner + side2, corner + side1 + side2})
+        sum += std::fmax(dot(normal, unit(end - from)), 0);
+    return sum / 4;
+}
+
+SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, const Vec3* normal)
+    : from_(from) {
     const Vec3 here = map ? map->inverse_point(from) : from, size = box.size();
     const double margin = surface * (max_component(size) + max_abs_component(here));
     double sum = 0;
@@ -29,6 +65,7 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from) : f
             f.side1 = map->direction(f.side1);
             f.side2 = map->direction(f.side2);
         }
+        if (normal && !f.rise_above(from, *normal)) continue;
         // What it fills of the view, exactly or as seen from its middle.
         const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from;
         const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
@@ -41,6 +78,7 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from) : f
                 f.near = near;
             }
         }
+        if (normal) share_[axis] *= least_height + f.height(from, *normal);
         sum += share_[axis];
     }
     for (double& share : share_) share = sum > 0 ? share / sum : 0;

@@ -8,10 +8,12 @@
 
 class SeenFaces {
 public:
-    /// Of a box in its own space, which the map takes to the world's (null: it is there).
-    SeenFaces(const Box&, const Transform*, const Vec3& from);
+    /// Of a box in its own space, which the map takes to the world's (null: it is there). Where the
+    /// point has a normal (unit; null: none), only what may be above its horizon is drawn, and
+    /// faces more often that stand higher.
+    SeenFaces(const Box&, const Transform*, const Vec3& from, const Vec3* normal);
 
-    /// False from inside and on the surface.
+    /// False from inside and on the surface, and where all is below the horizon.
     bool any() const { return share_[0] + share_[1] + share_[2] > 0; }
 
     struct Drawn {
@@ -25,8 +27,13 @@ public:
 
 private:
     struct Face {
-        Vec3 corner = Vec3(0), side1 = Vec3(0), side2 = Vec3(0);  ///< in the world
+        Vec3 corner = Vec3(0), side1 = Vec3(0), side2 = Vec3(0);  ///< in the world; what is drawn
         std::optional<SphericalRectangle> near;  ///< of rectangles that fill much of the view
+
+        /// Cuts off what is below the horizon on all of its width; false when all of it is.
+        bool rise_above(const Vec3& from, const Vec3& normal);
+        /// Mean sine of the corners' heights above it; those below count as 0.
+        double height(const Vec3& from, const Vec3& normal) const;
     };
     std::array<Face, 3> face_;
     std::array<double, 3> share_{};  ///< how probably a point is drawn from it

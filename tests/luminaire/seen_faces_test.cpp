@@ -12,10 +12,10 @@ const Box box{Vec3(-0.4, -0.3, -0.02), Vec3(0.4, 0.3, 0.02)};
 }  // namespace
 
 TEST_CASE("faces of a box are seen from outside only", "[luminaire]") {
-    CHECK(SeenFaces(box, nullptr, Vec3(0, 0, 1)).any());
-    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0)).any());
+    CHECK(SeenFaces(box, nullptr, Vec3(0, 0, 1), nullptr).any());
+    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0), nullptr).any());
     // A point that rounding puts a little outside is on the face, and does not see it.
-    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0.02 + 1e-15)).any());
+    CHECK_FALSE(SeenFaces(box, nullptr, Vec3(0.1, 0, 0.02 + 1e-15), nullptr).any());
 }
 
 TEST_CASE("drawn points have the density that is stated for them", "[luminaire]") {
@@ -27,7 +27,7 @@ TEST_CASE("drawn points have the density that is stated for them", "[luminaire]"
         for (int i = 0; i < 40; ++i) {
             const Vec3 own = std::pow(10, draw.between(-0.6, 0.8)) * draw.direction();
             const Vec3 from = map ? map->point(own) : own;
-            const SeenFaces faces(box, map, from);
+            const SeenFaces faces(box, map, from, nullptr);
             if (!faces.any()) continue;
             // The mean of 1 / density is the solid angle; that of points seen through a wide
             // cone around a direction is at most the cone's.
@@ -55,4 +55,50 @@ TEST_CASE("drawn points have the density that is stated for them", "[luminaire]"
             }
             CHECK(solid_angle == Approx(seen).epsilon(0.04).margin(0.03));
         }
+}
+
+TEST_CASE("what is below the horizon is not drawn, and all above it is", "[luminaire]") {
+    Draw draw(5);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 from = std::pow(10, draw.between(-0.4, 0.6)) * draw.direction();
+        // Horizons that cut the box, and some along its faces.
+        Vec3 normal = unit(cross(draw.direction(), from));
+        if (i % 3 == 0) normal = i % 2 == 0 ? Vec3(0, 0, 1) : Vec3(0, -1, 0);
+        const SeenFaces faces(box, nullptr, from, &normal);
+        const SeenFaces all(box, nullptr, from, nullptr);
+        for (int k = 0; k < 60 && all.any(); ++k) {
+            const auto drawn = all.draw({draw.number(), draw.number()});
+            if (!drawn || !(dot(drawn->point.direction, normal) > 0)) continue;
+            REQUIRE(faces.any());
+            CHECK(faces.density(drawn->axis, drawn->point.direction, drawn->point.distance) > 0);
+        }
+        // Their share of what is drawn: all of it where the horizon runs along an edge.
+        int above = 0, count = 0;
+        for (int k = 0; k < 100 && faces.any(); ++k)
+            if (const auto drawn = faces.draw({draw.number(), draw.number()})) {
+                ++count;
+                above += dot(drawn->point.direction, normal) > -1e-6;
+            }
+        if (i % 3 == 0) CHECK(above == count);
+    }
+}
+
+TEST_CASE("the light of a box that the horizon cuts is the same by all its parts", "[luminaire]") {
+    Draw draw(6);
+    for (int i = 0; i < 30; ++i) {
+        const Vec3 from = std::pow(10, draw.between(-0.3, 0.5)) * draw.direction();
+        const Vec3 normal = unit(unit(cross(draw.direction(), from)) - 0.2 * unit(from));
+        const auto light = [&](const Vec3* horizon) {
+            const SeenFaces faces(box, nullptr, from, horizon);
+            double sum = 0;
+            constexpr int steps = 120;
+            for (int a = 0; a < steps && faces.any(); ++a)
+                for (int b = 0; b < steps; ++b)
+                    if (const auto drawn = faces.draw({(a + 0.5) / steps, (b + 0.5) / steps}))
+                        sum += std::fmax(dot(drawn->point.direction, normal), 0) /
+                               drawn->point.density / (steps * steps);
+            return sum;
+        };
+        CHECK(light(&normal) == Approx(light(nullptr)).epsilon(0.02).margin(1e-3));
+    }
 }
