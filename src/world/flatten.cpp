@@ -299,10 +299,12 @@ private:
     struct LeafVisitor {
         Flattener& flattener;
         std::vector<Inherited> around;
+        std::uint32_t shared_interior;  ///< of the whole, which is one solid
         bool transparent = false;
 
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
+            around.back().shared_interior = shared_interior;
             if (const Union* group = std::get_if<Union>(&object.form))
                 flattener.enter_group(*group, around.back());
         }
@@ -325,7 +327,7 @@ private:
     void add_composite(const Object& object, const Inherited& outer) {
         const std::size_t first = leaf_materials_.size();
         CompositeBuilder builder;
-        LeafVisitor visitor{*this, {outer}};
+        LeafVisitor visitor{*this, {outer}, object.interior ? 0 : outer.shared_interior};
         const PartRef root =
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));
