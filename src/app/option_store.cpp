@@ -137,6 +137,12 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
     options.compressed = found->compressed;
     std::string rest = text.substr(1);
     options.grey |= std::erase_if(rest, [](char c) { return c == 'g' || c == 'G'; }) > 0;
+    if (found->type == PictureType::jpeg && number(rest)) {
+        diagnostics.add(warning(Fault::option, {},
+                                message("the quality in `", given.argument,
+                                        "` is ignored: files have their formats' usual one")));
+        return;
+    }
     if (!rest.empty()) store::bits(options, {given.argument, true, rest}, diagnostics);
 }
 

@@ -145,9 +145,11 @@ private:
         std::optional<std::string> text = read(path);
         if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
         if (!text) {
-            const std::string name = harmless(*options_.scene);
+            const std::string name = harmless(*options_.scene),
+                              near = harmless(similar_file(*options_.scene, {""}, disk_lister()));
             diagnostics_.add(
-                error(Fault::io, {}, message("there is no scene `", name, "` that can be read")));
+                error(Fault::io, {}, message("there is no scene `", name, "` that can be read"))
+                    .with_help(near.empty() ? near : message("did you mean `", near, "`?")));
             return std::nullopt;
         }
         scene_folder_ = directory_of(path);

@@ -87,6 +87,8 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Ta
     // At the sphere nothing stays, whatever rounding says.
     JuliaOrbit here = julia_orbit(julia, near.at(t));
     here.stays = here.stays && t > first;
+    // A ray that leaves the surface may begin in a part of it that is smaller than what is seen.
+    if (here.stays) here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
     for (int n = 0; n < most_steps && t < until; ++n) {
         const double next = std::fmin(last, t + std::fmax(least, here.stays ? 0 : here.step));
         const JuliaOrbit there = next < last ? julia_orbit(julia, near.at(next)) : JuliaOrbit{};

@@ -106,19 +106,20 @@ Vec4 start(const JuliaSet& set, const Vec3& p) {
     return {p.x, p.y, p.z, (set.julia.distance - s.x * p.x - s.y * p.y - s.z * p.z) / s.w};
 }
 
-/// Bounds the distance to the set from below, as long as an orbit has not escaped and where it has.
-/// Quaternions have one size; a hypercomplex number is two complex ones, of which each has its own
-/// set: the point is as far away as from the further one.
+/// Bounds the distance to the set from below, from an orbit that escapes. Quaternions have one
+/// size; a hypercomplex number is two complex ones, of which each has its own set: the point is as
+/// far away as from the further one.
 class DistanceBound {
 public:
-    DistanceBound(bool two_numbers, double growth) : two_(two_numbers), growth_(growth) {}
+    DistanceBound(bool two_numbers, bool cubic) : two_(two_numbers), cubic_(cubic) {}
 
+    /// The function's derivative is 2 q or 3 q^2.
     void follow(const Vec4& q) {
         const Vec2 sizes = sizes2(q);
-        product2_ *= sizes;
-        factor_ /= growth_;
+        product2_ *= cubic_ ? sizes * sizes : sizes;
+        factor_ /= cubic_ ? 3 : 2;
     }
-    /// The logarithmic bound of each iteration's derivative: |q_n| ln|q_n| / (2 |q_n'|).
+    /// |q_n| ln|q_n| / (2 |q_n'|), where q_n' is the product of all derivatives.
     double at(const Vec4& q) const {
         const Vec2 sizes = sizes2(q);
         const double first = bound(sizes.x, product2_.x);
@@ -139,7 +140,7 @@ private:
     }
 
     bool two_;
-    double growth_;  ///< degree of the function
+    bool cubic_;
     double factor_ = 1;
     Vec2 product2_ = Vec2(1);
 };
@@ -168,7 +169,7 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
     const bool cubic = function_of(julia) == julia_cube && julia.algebra != hypercomplex_numbers;
     return with_function(julia, [&](const auto& image) -> JuliaOrbit {
         Vec4 q = start(set, point);
-        DistanceBound bound(julia.algebra == hypercomplex_numbers, cubic ? 3 : 2);
+        DistanceBound bound(julia.algebra == hypercomplex_numbers, cubic);
         for (int n = 0; n < julia.max_iteration; ++n) {
             if (const double distance2 = size2(q); distance2 > set.limit2)
                 return {false, distance2, set.by_formula ? 0 : bound.at(q)};

@@ -167,6 +167,8 @@ TEST_CASE("files that cannot be read or written are told of before any work") {
     Shell shell;
     CHECK(shell({shell.path("missing.pov")}) == 3);
     CHECK(has(shell.err, "missing.pov"));
+    CHECK(shell({shell.path("LIT.pov")}) == 3);
+    CHECK(has(shell.err, "did you mean `" + shell.path("lit.pov") + "`?"));
     CHECK(shell({shell.folder.string()}) == 3);
     CHECK(shell.render({"+O" + shell.path("no/such/x.png")}) == 3);
     CHECK(has(shell.err, "there is no folder"));

@@ -248,6 +248,7 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
         if (name == "a.ini") return "Width=10\nb.ini[Small]\n+H7\n[Wide]\nWidth=900\n";
         if (name == "b.ini") return "Height=3\n[Small]\nHeight=5\n--seed=9\nscene.pov";
         if (name == "loop.ini") return "loop.ini";
+        if (name == "many.ini") return "All_File=\n+W8  -A \"+H6\"\nFinal_Frame=\ns.pov";
         if (name == "wrong.ini") return "\nWidht=3";
         return {};
     };
@@ -261,6 +262,9 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
     CHECK(said({"a.ini"}) == "10x7 9 scene.pov");
     CHECK(said({"a.ini[wide]", "+W20"}) == "20x7 9 scene.pov");
     CHECK(said({"+W20", "a.ini[wide]"}) == "900x7 9 scene.pov");
+    CHECK(said({"a"}) == "10x7 9 scene.pov");
+    CHECK(said({"a[wide]"}) == "900x7 9 scene.pov");
+    CHECK(said({"many.ini"}) == "8x6 0 s.pov");
     CHECK(said({"a.ini[none]"}) == "`a.ini[none]`: the file has no section [none]");
     CHECK(said({"wrong.ini"}) == "wrong.ini:2: `Widht=3`: there is no such keyword");
     CHECK(said({"loop.ini"}) ==
