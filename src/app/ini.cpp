@@ -36,10 +36,35 @@ std::string_view unquoted(std::string_view value) {
 /// Blanks around the first `=` go, and quotes around the value.
 std::string as_argument(std::string_view line) {
     const std::size_t equals = line.find('=');
-    if (equals == line.npos || line[0] == '+' || line[0] == '-') return std::string(unquoted(line));
+    if (equals == line.npos || line[0] == '-') return std::string(unquoted(line));
     const std::string_view value = trimmed(line.substr(equals + 1));
     // A declared string keeps its quotes: they are what makes it a string.
     return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
+}
+
+/// The words of a line of switches; quotes keep blanks in a word.
+std::vector<std::string> words_of(std::string_view line) {
+    std::vector<std::string> words;
+    char quote = 0;
+    bool inside = false;
+    for (const char c : line) {
+        const bool begins = !quote && (c == '"' || c == '\'');
+        const bool ends = quote && c == quote;
+        if (begins || ends) {
+            quote = begins ? c : 0;
+        } else if (!quote && (c == ' ' || c == '\t')) {
+            inside = false;
+        } else {
+            if (!inside) words.emplace_back();
+            inside = true;
+            words.back() += c;
+        }
+    }
+    return words;
+}
+
+bool is_switch(std::string_view line) {
+    return !line.starts_with("--") && (line[0] == '+' || line[0] == '-');
 }
 
 }  // namespace
@@ -57,6 +82,8 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
             taken =
                 !section.empty() && same_letters(trimmed(line.substr(1, line.size() - 2)), section);
             found |= taken;
+        } else if (taken && !line.empty() && is_switch(line)) {
+            for (std::string& word : words_of(line)) lines.push_back({number, std::move(word)});
         } else if (taken && !line.empty()) {
             lines.push_back({number, as_argument(line)});
         }

@@ -42,6 +42,11 @@ bool keyword_form(std::string_view argument) {
     });
 }
 
+/// Whether no value means that there is no such file or command.
+bool may_be_empty(const OptionRow& row) {
+    return row.parameter == "command" || row.keyword.ends_with("_File");
+}
+
 bool names_a_scene(std::string_view argument) {
     return argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".pov");
 }
@@ -198,7 +203,7 @@ private:
         }
         const std::string text(argument.substr(equals + 1));
         if (row->takes == Takes::value) {
-            if (text.empty()) return fail(argument, "needs a value");
+            if (text.empty() && !may_be_empty(*row)) return without_value(argument);
             return accept(*row, {argument, true, text, where_});
         }
         const std::optional<bool> on = truth(text);
@@ -206,12 +211,26 @@ private:
         accept(*row, {argument, *on, {}, where_});
     }
 
+    /// POV-Ray's own INI files have such keywords, to be filled in.
+    void without_value(std::string_view argument) {
+        if (where_.empty()) return fail(argument, "needs a value");
+        diagnostics_.add(
+            warning(Fault::option, {},
+                    message(where_, ": `", harmless(argument), "` has no value and is ignored")));
+    }
+
     void read_long(std::string_view argument) {
         const std::size_t equals = argument.find('=');
         const OptionRow* row =
             find_named(&OptionRow::word,
                        argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
-        if (!row) return fail(argument, "there is no such option", meant(argument));
+        if (!row) {
+            const std::string near = meant(argument);
+            fail(argument, "there is no such option", near);
+            // Its value is no scene.
+            if (!near.empty() && next_ < arguments_.size() && number(arguments_[next_])) ++next_;
+            return;
+        }
         Given given{argument, true, {}, where_};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");

@@ -15,7 +15,8 @@ int before(const std::optional<double>& start, int size) {
 
 int up_to(const std::optional<double>& end, int size) {
     if (!end) return size;
-    const double rows = *end < 1 ? std::floor(*end * size) : *end;
+    // An end of 1 is all, as in POV-Ray, whose settings say `End_Row=1.0`.
+    const double rows = *end <= 1 ? std::floor(*end * size) : *end;
     return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(size)));
 }
 

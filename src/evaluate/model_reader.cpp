@@ -109,9 +109,9 @@ void ModelReader::wrong(const std::string& why) {
 std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const Polyhedra* library) {
     Evaluator& evaluator = block_.binder.evaluator;
     if (!asked.file.empty()) {
-        const auto path = evaluator.find_data(asked.file, block_.span);
+        const auto path = evaluator.find_data(asked.file, block_.file_place());
         if (!path) return std::nullopt;
-        return read_polyhedron(*path, evaluator.diagnostics(), block_.span);
+        return read_polyhedron(*path, evaluator.diagnostics(), block_.file_place());
     }
     SolidMesh solid;
     if (object_) {
