@@ -11,8 +11,13 @@ void say(const Console& console, Stream stream, std::string_view text, std::stri
         console.err(text);
 }
 
-void say(const Console& console, const Options& options, const Diagnostic& diagnostic,
+void say(const Console& console, const Options& options, const Diagnostic& said,
          const SourceStore& sources) {
+    Diagnostic diagnostic = said;
+    if (said.fault == Fault::include_not_found && console.library.empty())
+        diagnostic.with_note(
+            "no standard library was found beside the program; the variable CANDELABRA_STDLIB can "
+            "name its folder");
     if (options.diagnostics_as_json) return console.err(to_json(diagnostic, sources));
     say(console, diagnostic.severity == Severity::error ? Stream::fatal : Stream::warning,
         format(diagnostic, sources, console.coloured), format(diagnostic, sources, false));

@@ -42,28 +42,29 @@ std::string as_argument(std::string_view line) {
     return std::string(trimmed(line.substr(0, equals))) + "=" + std::string(unquoted(value));
 }
 
-/// Switches and file names with blanks between them, outside of quotes, which go.
+/// The words of a line of switches; quotes keep blanks in a word.
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
     char quote = 0;
-    bool within = false;
+    bool inside = false;
     for (const char c : line) {
-        const bool blank = !quote && blanks.find(c) != blanks.npos;
-        if (!blank && !within) words.emplace_back();
-        within = !blank;
-        if (blank) continue;
-        if (quote ? c == quote : (c == '"' || c == '\''))
-            quote = quote ? 0 : c;
-        else
+        const bool begins = !quote && (c == '"' || c == '\'');
+        const bool ends = quote && c == quote;
+        if (begins || ends) {
+            quote = begins ? c : 0;
+        } else if (!quote && (c == ' ' || c == '\t')) {
+            inside = false;
+        } else {
+            if (!inside) words.emplace_back();
+            inside = true;
             words.back() += c;
+        }
     }
     return words;
 }
 
-/// `+W320 +H240` are several, `Width=320` and `--noise=0.1` are one.
-std::vector<std::string> as_arguments(std::string_view line) {
-    const bool switches = (line[0] == '+' || line[0] == '-') && !line.starts_with("--");
-    return switches ? words_of(line) : std::vector{as_argument(line)};
+bool is_switch(std::string_view line) {
+    return !line.starts_with("--") && (line[0] == '+' || line[0] == '-');
 }
 
 }  // namespace
@@ -81,9 +82,10 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
             taken =
                 !section.empty() && same_letters(trimmed(line.substr(1, line.size() - 2)), section);
             found |= taken;
+        } else if (taken && !line.empty() && is_switch(line)) {
+            for (std::string& word : words_of(line)) lines.push_back({number, std::move(word)});
         } else if (taken && !line.empty()) {
-            for (std::string& option : as_arguments(line))
-                lines.push_back({number, std::move(option)});
+            lines.push_back({number, as_argument(line)});
         }
     }
     return found ? std::optional(std::move(lines)) : std::nullopt;

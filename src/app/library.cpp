@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/library.h"
 
+#include "text/harmless.h"
+#include "text/message.h"
+
 #include <filesystem>
-#include <vector>
 
 // Both are relative to the folder of the program, so that no path of the machine that built it is
 // part of it.
@@ -41,4 +43,24 @@ std::optional<std::string> settings_file(const char* chosen, const char* home) {
     for (const std::string& place : places)
         if (fs::is_regular_file(place, none)) return place;
     return std::nullopt;
+}
+
+std::vector<std::string> library_folders(const std::string& standard,
+                                         const std::vector<std::string>& given,
+                                         Diagnostics& diagnostics) {
+    // As in POV-Ray, whose settings name its own library before the command line is read.
+    std::vector<std::string> paths;
+    if (!standard.empty()) paths.push_back(standard);
+    for (std::string path : given) {
+        while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+        std::error_code none;
+        if (!fs::is_directory(path, none))
+            diagnostics.add(
+                warning(Fault::option, {},
+                        message("there is no folder `", harmless(path), "` to look for files in")));
+        paths.push_back(std::move(path));
+    }
+    // Pictures of the library stand in for others of their names only.
+    if (!standard.empty()) paths.push_back(standard + "/pictures");
+    return paths;
 }

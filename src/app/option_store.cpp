@@ -137,12 +137,12 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
     options.compressed = found->compressed;
     std::string rest = text.substr(1);
     options.grey |= std::erase_if(rest, [](char c) { return c == 'g' || c == 'G'; }) > 0;
-    if (found->type == PictureType::jpeg && number(rest)) {
-        diagnostics.add(warning(Fault::option, {},
-                                message("the quality in `", given.argument,
-                                        "` is ignored: files have their formats' usual one")));
-        return;
-    }
+    // How well a JPEG file is compressed.
+    if (options.type == PictureType::jpeg && number(rest))
+        return diagnostics.add(warning(Fault::option, {},
+                                       message(shown(given),
+                                               ": the number is ignored: JPEG files "
+                                               "are written in one quality")));
     if (!rest.empty()) store::bits(options, {given.argument, true, rest}, diagnostics);
 }
 
@@ -353,6 +353,10 @@ void store::limit_depth(Options& options, const Given& given, Diagnostics& diagn
 void store::limit_nesting(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.limits.nesting = limit(given, diagnostics).value_or(options.limits.nesting);
     options.limits.make_room();
+}
+
+void store::limit_objects(Options& options, const Given& given, Diagnostics& diagnostics) {
+    options.limits.objects = limit(given, diagnostics).value_or(options.limits.objects);
 }
 
 void store::limit_includes(Options& options, const Given& given, Diagnostics& diagnostics) {

@@ -58,6 +58,7 @@ void export_object(Options&, const Given&, Diagnostics&);
 void limit_steps(Options&, const Given&, Diagnostics&);
 void limit_depth(Options&, const Given&, Diagnostics&);
 void limit_nesting(Options&, const Given&, Diagnostics&);
+void limit_objects(Options&, const Given&, Diagnostics&);
 void limit_includes(Options&, const Given&, Diagnostics&);
 void limit_elements(Options&, const Given&, Diagnostics&);
 void limit_memory(Options&, const Given&, Diagnostics&);

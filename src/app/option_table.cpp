@@ -15,7 +15,7 @@ constexpr std::string_view no_radiosity = "there is no radiosity";
 constexpr std::string_view no_preview = "no preview is shown";
 constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";
-constexpr std::string_view old = "it has no meaning any more";
+constexpr std::string_view older = "it changes nothing in a picture";
 constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view kd_tree = "a kd-tree is always used";
 
@@ -115,7 +115,8 @@ constexpr auto rows = std::to_array<OptionRow>({
     option(
         "SR", "Start_Row", "", value, "n", store::start_row,
         "first row that is rendered, from 1; below 1 a fraction; the picture is black elsewhere"),
-    option("ER", "End_Row", "", value, "n", store::end_row, "last row that is rendered"),
+    option("ER", "End_Row", "", value, "n", store::end_row,
+           "last row that is rendered; up to 1 a fraction"),
     option("SC", "Start_Column", "", value, "n", store::start_column,
            "first column that is rendered"),
     option("EC", "End_Column", "", value, "n", store::end_column, "last column that is rendered"),
@@ -146,6 +147,8 @@ constexpr auto rows = std::to_array<OptionRow>({
            "how many calls of macros may be open inside each other (200,000)"),
     option("", "", "limit-nesting", value, "n", store::limit_nesting,
            "how many objects may be inside each other (10,000)"),
+    option("", "", "limit-objects", value, "n", store::limit_objects,
+           "how many objects a scene may make, parts of unions included (20 million)"),
     option("", "", "limit-includes", value, "n", store::limit_includes,
            "how many included files may be open inside each other (100)"),
     option("", "", "limit-elements", value, "n", store::limit_elements,
@@ -178,8 +181,9 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("GI", "", "", sign_and_value, "file", store::create_ini,
            "writes all options in force to an INI file"),
     option("", "Create_Ini", "", value, "file", store::create_ini, "the same; off: none"),
-    option("V", "Verbose", "", sign, "", store::verbose,
-           "progress and a summary (the default); -V: warnings and errors only"),
+    option(
+        "V", "Verbose", "", sign, "", store::verbose,
+        "progress and a summary (the default); -V: only warnings, errors and what the scene says"),
     option("GA", "All_Console", "", sign_and_value, "file", store::all_streams,
            "all that is said appears (the default), and goes to a file, too; -GA: nothing appears"),
     option("", "All_File", "", value, "file", store::all_stream_files,
@@ -277,21 +281,21 @@ constexpr auto rows = std::to_array<OptionRow>({
             "pictures are kept in memory; --memory limits all of it"),
     ignored("SS", "Stochastic_Seed", value, "n", "see --seed"),
     ignored("AC", "Antialias_Confidence", value, "n", "see --noise"),
+    ignored("", "Histogram_Name", value, "file", older),
+    ignored("", "Histogram_Type", value, "x", older),
+    ignored("", "Histogram_Grid_Size", value, "n", older),
+    ignored("", "Buffer_Output", value, "x", older),
+    ignored("", "Buffer_Size", value, "n", older),
+    ignored("", "Video_Mode", value, "x", older),
+    ignored("", "Palette", value, "x", older),
+    ignored("", "Draw_Vistas", value, "x", older),
+    ignored("", "Real_Time_Raytracing", value, "x", older),
+    ignored("", "Clockless_Animation", value, "x", older),
+    ignored("", "Compression", value, "n", "each format is compressed in its usual way"),
     ignored("", "Display_Gamma", value, "g", no_preview),
     ignored("", "User_Abort_Return", value, "action", over),
     ignored("", "Fatal_Error_Return", value, "action", over),
     ignored("", "Continue_Trace_Log", value, "file", "states have names of their own; see STATES"),
-    ignored("", "Histogram_Name", value, "file", old),
-    ignored("", "Histogram_Type", value, "x", old),
-    ignored("", "Histogram_Grid_Size", value, "n", old),
-    ignored("", "Buffer_Output", sign, "", old),
-    ignored("", "Buffer_Size", value, "n", old),
-    ignored("", "Video_Mode", value, "x", old),
-    ignored("", "Palette", value, "x", old),
-    ignored("", "Draw_Vistas", sign, "", old),
-    ignored("", "Clockless_Animation", sign, "", old),
-    ignored("", "Real_Time_Raytracing", sign, "", old),
-    ignored("", "Compression", value, "n", "files are stored in their formats' usual quality"),
     benchmark,
     refused("TH", "Dither", sign_and_value, "x",
             "pictures are not dithered; 16 bits have no steps that are seen: +FN16"),

@@ -42,6 +42,11 @@ bool keyword_form(std::string_view argument) {
     });
 }
 
+/// Whether no value means that there is no such file or command.
+bool may_be_empty(const OptionRow& row) {
+    return row.parameter == "command" || row.keyword.ends_with("_File");
+}
+
 bool names_a_scene(std::string_view argument) {
     return argument.size() > 4 && same_letters(argument.substr(argument.size() - 4), ".pov");
 }
@@ -209,15 +214,21 @@ private:
                 near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
         }
         const std::string text(argument.substr(equals + 1));
-        // POV-Ray's INI files name keywords that they leave as they are.
-        if (text.empty() && !where_.empty()) return;
         if (row->takes == Takes::value) {
-            if (text.empty()) return fail(argument, "needs a value");
+            if (text.empty() && !may_be_empty(*row)) return without_value(argument);
             return accept(*row, {argument, true, text, where_});
         }
         const std::optional<bool> on = truth(text);
         if (!on) return fail(argument, "the value must be on or off");
         accept(*row, {argument, *on, {}, where_});
+    }
+
+    /// POV-Ray's own INI files have such keywords, to be filled in.
+    void without_value(std::string_view argument) {
+        if (where_.empty()) return fail(argument, "needs a value");
+        diagnostics_.add(
+            warning(Fault::option, {},
+                    message(where_, ": `", harmless(argument), "` has no value and is ignored")));
     }
 
     void read_long(std::string_view argument) {
@@ -226,11 +237,11 @@ private:
             find_named(&OptionRow::word,
                        argument.substr(2, equals == std::string_view::npos ? equals : equals - 2));
         if (!row) {
+            const std::string near = meant(argument);
+            fail(argument, "there is no such option", near);
             // Its value is no scene.
-            if (equals == std::string_view::npos && next_ < arguments_.size() &&
-                number(arguments_[next_]))
-                ++next_;
-            return fail(argument, "there is no such option", meant(argument));
+            if (!near.empty() && next_ < arguments_.size() && number(arguments_[next_])) ++next_;
+            return;
         }
         Given given{argument, true, {}, where_};
         if (equals != std::string_view::npos) given.value = argument.substr(equals + 1);

@@ -13,9 +13,9 @@ int before(const std::optional<double>& start, int size) {
     return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(size)));
 }
 
-/// An end of 1 is all of it, as in POV-Ray, whose INI files say End_Row=1.0.
 int up_to(const std::optional<double>& end, int size) {
     if (!end) return size;
+    // An end of 1 is all, as in POV-Ray, whose settings say `End_Row=1.0`.
     const double rows = *end <= 1 ? std::floor(*end * size) : *end;
     return static_cast<int>(std::clamp(rows, 0.0, static_cast<double>(size)));
 }

@@ -27,7 +27,8 @@ std::string font_name(const Text& text) {
 void complete_text(OpenBlock& block, Shared<Text>& text) {
     const std::string name = font_name(*text);
     if (name.empty() || text->text.empty()) return;
-    const std::optional<std::string> font = block.binder.evaluator.load_font(name, block.span);
+    const std::optional<std::string> font =
+        block.binder.evaluator.load_font(name, block.file_place());
     if (!font) {
         block.broken = true;
         return;
@@ -37,7 +38,7 @@ void complete_text(OpenBlock& block, Shared<Text>& text) {
         text.edit().letters = make_handle<Letters>(Letters{std::move(outlines.loops)});
         return;
     }
-    block.report(error(Fault::file_access, block.span,
+    block.report(error(Fault::file_access, block.file_place(),
                        message("the font `", name, "` cannot be used: ", outlines.problem)));
 }
 
@@ -77,11 +78,11 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
         return;
     }
     if (field->file.empty()) return;
-    const auto path = block.binder.evaluator.find_data(field->file, block.span);
+    const auto path = block.binder.evaluator.find_data(field->file, block.file_place());
     std::optional<Heights> heights;
     if (path)
-        heights =
-            read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(), block.span);
+        heights = read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(),
+                               block.file_place());
     block.broken |= !heights;
     if (heights)
         field.edit().grid = make_handle<HeightGrid>(

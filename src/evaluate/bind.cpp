@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/bind.h"
 
+#include "evaluate/bare_vector.h"
 #include "evaluate/lists.h"
 #include "evaluate/parts.h"
 #include "text/message.h"
@@ -21,8 +22,9 @@ ItemReader::ItemReader(OpenBlock& block, const ItemInfo& info, void* item) : blo
     rebind(info, item);
 }
 
-void ItemReader::rebind(const ItemInfo& info, void* item) {
+void ItemReader::rebind(const ItemInfo& info, void* item, Span word) {
     assert(info.fields.size() <= 64 && !waiting());
+    item_span_ = word;
     info_ = &info;
     item_ = item;
     positional_ = info.positional;
@@ -292,16 +294,18 @@ void ItemReader::store_and_go_on(int field, const Element& element) {
 }
 
 void ItemReader::store(int field, const Element& element) {
-    if (element.value.broken()) {
-        block_.broken = true;
-        return;
-    }
+    block_.broken |= element.value.broken();
+    if (element.value.broken()) return;
     const FieldInfo& info = info_->fields[field];
     if (element.value.numbers() && info.type == FieldType::boolean)
         given_ &= ~(std::uint64_t{1} << field);
     const auto name = [&] { return of_block(field); };
     const auto way_out = [&] { return help(field); };
     auto value = converted(block_, element, info.type, {name, way_out});
+    if (value && field < positional_ && (offender(info.range, *value) || info.range.any_sign))
+        if (const auto bare = bare_vectors(element, *info_)) return block_.report(*bare);
+    if (info.type == FieldType::text && info.name != "text")  // others name files
+        block_.file_span = element.span;
     if (value && in_range(info.range, {name, way_out}, *value, element.span))
         set(field, *value, element.span);
 }
@@ -352,16 +356,21 @@ void ItemReader::finish() {
                 .with_help(block_.help()));
         return;
     }
-    std::string names;
+    std::string names, values;
     for (int i = next_; i < positional_ && !info_->fields[i].may_be_left_out; ++i) {
         const bool last = i + 1 == positional_ || info_->fields[i + 1].may_be_left_out;
         names += message(names.empty() ? ""
                          : last        ? " and "
                                        : ", ",
                          '`', info_->fields[i].name, '`');
+        values += message(' ', info_->fields[i].name);
     }
-    block_.report(error(Fault::missing, block_.span, message(block_.quoted(), " needs ", names))
-                      .with_help(block_.help()));
+    const bool own = item_span_.known();
+    block_.report(
+        error(Fault::missing, own ? item_span_ : block_.span,
+              message(own ? message('`', info_->name, '`') : block_.quoted(), " needs ", names))
+            .with_help(own ? message(block_.name, " { ", info_->name, values, " }")
+                           : block_.help()));
 }
 
 void ItemReader::read_list(int field, const Element& element) {

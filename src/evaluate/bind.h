@@ -21,8 +21,9 @@ public:
     void finish();
     void add_words(WordList&) const;
 
-    /// From now on another item is read, which may be of another type. Precondition: not waiting().
-    void rebind(const ItemInfo&, void* item);
+    /// From now on another item is read, which may be of another type. `word`: its own, where the
+    /// block has another. Precondition: not waiting().
+    void rebind(const ItemInfo&, void* item, Span word = {});
     /// The item is a copy of a complete one: nothing has to be given.
     void complete() { next_ = positional_; }
     /// Words may come again and again, each time with an effect of its own.
@@ -82,6 +83,7 @@ private:
     int alone_ = -1;
     double alone_value_ = 0;
     Span word_span_;
+    Span item_span_ = {};  ///< of the item's word, when that is not the block's
     std::uint64_t given_ = 0;
     FieldValue entries_;     ///< of the counted field, as far as they have come
     int entries_left_ = -1;  ///< -1: none are expected now

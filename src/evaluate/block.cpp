@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/block.h"
 
+#include "evaluate/bare_vector.h"
 #include "evaluate/objects.h"
+#include "evaluate/previous.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
 #include "text/message.h"
@@ -69,6 +71,24 @@ constexpr auto structure = std::array{
     Structure{"uv_mapping", "object"},
 };
 
+/// Words that other programs have for what this language calls otherwise.
+struct Synonym {
+    std::string_view word, meant;
+};
+constexpr auto synonyms = std::array{
+    Synonym{"jpg", "jpeg"},          Synonym{"tif", "tiff"},
+    Synonym{"position", "location"}, Synonym{"eye", "location"},
+    Synonym{"fov", "angle"},         Synonym{"move", "translate"},
+    Synonym{"opacity", "transmit"},  Synonym{"shininess", "phong_size"},
+    Synonym{"bump", "normal"},
+};
+
+std::string_view synonym(std::string_view word) {
+    for (const Synonym& each : synonyms)
+        if (each.word == word) return each.meant;
+    return {};
+}
+
 /// Words that follow a word without effect, and need not be spoken of.
 constexpr std::string_view values_of_charset = "utf8 ascii sys";
 
@@ -112,13 +132,6 @@ bool takes_braces(NameId word) {
     return makes_object(word) || std::ranges::find(others, word) != others.end();
 }
 
-/// The node before that one in its list, or no_node.
-NodeId previous(const Tree& tree, NodeId node) {
-    for (auto id = static_cast<std::uint32_t>(node); id-- > 0;)
-        if (tree.nodes[id].next == node) return NodeId(id);
-    return no_node;
-}
-
 /// `rotate y 45`: how a movement along an axis is written, when the value follows one; empty when
 /// not.
 std::string moved_without_times(const Element& element, const Names& names) {
@@ -133,6 +146,14 @@ std::string moved_without_times(const Element& element, const Names& names) {
     if (!moves) return {};
     return message(names.spelling(word->word), ' ', names.spelling(constant->word), '*',
                    number->at[0]);
+}
+
+/// Whether the value stands behind a #debug or a relative of it, or behind another string.
+bool follows_message(const Element& element) {
+    const auto& [tree, node] = element.origin;
+    const NodeId before = tree ? previous(*tree, node) : no_node;
+    return before != no_node &&
+           (tree->get_if<node::Message>(before) || tree->get_if<node::Text>(before));
 }
 
 /// "a texture" without its article.
@@ -228,7 +249,9 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         reject_reserved(element, word);
         return false;
     }
-    const std::string near = nearest(word, words);
+    std::string near = nearest(word, words);
+    if (const std::string_view meant = synonym(word); !meant.empty())
+        if (std::ranges::find(words, meant) != words.end()) near = meant;
     if (!near.empty()) {
         report(error(Fault::unknown_word, element.word_span,
                      message(quoted(), " has no word `", word, "`"))
@@ -287,7 +310,9 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", quoted()));
         std::string places;
-        for (const std::string_view home : homes(word))
+        // What a scene may hold as well is at home in many blocks.
+        const bool anywhere = makes_object(element.word);
+        for (const std::string_view home : anywhere ? std::vector<std::string_view>() : homes(word))
             places += message(places.empty() ? "" : ", ", '`', home, '`');
         if (!places.empty()) misplaced.with_note(message("it belongs in ", places));
         report(std::move(misplaced.with_help(help())));
@@ -303,6 +328,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
 void OpenBlock::reject_value(const Element& element) {
     if (element.value.broken()) broken = true;
     if (element.value.absent() || broken) return;
+    if (const auto bare = bare_vector(element, binder.evaluator.names())) return report(*bare);
     if (const std::string meant = moved_without_times(element, binder.evaluator.names());
         !meant.empty()) {
         report(error(Fault::misplaced, element.span, "this number belongs to nothing")
@@ -323,6 +349,7 @@ void OpenBlock::reject_value(const Element& element) {
     }
     if (number && item && !item->fields.empty() &&
         item->fields.front().place == Placement::positional) {
+        if (const auto bare = bare_vectors(element, *item)) return report(*bare);
         const auto most = std::ranges::count_if(
             item->fields, [](const FieldInfo& f) { return f.place == Placement::positional; });
         report(error(Fault::wrong_count, element.span,
@@ -335,7 +362,8 @@ void OpenBlock::reject_value(const Element& element) {
         error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()));
     const std::string_view bare = bare_kind(element.value);
     if (name.empty() && element.value.text())
-        stray.with_help("strings are joined by concat(a, b)");
+        stray.with_help(follows_message(element) ? "strings are joined by concat(a, b)"
+                                                 : "#debug \"...\\n\" prints a string");
     else if (!number && element.word != no_name && available(bare) && bare != name)
         stray.with_help(message("did you mean `", bare, " { ", spelling(element.word), " }`?"));
     else

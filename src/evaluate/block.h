@@ -33,6 +33,9 @@ public:
     std::string_view effectless = {};  ///< words of POV-Ray that may stand here and change nothing
     bool broken = false;  ///< something has been reported: do not speak of what follows from it
     int taken = 0;        ///< elements that readers took
+    Span file_span = {};  ///< of the name of a file that the block has given
+    /// Where to report what is wrong with that file.
+    Span file_place() const { return file_span.known() ? file_span : span; }
     /// Textures of the parts of a shape; null where parts have none.
     std::vector<Handle<Texture>>* part_textures = nullptr;
 

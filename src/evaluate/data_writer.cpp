@@ -48,7 +48,8 @@ DataWriter::DataWriter(const std::string& path, bool append)
 
 void DataWriter::put(std::string_view text) {
     bytes_ += text.size();
-    if (failed_ || text.empty()) return;
+    if (text_) text_->append(text);
+    if (text_ || failed_ || text.empty()) return;
     failed_ = std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size();
 }
 

@@ -26,6 +26,8 @@ class DataWriter {
 public:
     /// A path that the door has given. Links are not followed any more.
     DataWriter(const std::string& path, bool append);
+    /// What is written goes to the end of this text, and to no disk.
+    explicit DataWriter(std::shared_ptr<std::string> text) : text_(std::move(text)) {}
 
     /// Whether there is such a file and all that was written has gone well so far.
     bool good() const { return !failed_; }
@@ -48,6 +50,7 @@ private:
     void put(std::string_view);
 
     std::unique_ptr<std::FILE, Close> file_;
+    std::shared_ptr<std::string> text_;  ///< instead of the file
     std::uint64_t bytes_ = 0;
     bool failed_ = false;
 };

@@ -175,7 +175,10 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
     if (!indices(tree, index.indices, places)) return;
     Value* array = scope.edit(index.name);
     if (!array) {
-        unknown_name(index.name, span);
+        const std::string_view name = names.spelling(index.name);
+        report(error(Fault::unknown_name, span, message("there is no array `", name, "`"))
+                   .with_help(message("make it first: #declare ", name, " = array[10];")));
+        if (diagnostics.full()) stopped_ = true;
         return;
     }
     const Place place = edit_element(*array, places, span);

@@ -94,13 +94,50 @@ bool Evaluator::State::too_many_steps(const Tree& tree, NodeId place) {
     return true;
 }
 
+void Evaluator::State::count_object(Span span) {
+    if (++objects <= limits.objects || stopped_) return;
+    Diagnostic problem = error(
+        Fault::loop_limit, span,
+        message("this scene makes more than ", limits.objects, " objects, which is the limit"));
+    report(point_at_loop(problem).with_help(
+        "something in a loop must make its condition false, or #break; --limit-objects raises the "
+        "limit"));
+    stopped_ = true;
+}
+
+/// When evaluation ends early, open loops are left as they are: a report says which there were.
+void Evaluator::State::open_loop(const Tree& tree, NodeId first) {
+    Span place = tree.span(first);
+    for (NodeId id = tree[first].next; id != no_node; id = tree[id].next)
+        place = join(place, tree.span(id));
+    loops.push_back({place, 0});
+}
+
+const OpenLoop* Evaluator::State::busiest_loop() const {
+    const OpenLoop* busiest = nullptr;
+    for (const OpenLoop& each : loops)
+        if (!busiest || each.passes >= busiest->passes) busiest = &each;
+    return busiest;
+}
+
+Diagnostic& Evaluator::State::point_at_loop(Diagnostic& problem) const {
+    if (const OpenLoop* loop = busiest_loop())
+        problem.pointing(loop->place, message("in this loop, which has run ", loop->passes,
+                                              loop->passes == 1 ? " time" : " times"));
+    return problem;
+}
+
 Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, const Sink& take) {
+    const std::size_t outer = loops.size();
+    open_loop(tree, node.condition);
     while (condition(tree, node.condition) && !stopped_) {
         if (too_many_steps(tree, node.condition)) return Flow::stopped;
+        ++loops[outer].passes;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
     }
+    loops.resize(outer);
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
@@ -155,8 +192,11 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
     scope.declare_local(name, start);
     if (!(step > 0 ? start < end + tolerance : start > end - tolerance)) return Flow::end;
     double i = start;
+    const std::size_t outer = loops.size();
+    open_loop(tree, node.range);
     while (step > 0 ? i <= end + tolerance : i >= end - tolerance) {
         if (too_many_steps(tree, id)) return Flow::stopped;
+        ++loops[outer].passes;
         const Flow flow = walk(tree, node.body, take);
         if (flow == Flow::stopped) return flow;
         if (flow == Flow::broken) break;
@@ -169,6 +209,7 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
         i = *now + step;
         scope.declare_local(name, i);
     }
+    loops.resize(outer);
     return stopped_ ? Flow::stopped : Flow::end;
 }
 

@@ -31,8 +31,11 @@ public:
         if (take_stray_setting(element)) return;
         if (element.kind == Element::Kind::block) return take_block(element);
         if (element.kind == Element::Kind::value) {
-            if (const auto object = element.value.handle<Object>()) return add(another(object));
-            if (const auto light = element.value.handle<PlacedLight>()) return add_light(*light);
+            const auto object = element.value.handle<Object>();
+            const auto light = element.value.handle<PlacedLight>();
+            if (object || light) binder_.evaluator.count_object(element.span);
+            if (object) return add(another(object));
+            if (light) return add_light(*light);
         }
         stray(element);
     }
@@ -133,7 +136,9 @@ private:
 
     void take_block(const Element& element) {
         top_.resume();
-        if (element.word == "light_source"_word) {
+        const bool light = element.word == "light_source"_word;
+        if (light || makes_object(element.word)) binder_.evaluator.count_object(element.word_span);
+        if (light) {
             if (const auto light = read_light(binder_, element)) add_light(*light);
         } else if (makes_object(element.word)) {
             auto object =

@@ -53,6 +53,7 @@ const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noi
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
 void Evaluator::stop() { state_->stopped_ = true; }
+void Evaluator::count_object(Span span) { state_->count_object(span); }
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
@@ -153,9 +154,17 @@ void Evaluator::State::run_within_memory(SourceId main) {
         reserve.reset();
         stopped_ = true;
         const std::vector<Frame> open = frames.list(names, sources);
-        report(error(Fault::io, open.empty() ? Span() : open.front().called_at,
-                     "there is not enough memory to evaluate this scene")
-                   .with_help("--limit-memory says how much there may be"));
+        const OpenLoop* loop = busiest_loop();
+        Diagnostic problem = error(Fault::io,
+                                   loop           ? loop->place
+                                   : open.empty() ? Span()
+                                                  : open.front().called_at,
+                                   "there is not enough memory to evaluate this scene");
+        if (loop) problem.with_label(message("this loop has run ", loop->passes, " times"));
+        report(problem.with_help(loop ? "a loop that does not end needs a condition that becomes "
+                                        "false, or #break; --limit-memory says how much memory "
+                                        "there may be"
+                                      : "--limit-memory says how much there may be"));
     }
 }
 
@@ -166,9 +175,17 @@ void Evaluator::State::run(SourceId main) {
     if (diagnostics.failed()) stopped_ = true;
     codes.add(tree);
     const auto take = [&](const Element& element) { meaning.top(element); };
-    if (!stopped_ && !facts.header.empty())
+    if (!stopped_ && !facts.header.empty()) {
+        const std::string directory = directory_of(sources.name(main));
+        if (!loader.load(facts.header, directory)) {
+            report(loader.problem(facts.header, {}, FileKind::include, directory)
+                       .with_note("Include_Header or +HI names it"));
+            stopped_ = true;
+            return;
+        }
         if (const Tree* header = load(facts.header, {main, 0, 0}))
             walk_whole(*header, header->first, take);
+    }
     if (!stopped_) walk_whole(tree, tree.first, take);
 }
 

@@ -141,6 +141,9 @@ public:
     bool stopped() const;
     /// Evaluates nothing more: going on makes no sense.
     void stop();
+    /// To be called for each object that the scene keeps, at its place. Stops with a report when
+    /// there are more than the limits allow.
+    void count_object(Span);
 
     std::string_view spelling(NameId) const;
     Names& names();

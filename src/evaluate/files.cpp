@@ -51,14 +51,25 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
             error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
                 .with_note(loader.door().writing_rule())
                 .with_help(Door::writing_help(file.name)));
-    auto writer = std::make_unique<DataWriter>(*path, append);
+    auto writer = writer_for(*path, append);
     if (!writer->good())
         return report(
             error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
     // An #include of this file is to see what is in it then.
-    loader.written(*path);
+    if (!loader.keeps_off_disk()) loader.written(*path);
     loaded.erase(*path);
     file.writer = std::move(writer);
+}
+
+/// A writer at a destination of the door; in a run that changes nothing it writes to memory, where
+/// the loader finds the text.
+std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
+    if (!loader.keeps_off_disk()) return std::make_unique<DataWriter>(path, append);
+    auto text = std::make_shared<std::string>();
+    if (append)
+        if (auto before = loader.load(path, {}, FileKind::data)) *text = std::move(before->text);
+    loader.written(path, text);
+    return std::make_unique<DataWriter>(std::move(text));
 }
 
 Handle<DataFile> Evaluator::State::open_file_named(const Tree& tree, NodeId id) {

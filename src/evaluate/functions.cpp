@@ -13,9 +13,10 @@
 #include <cmath>
 
 std::size_t RandomStreams::open(double seed) {
-    // Through 64 bits: seeds that are negative or big wrap as in POV-Ray.
-    const double limited = std::isfinite(seed) && std::abs(seed) < 9e18 ? seed : 0;
-    states_.push_back(static_cast<std::uint32_t>(static_cast<std::int64_t>(limited)));
+    // Cut off to 32 bits with a sign; what does not fit becomes the least, as in POV-Ray.
+    constexpr double least = -2147483648.0;
+    const double whole = seed > least - 1 && seed < -least ? std::trunc(seed) : least;
+    states_.push_back(static_cast<std::uint32_t>(static_cast<std::int32_t>(whole)));
     return states_.size() - 1;
 }
 

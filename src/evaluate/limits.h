@@ -13,6 +13,7 @@ struct Limits {
     std::size_t include_depth = 100;           ///< include files inside each other
     std::uint64_t steps = 200'000'000;         ///< passes of loops and calls of macros, in all
     std::size_t array_elements = 100'000'000;  ///< of one array
+    std::uint64_t objects = 20'000'000;        ///< in all, parts of unions included
     std::uint64_t written_bytes = std::uint64_t{1} << 30;  ///< by #write, in all files together
     /// Set aside; hardly ever is so much used.
     std::size_t stack_bytes = std::size_t{1} << 30;

@@ -9,7 +9,9 @@
 #include "evaluate/model_reader.h"
 #include "evaluate/models.h"
 #include "evaluate/object_draft.h"
+#include "evaluate/texture_list.h"
 #include "evaluate/transforms.h"
+#include "solid/solid.h"
 #include "text/message.h"
 
 namespace {
@@ -34,6 +36,7 @@ public:
         if (element.word == "cutaway_textures"_word) return take_cutaway();
         if (element.kind != Element::Kind::block || kind_ == Kind::shape) return false;
         if (!makes_object(element.word)) return false;
+        if (kind_ == Kind::together) block_.binder.evaluator.count_object(element.word_span);
         if (row_goes_on()) {
             std::optional<ObjectHandle> made =
                 read_object_into(together().children, {}, block_.binder, element);
@@ -87,6 +90,7 @@ private:
         const Handle<Object> object = element.value.handle<Object>();
         const Handle<PlacedLight> light = element.value.handle<PlacedLight>();
         if (!object && !(light && kind_ != Kind::shape)) return false;
+        if (kind_ == Kind::together) block_.binder.evaluator.count_object(element.span);
         if (!welcome(element.span)) return true;
         if (!object) {
             PlacedLight placed = *light;
@@ -101,8 +105,19 @@ private:
         return true;
     }
 
+    /// What is cut must not have an inside, but what cuts must.
+    [[gnu::noinline]] void check_inside(const Object& made) {
+        const bool cuts = together().csg == Csg::difference;
+        if ((cuts && together().children.empty()) || has_inside(made)) return;
+        block_.report(warning(Fault::no_effect, made.span,
+                              cuts ? "this has no inside, so it cuts nothing off the others"
+                                   : "this has no inside, so it leaves nothing of the others")
+                          .with_help("triangles have no inside; a mesh gets one by inside_vector"));
+    }
+
     void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
+            if (cuts(together())) check_inside(*made);
             append_lights(*made, together().lights);
             nest(draft_.made.edit(), *made);
             together().children.push_back(std::move(made));
@@ -265,7 +280,9 @@ private:
 
     void check(const Shape& shape) {
         const std::string wrong = problem(shape);
-        if (wrong.empty()) return check_looks(shape), leave_out_if_nothing(shape);
+        if (wrong.empty())
+            return check_looks(block_, shape, draft_.part_textures.size()),
+                   leave_out_if_nothing(shape);
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
     }
 
@@ -278,21 +295,6 @@ private:
             block_.report(warning(Fault::degenerate, element_.word_span,
                                   message("this ", block_.quoted(), " is left out: ", why)));
         draft_.made.edit().form = Union{};
-    }
-
-    /// Faces name textures that there are.
-    void check_looks(const Shape& shape) {
-        const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
-        if (!mesh) return;
-        const int count = static_cast<int>(draft_.part_textures.size());
-        for (const Face& looks : (*mesh)->looks)
-            for (const int look : looks)
-                if (look < -1 || look >= count) {
-                    block_.report(error(Fault::bad_index, element_.word_span,
-                                        message("a face has texture ", look, ", but there are ",
-                                                count, " in `texture_list`, counted from 0")));
-                    return;
-                }
     }
 
     const Element& element_;

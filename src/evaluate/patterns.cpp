@@ -241,14 +241,14 @@ bool PatternReader::take_word(const Element& element) {
     }
     const std::size_t kind = Patterns::find(element.word);
     if (kind == Patterns::count) return false;
-    name(kind);
+    name(kind, element.span);
     name_span_ = element.span;
     return true;
 }
 
-void PatternReader::name(std::size_t kind) {
+void PatternReader::name(std::size_t kind, Span word) {
     draft_.pattern = Patterns::make(kind);
-    fields_.rebind(*Patterns::infos[kind], Patterns::address(*draft_.pattern));
+    fields_.rebind(*Patterns::infos[kind], Patterns::address(*draft_.pattern), word);
     name_pattern(*draft_.pattern, draft_.modifiers, draft_.wave);
     last_ = &fields_;
     named_ = true;

@@ -55,7 +55,7 @@ private:
     bool belongs_here(Span);
     bool read_object_pattern(const Element&);
     void take_made(Pattern, Span);
-    void name(std::size_t kind);
+    void name(std::size_t kind, Span word = {});
     void read_warp(const Element&);
 
     OpenBlock& block_;

@@ -71,6 +71,7 @@ PictureReader::PictureReader(OpenBlock& block, Pattern& pattern)
 
 void PictureReader::add_words(WordList& words) const {
     fields_.add_words(words);
+    for (const NameId kind : file_kinds) words.push_back(block_.spelling(kind));
     if (takes_colours(pattern_)) words.insert(words.end(), {"filter", "transmit"});
 }
 
@@ -172,13 +173,14 @@ void PictureReader::load() {
         return;
     } else {
         Binder& binder = block_.binder;
-        const auto path = binder.evaluator.find_data(map_.file, block_.span);
+        const auto path = binder.evaluator.find_data(map_.file, block_.file_place());
         block_.broken |= !path;
         if (!path) return;
         const TexelCoding how = coding(binder, pattern_, map_);
         Handle<Texels>& known = binder.pictures[{*path, how}];
         if (!known) {
-            auto read = read_texels(*path, how, binder.evaluator.diagnostics(), block_.span);
+            auto read =
+                read_texels(*path, how, binder.evaluator.diagnostics(), block_.file_place());
             block_.broken |= !read;
             if (!read) return;
             known = make_handle<Texels>(std::move(*read));

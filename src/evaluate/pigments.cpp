@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/bare_vector.h"
 #include "evaluate/colour_maps.h"
 #include "evaluate/patterns.h"
 #include "evaluate/textures.h"
@@ -51,7 +52,7 @@ public:
 
     bool take(const Element& element) {
         if (pattern_.names_pattern(element)) {
-            if (already_coloured(element.span)) return true;
+            if (already_coloured(element)) return true;
             take_pattern(element);
             return true;
         }
@@ -92,7 +93,7 @@ private:
             });
             return true;
         }
-        if (already_coloured(element.span)) return true;
+        if (already_coloured(element)) return true;
         coloured_ = true;
         draft_.clear();
         if (const std::optional<Colour> colour = plain_colour(block_, element))
@@ -190,12 +191,14 @@ private:
         return words[static_cast<std::size_t>(number - 2)];
     }
 
-    bool already_coloured(Span span) {
+    bool already_coloured(const Element& element) {
         if (!coloured_ && !pattern_.named()) return false;
-        if (!block_.broken)
-            block_.report(error(Fault::misplaced, span,
-                                "a pigment has one colour or one pattern, and this is a second")
-                              .with_help(block_.help()));
+        if (block_.broken) return true;
+        const auto bare = bare_vector(element, block_.binder.evaluator.names());
+        block_.report(bare ? *bare
+                           : error(Fault::misplaced, element.span,
+                                   "a pigment has one colour or one pattern, and this is a second")
+                                 .with_help(block_.help()));
         return true;
     }
 

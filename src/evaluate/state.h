@@ -26,6 +26,12 @@ enum class Flow {
     stopped  ///< nothing more is evaluated
 };
 
+/// A loop that is running.
+struct OpenLoop {
+    Span place;  ///< its condition or range
+    std::uint64_t passes = 0;
+};
+
 /// `[i][j]`, computed.
 struct Indices {
     std::array<double, 16> values;
@@ -202,6 +208,13 @@ struct Evaluator::State {
     Flow directive(const Tree&, NodeId, const Sink& take);
     /// Counts one more step; reports when it is one too many.
     bool too_many_steps(const Tree&, NodeId);
+    void open_loop(const Tree&, NodeId place);
+    /// The open loop that has run the most passes, and the innermost of several; null: none.
+    const OpenLoop* busiest_loop() const;
+    /// Shows the busiest loop with a problem that it is perhaps the reason for.
+    Diagnostic& point_at_loop(Diagnostic&) const;
+    /// Counts one more object; reports when it is one too many.
+    void count_object(Span);
     std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
     std::optional<double> counter(NameId, Span);
     Flow branch(const Tree&, const node::If&, const Sink& take);
@@ -235,6 +248,7 @@ struct Evaluator::State {
     void open_file(const Tree&, const node::Open&, NodeId);
     void open_for_reading(DataFile&, Span);
     void open_for_writing(DataFile&, bool append, Span);
+    std::unique_ptr<DataWriter> writer_for(const std::string& path, bool append);
     /// The file behind a name; null when there is none, which has been reported.
     Handle<DataFile> open_file_named(const Tree&, NodeId);
     Handle<DataFile> open_file_named(NameId, Span);
@@ -277,7 +291,9 @@ struct Evaluator::State {
     std::map<NameId, Deprecation> deprecated;
     std::vector<Argument> arguments;  ///< of the calls that are being made
     std::size_t include_depth = 0;
+    std::vector<OpenLoop> loops;  ///< the innermost last
     std::uint64_t steps = 0;
+    std::uint64_t objects = 0;
     std::uint64_t written_bytes = 0;
     double version = 3.7;
     bool version_given = false;

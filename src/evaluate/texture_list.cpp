@@ -72,3 +72,16 @@ std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
     if (inner.broken) return std::nullopt;
     return std::move(reader.textures);
 }
+
+void check_looks(OpenBlock& block, const Shape& shape, std::size_t count) {
+    const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
+    if (!mesh) return;
+    for (const Face& looks : (*mesh)->looks)
+        for (const int look : looks)
+            if (look < -1 || look >= static_cast<int>(count)) {
+                block.report(error(Fault::bad_index, block.span,
+                                   message("a face has texture ", look, ", but there are ", count,
+                                           " in `texture_list`, counted from 0")));
+                return;
+            }
+}

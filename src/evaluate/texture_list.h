@@ -16,3 +16,6 @@ enum class TextureCount {
 /// The textures, which may be blocks or declared ones; nothing after a report.
 std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
                                                               const Element& block, TextureCount);
+
+/// Reports when a face of a mesh names a texture that is not one of so many.
+void check_looks(OpenBlock&, const Shape&, std::size_t count);

@@ -68,6 +68,11 @@ bool can_be_divided_by(TokenKind opener, TokenKind divider) {
 Token Brackets::next() {
     skipped_ = false;
     Token token = take();
+    if (token.kind == TokenKind::minus && last_.kind == TokenKind::text && in_braces()) {
+        // Nothing is subtracted from a string: it is the sign of the next value.
+        pending_.push_back(token);
+        token = {TokenKind::comma, 0, token.first, token.first, 0};
+    }
     if (begins_directive(token.kind) && wants_operand(last_.kind)) {
         pending_.push_back(token);
         token = {TokenKind::between, 0, token.first, token.first, 0};
@@ -290,7 +295,7 @@ bool Brackets::boundary(const Token& token, std::size_t depth) const {
     return open_.size() == depth + (opens(token.kind) ? 1 : 0);
 }
 
-void Brackets::recover() {
+void Brackets::recover(bool closer_missing) {
     const std::size_t depth =
         open_.size() - (opens(last_.kind) ? 1 : 0) + (closes(last_.kind) ? 1 : 0);
     skipped_ = false;
@@ -298,9 +303,13 @@ void Brackets::recover() {
         return;
     skipped_ = true;
     if (depth > 0) open_[depth - 1].blamed = true;
+    // Then its closer will be taken for that of what is around it.
+    if (closer_missing && depth > 1) open_[depth - 2].blamed = true;
     Token token = take();
     while (!boundary(token, depth)) token = take();
     pending_.push_back(token);
+    // What was skipped is over: a directive after it does not stand where a value is wanted.
+    last_ = {TokenKind::semicolon, 0, token.first, token.first, 0};
 }
 
 std::optional<Span> Brackets::innermost() const {

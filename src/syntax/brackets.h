@@ -19,10 +19,7 @@ public:
 
     Token next();
     /// Whether the next token comes behind a comma, right inside of braces.
-    bool begins_item() const {
-        return last_.kind == TokenKind::comma && !open_.empty() &&
-               open_.back().token.kind == TokenKind::open_brace;
-    }
+    bool begins_item() const { return last_.kind == TokenKind::comma && in_braces(); }
     /// Gives a token back that next() gave last; `before` is the one before it.
     void put_back(const Token& token, const Token& before) {
         pending_.push_back(token);
@@ -30,8 +27,9 @@ public:
     }
 
     /// After a syntax error at the token that next() gave last: goes on at the end of the innermost
-    /// bracket or, in a list of elements, at the next directive.
-    void recover();
+    /// bracket or, in a list of elements, at the next directive. `closer_missing`: the bracket
+    /// should have been closed before the error.
+    void recover(bool closer_missing = false);
     /// Whether recover() left the token of the error behind.
     bool skipped() const { return skipped_; }
 
@@ -46,6 +44,9 @@ private:
         bool blamed = false;          ///< something in it has been reported
     };
 
+    bool in_braces() const {
+        return !open_.empty() && open_.back().token.kind == TokenKind::open_brace;
+    }
     Token take();
     Token match();
     bool accept_closer(const Token&);

@@ -22,6 +22,7 @@ constexpr auto directives = std::array{
     ForeignDirective{"endif", "end"},      ForeignDirective{"endwhile", "end"},
     ForeignDirective{"endfor", "end"},     ForeignDirective{"endmacro", "end"},
     ForeignDirective{"endswitch", "end"},  ForeignDirective{"function", "macro"},
+    ForeignDirective{"next", "end"},       ForeignDirective{"done", "end"},
 };
 
 constexpr auto signs = std::array{

@@ -94,7 +94,21 @@ List ParseState::parameter(List list, NameId name, Stretch place) {
             return list;
         }
     }
+    for (NodeId id = list.first(); id != no_node; id = tree[id].next)
+        if (tree.get<node::Parameter>(id).name == name)
+            diagnostics.add(
+                error(Fault::redefinition, span(place),
+                      message("a second parameter is called `", names.spelling(name), "`"))
+                    .pointing(tree.span(id), "the first")
+                    .with_help("the parameters of a macro have different names"));
     return append(list, add(place, node::Parameter{name, false}));
+}
+
+NodeId ParseState::array_in_parentheses(Stretch place) {
+    diagnostics.add(
+        error(Fault::syntax, span(place), "the size of an array stands in square brackets")
+            .with_help("array[3], or array { 1, 2, 3 }"));
+    return add(place, node::Broken{});
 }
 
 namespace {

@@ -127,6 +127,8 @@ struct ParseState {
     /// The body of a function that begins with a word: `pattern { ... }`, `internal(4)`.
     List word_first(NameId word, Stretch, List rest);
     List parameter(List list, NameId name, Stretch);
+    /// `array(3)`
+    NodeId array_in_parentheses(Stretch);
     NodeId stray_semicolon(Stretch);
     /// `#version unofficial megapov 1.0`: the language of another program.
     NodeId patched_version(NameId program, Stretch);

@@ -99,7 +99,9 @@ std::string_view in_parentheses(std::string_view before) {
     if (word.starts_with("#macro")) return "parameters stand in parentheses: #macro Name(A, B)";
     if (word.starts_with("#switch") || word.starts_with("#case"))
         return "what is looked at stands in parentheses: #switch (A) #case (1)";
-    return "a condition stands in parentheses: (a > b)";
+    if (word.find_first_of(" \t\r\n") == word.npos && word.starts_with('#'))
+        return "a condition stands in parentheses: (a > b)";
+    return {};
 }
 
 std::string_view without_blanks(std::string_view before) {
@@ -114,6 +116,13 @@ bool ends_in_word(std::string_view text, std::string_view word) {
 
 bool begins_with_word(std::string_view text, std::string_view word) {
     return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
+}
+
+/// The word that the text ends in.
+std::string_view last_word(std::string_view text) {
+    std::size_t first = text.size();
+    while (first > 0 && (is_letter(text[first - 1]) || is_digit(text[first - 1]))) --first;
+    return text.substr(first);
 }
 
 /// Words where the language has signs, or needs a number.
@@ -131,13 +140,14 @@ std::string_view word_habit(std::string_view before, std::string_view after) {
 
 /// What people write who come from another language; `before` and `after` are the text around the
 /// place.
-std::string_view habit(TokenKind found, const Expected& expected, std::string_view before,
-                       std::string_view after) {
+std::string habit(TokenKind found, const Expected& expected, std::string_view before,
+                  std::string_view after) {
     constexpr std::string_view change = "a value is changed by `#declare I = I + 1;`";
     const std::string wanted = expected.list();
-    if (before.ends_with("++") || before.ends_with("--")) return change;
+    if (before.ends_with("++") || before.ends_with("--")) return std::string(change);
     before = without_blanks(before);
-    if (const std::string_view help = word_habit(before, after); !help.empty()) return help;
+    if (const auto help = word_habit(before, after); !help.empty()) return std::string(help);
+    if (found == TokenKind::greater && before.ends_with('<')) return "`!=` is not equal: (a != b)";
     const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
     if (found == TokenKind::equal && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
@@ -145,10 +155,14 @@ std::string_view habit(TokenKind found, const Expected& expected, std::string_vi
     const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
     if (bracket && expected.value() && before.ends_with('='))
         return "an array is written array { 1, 2, 3 }";
-    if (wanted == "`(`") return in_parentheses(before);
+    if (wanted == "`(`") {
+        if (const auto help = in_parentheses(before); !help.empty()) return std::string(help);
+        return message("the arguments of a function stand in parentheses: ", last_word(before),
+                       "(...)");
+    }
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
-    if (after.size() > 1 && after[1] == '=') return change;
+    if (after.size() > 1 && after[1] == '=') return std::string(change);
     if (after.starts_with('.'))
         return "parts of a vector are not set alone: #declare V = <2, V.y, V.z>;";
     if (after.starts_with('('))
@@ -164,6 +178,12 @@ bool doubled(TokenKind kind, Stretch place) {
     return (kind == both || kind == either || kind == equal) && place.last - place.first == 2;
 }
 
+std::string capitalised(std::string_view word) {
+    std::string result(word);
+    if (result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 'a' + 'A');
+    return result;
+}
+
 bool reserved_word(TokenKind kind) {
     return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
 }
@@ -173,8 +193,11 @@ bool reserved_word(TokenKind kind) {
 void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKinds& kinds) const {
     // A token without text was put in by Brackets, which has reported what is missing.
     const bool mended = place.first == place.last && found != TokenKind::end_of_file;
+    const Expected expected(kinds);
+    // The braces of a function hold an expression, which something follows.
+    const bool closer_missing = expected.has(TokenKind::close_brace) && !expected.element() &&
+                                !expected.value() && reserved_word(found);
     if (!mended && !doubled(found, place)) {
-        const Expected expected(kinds);
         const std::string what =
             found == TokenKind::end_of_file
                 ? "the end of the file"
@@ -182,27 +205,33 @@ void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKi
         std::string says = message("expected ", expected.list(), ", but found ", what);
         if (expected.element() || expected.list().empty())
             says = message(what, " does not fit here");
-        if (expected.name() &&
-            (reserved_word(found) || found == TokenKind::array || found == TokenKind::colour))
+        const bool reserved =
+            reserved_word(found) || found == TokenKind::array || found == TokenKind::colour;
+        if (expected.name() && reserved)
             says = message(what,
                            " is a word of the language and cannot be the name of something else");
         Diagnostic problem = ::error(Fault::syntax, span(place), says);
         if (expected.has(TokenKind::greater) && !expected.comparison())
             problem.with_help(
                 "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
-        std::string_view help =
+        std::string help =
             habit(found, expected, text.substr(0, place.first), text.substr(place.first));
         if (help.empty()) help = advice(found, expected);
-        if (!help.empty()) problem.with_help(std::string(help));
+        if (help.empty() && expected.name() && reserved)
+            help = message("names with a capital letter are always free: `",
+                           capitalised(text.substr(place.first, place.last - place.first)), "`");
+        if (help.empty() && closer_missing) help = "add the missing `}`";
+        if (!help.empty()) problem.with_help(std::move(help));
         const auto open = brackets.innermost();
         if (found == TokenKind::equal && expected.element() && open && text[open->first] == '{')
             problem.with_help("the words of a block have no `=`: radius 2");
         if (open && open->first != place.first && !expected.element() && !expected.name() &&
-            (expected.has(TokenKind::close_parenthesis) || expected.has(TokenKind::close_bracket)))
+            (expected.has(TokenKind::close_parenthesis) || expected.has(TokenKind::close_bracket) ||
+             closer_missing))
             problem.pointing(*open, "opened here");
         diagnostics.add(problem);
     }
-    brackets.recover();
+    brackets.recover(closer_missing);
 }
 
 /// Data files consist of plain vectors with commas between them: to the grammar, those that end in

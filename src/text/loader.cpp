@@ -117,6 +117,8 @@ std::optional<Found> Loader::load(const std::string& name, const std::string& in
                                   FileKind kind) const {
     for (std::string& path : searched(name, including_directory, kind)) {
         if (!door_.may_read(path)) continue;
+        if (const auto own = written_.find(path); own != written_.end() && own->second)
+            return Found{std::move(path), *own->second};
         if (auto text = reader_(path)) return Found{std::move(path), std::move(*text)};
     }
     return {};

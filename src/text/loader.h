@@ -12,8 +12,9 @@
 #include "text/similar_file.h"
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,8 +67,13 @@ public:
 
     const Door& door() const { return door_; }
     /// The scene has written the file at this destination of the door: its text is found under this
-    /// name from now on.
-    void written(const std::string& destination) { written_.insert(destination); }
+    /// name from now on; `text`: it is there and not on the disk, and may still grow.
+    void written(const std::string& destination, std::shared_ptr<const std::string> text = {}) {
+        written_[destination] = std::move(text);
+    }
+    /// From now on what the scene writes goes to no disk: this run is to change nothing.
+    void keep_off_disk() { off_disk_ = true; }
+    bool keeps_off_disk() const { return off_disk_; }
 
 private:
     std::vector<std::string> places(const std::string& name,
@@ -84,5 +90,6 @@ private:
     std::vector<std::string> library_paths_;
     Door door_;
     Lister lister_;
-    std::set<std::string> written_;
+    std::map<std::string, std::shared_ptr<const std::string>> written_;  ///< null: on the disk
+    bool off_disk_ = false;
 };

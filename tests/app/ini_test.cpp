@@ -35,6 +35,15 @@ TEST_CASE("an INI file is a list of options", "[app]") {
     CHECK(lines("") == "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|");
 }
 
+TEST_CASE("a line may have several switches", "[app]") {
+    const auto found = ini_lines("+W8  +H6 -A\n-D +O\"a b.png\" 'c d.pov'\n", "");
+    REQUIRE(found);
+    std::vector<std::string> options;
+    for (const IniLine& line : *found) options.push_back(line.option);
+    CHECK(options == std::vector<std::string>{"+W8", "+H6", "-A", "-D", "+Oa b.png", "c d.pov"});
+    CHECK(found->back().number == 2);
+}
+
 TEST_CASE("a section comes after what stands above all", "[app]") {
     CHECK(lines("low") == "2:Width=640|3:+A0.1|4:Input_File_Name=a b;c.pov|7:Width=160|");
     CHECK(lines("HIGH") ==

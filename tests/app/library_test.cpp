@@ -27,6 +27,15 @@ TEST_CASE("the standard library lies beside an installed program, or where one s
     fs::remove_all(folder);
 }
 
+TEST_CASE("the library comes first, and what is no folder is told of", "[app]") {
+    Diagnostics diagnostics;
+    CHECK(library_folders("/lib", {"/tmp//", "/no/such"}, diagnostics) ==
+          std::vector<std::string>{"/lib", "/tmp", "/no/such", "/lib/pictures"});
+    REQUIRE(diagnostics.all().size() == 1);
+    CHECK(diagnostics.all()[0].message == "there is no folder `/no/such` to look for files in");
+    CHECK(library_folders("", {}, diagnostics).empty());
+}
+
 TEST_CASE("a program knows its own file") { CHECK(fs::is_regular_file(own_path())); }
 
 TEST_CASE("the settings of everybody come from the file that a variable names", "[app]") {

@@ -47,4 +47,7 @@ TEST_CASE("a scene that takes too much memory gets a message", "[app]") {
     CHECK(text.find("not enough memory to evaluate this scene") != std::string::npos);
     CHECK(text.find("--limit-memory") != std::string::npos);
     CHECK(text.find("status 1") != std::string::npos);
+    // The loop is named.
+    CHECK(text.find("big.pov:2:18") != std::string::npos);
+    CHECK(text.find("this loop has run ") != std::string::npos);
 }

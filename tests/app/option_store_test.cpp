@@ -46,6 +46,8 @@ TEST_CASE("limits are raised with the stack that they need") {
     CHECK(options.limits.stack_bytes > 10 * usual);
     store::limit_includes(options, {"--limit-includes", true, "1000"}, diagnostics);
     CHECK(options.limits.include_depth == 1000);
+    store::limit_objects(options, {"--limit-objects", true, "1e8"}, diagnostics);
+    CHECK(options.limits.objects == 100'000'000);
     store::limit_elements(options, {"--limit-elements", true, "5"}, diagnostics);
     CHECK(options.limits.array_elements == 5);
     store::limit_elements(options, {"--limit-elements", true, "1e12"}, diagnostics);

@@ -153,11 +153,6 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
         {{"User_Abort_Return=I", "Fatal_Error_Return=I"}, "is ignored: the run has ended then"},
         {{"--help", "--version"}},
         {{"--benchmark"}, "is ignored: there is no scene of its own to measure"},
-        {{"Histogram_Name=a", "Histogram_Type=x", "Histogram_Grid_Size=4", "Buffer_Output=on",
-          "Buffer_Size=4", "Video_Mode=1", "Palette=g", "Draw_Vistas=off",
-          "Clockless_Animation=off", "Real_Time_Raytracing=off"},
-         "is ignored: it has no meaning any more"},
-        {{"Compression=9"}, "is ignored: files are stored in their formats' usual quality"},
         {{"Continue_Trace_Log=a"}, "is ignored: states have names of their own; see STATES"},
     };
     for (const Case& each : cases)

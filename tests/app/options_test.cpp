@@ -52,6 +52,13 @@ TEST_CASE("without options there are defaults") {
     CHECK(options.render.samples == 0);
 }
 
+TEST_CASE("what changes no picture is ignored with a warning", "[app]") {
+    CHECK(complaint({"+FJ85"}, Severity::warning) ==
+          "`+FJ85`: the number is ignored: JPEG files are written in one quality");
+    CHECK(complaint({"Histogram_Name=a.csv"}, Severity::warning) ==
+          "`Histogram_Name=a.csv` is ignored: it changes nothing in a picture");
+}
+
 TEST_CASE("switches that are on or off") {
     CHECK_FALSE(read({"-V"}).verbose);
     CHECK(read({"-V", "+V"}).verbose);
@@ -199,6 +206,7 @@ TEST_CASE("every wrong argument has one message") {
         {{"--samples", "-4"},
          "`--samples`: samples must be a whole number from 0 to 1000000, but it is `-4`"},
         {{"--sample=4"}, "`--sample=4`: there is no such option | did you mean `--samples`?"},
+        {{"--sample", "4"}, "`--sample`: there is no such option | did you mean `--samples`?"},
         {{"--version=2"}, "`--version=2`: takes no value"},
         {{"-samples"}, "`-samples`: there is no such option | did you mean `--samples`?"},
         {{"+Z"}, "`+Z`: there is no such option"},
@@ -248,7 +256,9 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
         if (name == "a.ini") return "Width=10\nb.ini[Small]\n+H7\n[Wide]\nWidth=900\n";
         if (name == "b.ini") return "Height=3\n[Small]\nHeight=5\n--seed=9\nscene.pov";
         if (name == "loop.ini") return "loop.ini";
-        if (name == "many.ini") return "All_File=\n+W8  -A \"+H6\"\nFinal_Frame=\ns.pov";
+        if (name == "many.ini") return "All_File=\n+W8  -A \"+H6\"\ns.pov";
+        if (name == "empty.ini")
+            return "Width=4\nAll_File=\nPre_Frame_Command=\nFinal_Frame=\nscene.pov";
         if (name == "wrong.ini") return "\nWidht=3";
         return {};
     };
@@ -266,6 +276,7 @@ TEST_CASE("an INI file is read where it stands, and may name others", "[app]") {
     CHECK(said({"a[wide]"}) == "900x7 9 scene.pov");
     CHECK(said({"many.ini"}) == "8x6 0 s.pov");
     CHECK(said({"a.ini[none]"}) == "`a.ini[none]`: the file has no section [none]");
+    CHECK(said({"empty.ini"}) == "empty.ini:4: `Final_Frame=` has no value and is ignored");
     CHECK(said({"wrong.ini"}) == "wrong.ini:2: `Widht=3`: there is no such keyword");
     CHECK(said({"loop.ini"}) ==
           "loop.ini:1: `loop.ini`: INI files name each other more than 10 "

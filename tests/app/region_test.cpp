@@ -13,6 +13,9 @@ TEST_CASE("rows and columns count from 1, or are fractions") {
     options.start_column = 0.25;
     options.end_column = 0.5;
     CHECK(region_of(options) == Region{50, 10, 100, 20});
+    options.end_row = 1;
+    options.start_row = 0;
+    CHECK(region_of(options) == Region{50, 0, 100, 100});
     options.end_row = 1000;
     options.start_row = 1;
     CHECK(region_of(options) == Region{50, 0, 100, 100});

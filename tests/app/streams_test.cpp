@@ -23,6 +23,16 @@ TEST_CASE("what is said goes to the console, to files, or both") {
     CHECK(Streams(settings, {}).problem() == folder / "none/b.txt");
 }
 
+TEST_CASE("what a scene says appears without progress, too, and ends its line", "[app]") {
+    Shell shell;
+    shell.write("talks.pov", std::string("#debug \"a=\" #warning \"beware\"\n") + lit_scene);
+    REQUIRE(shell({shell.path("talks.pov"), "+W8", "+H8", "-F", "-V",
+                   "+GD" + shell.path("debug.txt")}) == exit_status::done);
+    CHECK(shell.err.starts_with("a=\nwarning[user-warning]: beware\n"));
+    CHECK_FALSE(has(shell.err, "rays"));
+    CHECK(shell.content("debug.txt") == "a=\n");
+}
+
 TEST_CASE("POV-Ray's switches for its consoles sort what a run says") {
     Shell shell;
     shell.write("talks.pov", std::string("#debug \"hello\\n\" #warning \"beware\"\n") + lit_scene);

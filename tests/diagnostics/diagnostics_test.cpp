@@ -52,6 +52,7 @@ Said said_about(const fs::path& scene) {
     EvaluateOptions options;
     options.limits.steps = 20'000;
     options.limits.call_depth = 10'000;
+    options.limits.objects = 25'000;
     evaluate(sources, loader, sources.add(scene.filename().string(), read(scene)), options,
              diagnostics);
     Said said;

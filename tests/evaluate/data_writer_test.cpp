@@ -33,6 +33,16 @@ TEST_CASE("values are written as text with six digits", "[files]") {
     }
 }
 
+TEST_CASE("what is written into memory touches no file", "[files]") {
+    const auto text = std::make_shared<std::string>("1,");
+    DataWriter writer(text);
+    writer.write(Numbers{{1, 2}, 2});
+    CHECK(*text == "1,<1,2> ");
+    CHECK(writer.good());
+    CHECK(writer.bytes() == 6);
+    CHECK(writer.close());
+}
+
 TEST_CASE("binary numbers are rounded and limited", "[files]") {
     const Folder folder;
     struct Case {

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 namespace {
 
 struct Said {
@@ -14,11 +16,13 @@ struct Said {
 };
 
 /// A script whose files are in the folder.
-Said said(const Folder& folder, const std::string& script, const Limits& limits = {}) {
+Said said(const Folder& folder, const std::string& script, const Limits& limits = {},
+          bool off_disk = false) {
     const std::string here = folder.path().string();
     SourceStore sources;
     Diagnostics diagnostics;
-    const Loader loader(disk_reader(), here, {}, Door({here}, {here}));
+    Loader loader(disk_reader(), here, {}, Door({here}, {here}));
+    if (off_disk) loader.keep_off_disk();
     Said result;
     EvaluateOptions options;
     options.limits = limits;
@@ -50,6 +54,28 @@ TEST_CASE("what is written can be read and included", "[files]") {
     CHECK(result.messages == "");
     CHECK(result.printed == "1,1 2,3 4,4 2 9 ");
     CHECK(folder.get("numbers.txt") == "1,<2,3> ,4");
+}
+
+TEST_CASE("a run that changes nothing reads back what it has not written", "[files]") {
+    const Folder folder;
+    folder.put("old.txt", "7,");
+    const auto off_disk = [&](const std::string& script) {
+        const Said result = said(folder, script, {}, true);
+        return result.messages + result.printed;
+    };
+    CHECK(off_disk(R"x(
+        #fopen Out "n.txt" write #write(Out, 1, ",", 2) #fclose Out
+        #fopen In "n.txt" read #read(In, A, B) P(A) P(B) P(file_exists("n.txt"))
+        #fopen Out "code.inc" write #write(Out, "P(5)") #fclose Out #include "code.inc"
+        #fopen Out "code.inc" write #write(Out, "P(6)") #fclose Out #include "code.inc")x") ==
+          "1 2 1 5 6 ");
+    CHECK(off_disk(R"x(
+        #fopen Out "old.txt" append #write(Out, "8") #fclose Out
+        #fopen In "old.txt" read #read(In, A, B) P(A) P(B))x") == "7 8 ");
+    CHECK(off_disk("#fopen Out \"../n.txt\" write").starts_with("a scene may not write"));
+    CHECK(folder.get("old.txt") == "7,");
+    CHECK_FALSE(std::filesystem::exists(folder / "n.txt"));
+    CHECK_FALSE(std::filesystem::exists(folder / "code.inc"));
 }
 
 TEST_CASE("reading puts values into names and elements, and closes the file at its end",

@@ -95,7 +95,7 @@ TEST_CASE("wrong patterns are told of once", "[evaluate]") {
     const auto [text, expected] = GENERATE(table<std::string, std::string>({
         {"bozo turbulence", "error missing: `turbulence` of `pigment` needs a vector"},
         {"bozo turbulence scale 2", "error missing: `turbulence` of `pigment` needs a vector"},
-        {"spiral1", "error missing: `pigment` needs `arms`"},
+        {"spiral1", "error missing: `spiral1` needs `arms`"},
         {"spiral1 0.5",
          "warning no-effect: `arms` of `pigment` is a whole number, and 0.5 counts as 0"},
         {"tiling 25", "error out-of-range: `type` of `pigment` must be from 1 to 24, but it is 25"},

@@ -119,7 +119,7 @@ TEST_CASE("wrong pigments are told of once", "[evaluate]") {
     CHECK(wrong("bozo pigment_map { [rgb 1] }") ==
           "error missing: the entries of a map begin with a number");
     CHECK(wrong("bozo pigment_map { }") == "error missing: `pigment_map` has no entries");
-    CHECK(wrong("gradient") == "error missing: `pigment` needs `direction`");
+    CHECK(wrong("gradient") == "error missing: `gradient` needs `direction`");
     CHECK(wrong("gradient x color_map { }") == "error missing: `color_map` has no entries");
     CHECK(wrong("gradient x color_map { [rgb 1] }") ==
           "error missing: an entry of `color_map` begins with a number");

@@ -5,6 +5,12 @@
 
 #include <catch2/catch.hpp>
 
+TEST_CASE("a minus sign behind a string belongs to the next value", "[syntax]") {
+    const Parsed parsed("text { \"a\" -.3, 0 }");
+    CHECK(parsed.messages() == "");
+    CHECK(parsed.dumped() == Parsed("text { \"a\", -.3, 0 }").dumped());
+}
+
 TEST_CASE("what does not match is reported once", "[syntax]") {
     const auto [text, messages] = GENERATE(table<std::string, std::string>({
         {"sphere { 0, 1", "1:8 error: `{` has no end\n"},

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recognises vectors that are written without their `< >`: `translate 1, 2, 3`, `rgb 1, 0, 0`,
+// `sphere { 0, 0, 0, 1 }`. A single number stands for a vector, so only what follows it shows that
+// one was meant. Asked by those who report a number that has no place, or is wrong in its place.
+#pragma once
+
+#include "evaluate/evaluator.h"
+#include "vocabulary/schema.h"
+
+#include <optional>
+
+/// The report for a number that follows another one, of which a word in front of them takes one
+/// vector or colour; nothing when it is something else.
+std::optional<Diagnostic> bare_vector(const Element&, const Names&);
+
+/// The same for numbers that begin a block of that item and are more than it has values.
+std::optional<Diagnostic> bare_vectors(const Element&, const ItemInfo&);

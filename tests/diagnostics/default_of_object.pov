@@ -1,0 +1,1 @@
+#default { sphere { 0, 1 } }

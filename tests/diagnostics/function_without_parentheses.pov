@@ -1,0 +1,2 @@
+#declare A = sin 30;
+#declare R = seed;

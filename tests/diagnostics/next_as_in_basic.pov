@@ -1,0 +1,3 @@
+#for (I, 0, 10)
+  sphere { I*x, 0.5 }
+#next

@@ -1,0 +1,2 @@
+#declare A = 1;
+#if (A <> 3) #end

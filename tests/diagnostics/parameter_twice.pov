@@ -1,0 +1,1 @@
+#macro M(a, b, a) a + b #end

@@ -1,0 +1,2 @@
+camera { position <0, 0, -5> }
+camera { fov 30 }
