@@ -4,6 +4,7 @@
 #include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
+#include "app/library.h"
 #include "app/light_report.h"
 #include "app/memory_limit.h"
 #include "app/mesh_export.h"
@@ -145,33 +146,16 @@ private:
         std::optional<std::string> text = read(path);
         if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
         if (!text) {
-            const std::string name = harmless(*options_.scene),
-                              near = harmless(similar_file(*options_.scene, {""}, disk_lister()));
+            const std::string& name = *options_.scene;
+            const std::string near = similar_file(name, {""}, disk_lister());
             diagnostics_.add(
-                error(Fault::io, {}, message("there is no scene `", name, "` that can be read"))
-                    .with_help(near.empty() ? near : message("did you mean `", near, "`?")));
+                error(Fault::io, {},
+                      message("there is no scene `", harmless(name), "` that can be read"))
+                    .with_help(near.empty() ? "" : message("did you mean `", near, "`?")));
             return std::nullopt;
         }
         scene_folder_ = directory_of(path);
         return sources_.add(path, std::move(*text));
-    }
-
-    std::vector<std::string> library_paths() {
-        // As in POV-Ray, whose settings name its own library before the command line is read.
-        std::vector<std::string> paths;
-        if (!console_.library.empty()) paths.push_back(console_.library);
-        for (std::string path : options_.library_paths) {
-            while (path.size() > 1 && path.ends_with('/')) path.pop_back();
-            std::error_code none;
-            if (!fs::is_directory(path, none))
-                diagnostics_.add(warning(
-                    Fault::option, {},
-                    message("there is no folder `", harmless(path), "` to look for files in")));
-            paths.push_back(std::move(path));
-        }
-        // Pictures of the library stand in for others of their names only.
-        if (!console_.library.empty()) paths.push_back(console_.library + "/pictures");
-        return paths;
     }
 
     int dispatch(SourceId main, const Output& output) {
@@ -253,9 +237,13 @@ private:
 
     Scene evaluate_scene(SourceId main, const std::string& picture_folder, double clock_ahead,
                          Diagnostics& diagnostics) {
-        const std::vector<std::string> library = library_paths();
-        const Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
-                            disk_lister());
+        const auto library =
+            library_folders(console_.library, options_.library_paths, diagnostics_);
+        Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
+                      disk_lister());
+        if (options_.task != Task::render && options_.task != Task::export_mesh)
+            loader.keep_off_disk();
+        bool line_is_open = false;
         EvaluateOptions options;
         options.limits = options_.limits;
         options.declares = options_.declares;
@@ -268,9 +256,15 @@ private:
             options.print = {};
         else if (options_.diagnostics_as_json)
             options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
-        else if (options_.verbose)
-            options.print = [&](std::string_view text) { ::say(console_, Stream::debug, text); };
-        return evaluate(sources_, loader, main, options, diagnostics);
+        else
+            options.print = [&](std::string_view text) {
+                ::say(console_, Stream::debug, text);
+                if (!text.empty()) line_is_open = !text.ends_with('\n');
+            };
+        Scene scene = evaluate(sources_, loader, main, options, diagnostics);
+        // What comes next begins a line of its own.
+        if (line_is_open) ::say(console_, Stream::debug, "\n");
+        return scene;
     }
 
     Progress progress() const {

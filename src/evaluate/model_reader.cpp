@@ -117,7 +117,8 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
     if (!asked.file.empty()) {
         const auto path = evaluator.find_data(asked.file, block_.file_place());
         if (!path) return std::nullopt;
-        std::optional<MeshFile> read = read_mesh_file(*path, evaluator.diagnostics(), block_.file_place());
+        std::optional<MeshFile> read =
+            read_mesh_file(*path, evaluator.diagnostics(), block_.file_place());
         if (!read) return std::nullopt;
         look_ = std::move(read->look);
         return std::move(read->shape);

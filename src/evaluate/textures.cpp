@@ -6,6 +6,7 @@
 #include "evaluate/patterns.h"
 #include "evaluate/pictures.h"
 #include "evaluate/transforms.h"
+#include "surface/old_layers.h"
 #include "surface/texture_map.h"
 #include "text/message.h"
 
@@ -365,6 +366,9 @@ bool read_material(Binder& binder, const Element& element, DeclaredMaterial& mat
 Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& below,
                         Handle<Texture> above) {
     if (above->choice) return above;  // it hides what is below
+    constexpr double last_of_old_layers = 3.1;
+    if (block.binder.evaluator.version() <= last_of_old_layers)
+        above = make_handle<Texture>(with_filter_as_transmit(*above));
     if (!transparent(*above)) {
         // Reflections below are seen all the same.
         const Reflection& lower = below->finish.reflection;

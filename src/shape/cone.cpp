@@ -8,9 +8,9 @@ const ItemInfo Cone::vocabulary = described<Cone>([] {
     return schema<Cone>(
         "cone", "A cone or a frustum with flat ends.",
         F{"base", &Cone::base, positional, "centre of one end"},
-        F{"base_radius", &Cone::base_radius, positional, "radius at that end", any_sign()},
+        F{"base_radius", &Cone::base_radius, positional, "radius at that end", at_least(0)},
         F{"cap", &Cone::cap, positional, "centre of the other end"},
-        F{"cap_radius", &Cone::cap_radius, positional, "radius there", any_sign()},
+        F{"cap_radius", &Cone::cap_radius, positional, "radius there", at_least(0)},
         F{"open", &Cone::open, flag, "leaves the ends out"});
 });
 

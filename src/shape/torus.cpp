@@ -9,8 +9,8 @@ const ItemInfo Torus::vocabulary = described<Torus>([] {
     using F = Field<Torus>;
     return schema<Torus>(
         "torus", "A ring around the y axis.",
-        F{"major", &Torus::major, positional, "radius of the ring's centre line", any_sign()},
-        F{"minor", &Torus::minor, positional, "radius of the tube", any_sign()});
+        F{"major", &Torus::major, positional, "radius of the ring's centre line", at_least(0)},
+        F{"minor", &Torus::minor, positional, "radius of the tube", at_least(0)});
 });
 
 namespace {
