@@ -115,6 +115,7 @@ std::string command_line(const Options& options) {
     words.add_given("+MV", options.facts.version);
     add_region(words, options);
     if (options.alpha) words.add("+UA");
+    if (options.file_gamma > 0) words.add("File_Gamma=", options.file_gamma);
     if (!options.layers.empty()) words.add_long("layers", layer_list(options.layers));
     return words.take();
 }

@@ -95,6 +95,7 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
     if (!options.layers.empty()) identity.emplace_back("layers", layer_list(options.layers));
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
+    if (format.file_gamma > 0) identity.emplace_back("file_gamma", message(format.file_gamma));
     identity.emplace_back(command, one_line(command_line(options)));
     return identity;
 }

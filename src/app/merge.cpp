@@ -204,6 +204,7 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
     if (diagnostics.failed()) return false;
     output.format.gamma = number(fact(result.identity, "gamma")).value_or(1);
     output.format.encoded = fact(result.identity, "encoded") == "yes";
+    output.format.file_gamma = number(fact(result.identity, "file_gamma")).value_or(-1);
     output.format.description = description(result.identity, static_cast<int>(result.samples));
     files.path = output.path;
     files.format = output.format;

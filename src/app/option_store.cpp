@@ -223,10 +223,14 @@ void store::create_ini(Options& options, const Given& given, Diagnostics& diagno
     options.ini_file = *given.value;
 }
 
-void store::gamma(Options&, const Given& given, Diagnostics& diagnostics) {
-    if (!same_letters(*given.value, "srgb"))
-        refuse(given, diagnostics,
-               "pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, +FH");
+void store::gamma(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const std::optional<double> gamma = number(*given.value);
+    if (same_letters(*given.value, "srgb"))
+        options.file_gamma = -1;
+    else if (gamma && *gamma >= 0.1 && *gamma <= 10)
+        options.file_gamma = *gamma;
+    else
+        refuse(given, diagnostics, "needs sRGB or a number from 0.1 to 10");
 }
 
 void store::diagnostics(Options& options, const Given& given, Diagnostics& diagnostics) {

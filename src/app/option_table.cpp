@@ -256,7 +256,10 @@ constexpr auto rows = std::to_array<OptionRow>({
     accepted("P", "Pause_When_Done", sign, "", "accepted without effect"),
     setting("Q", "Quality", "", "quality"),
     option_field("", "", "ambient-luminaires", nothing, "ambient_luminaires"),
-    option("", "File_Gamma", "", value, "g", store::gamma, "sRGB is what is offered"),
+    option("", "File_Gamma", "", value, "g", store::gamma,
+           "how pictures of whole "
+           "numbers are encoded: sRGB (the default), or a power of which this is the inverse; "
+           "OpenEXR and Radiance HDR are linear"),
     accepted("HR", "High_Reproducibility", sign, "", "pictures are always reproducible"),
     ignored("AM", "Sampling_Method", value, "n", "one method is offered, which is adaptive"),
     ignored("AG", "Antialias_Gamma", value, "g", "noise is judged as displayed"),

@@ -82,6 +82,7 @@ struct Options {
     std::vector<PictureLayer> layers;  ///< beside the colours, in an OpenEXR file
     bool alpha = false;                ///< how opaque a pixel is
     bool grey = false;                 ///< one channel instead of three
+    double file_gamma = -1;            ///< of pictures of whole numbers; below 0: sRGB
     std::string depfile;               ///< rule for make; empty: none
     Progress::Share share;             ///< of all pictures that the run makes
     std::string progress = "auto";     ///< or plain, json, alf, openjd, none

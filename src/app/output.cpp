@@ -43,6 +43,7 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
     output.format.bits = options.bits.value_or(8);
     output.format.compressed = options.compressed;
     output.format.grey = options.grey;
+    output.format.file_gamma = options.file_gamma;
     output.path = path_of(options, output.format.type);
     const auto refuse = [&](std::string_view what, std::string help) {
         diagnostics.add(error(Fault::option, {},

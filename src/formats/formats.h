@@ -35,6 +35,7 @@ struct RawPicture {
     std::string_view extension;    ///< names the format
     std::string_view compression;  ///< in OpenImageIO's words; empty for the format's own
     std::string description = {};  ///< of what made it, for formats that have room for one
+    double gamma = -1;             ///< the values to this power are linear; below 0: sRGB
 };
 
 /// One plane of a picture with named planes: 32 bits for each pixel, row by row from the top.

@@ -86,7 +86,8 @@ std::string write(const RawPicture& picture, std::string& bytes) {
     const TypeDesc type = std::visit(StoredType(), picture.values);
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels, type);
     if (type != TypeDesc::FLOAT) spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("oiio:ColorSpace", type == TypeDesc::FLOAT ? "Linear" : "sRGB");
+    const bool linear = type == TypeDesc::FLOAT || picture.gamma == 1;
+    spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
     spec.attribute("Software", "Candelabra");
     spec.attribute("DateTime", fixed_time);
     if (!picture.description.empty()) spec.attribute("ImageDescription", picture.description);

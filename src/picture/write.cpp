@@ -92,7 +92,8 @@ RawPicture raw_picture(const Image& image, const PictureFormat& format,
                    {},
                    type.extension,
                    {},
-                   format.description};
+                   format.description,
+                   format.encoded ? format.file_gamma : srgb_gamma};
     if (type.linear)
         raw.values = channels_of<float>(image, format, alpha,
                                         [&](double value) { return representable(value, format); });
@@ -132,7 +133,8 @@ std::optional<PictureType> type_of_name(std::string_view path) {
 unsigned quantised(double value, unsigned most, const PictureFormat& format) {
     if (!(value > 0)) return 0;
     double shown = std::min(value, 1.0);
-    if (format.encoded) shown = std::min(srgb_encode(to_linear(shown, format.gamma)), 1.0);
+    if (format.encoded)
+        shown = std::min(from_linear(to_linear(shown, format.gamma), format.file_gamma), 1.0);
     return static_cast<unsigned>(std::floor(most * shown + 0.5));
 }
 

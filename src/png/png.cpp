@@ -142,7 +142,10 @@ bool write(PngWork& work, const RawPicture& picture, int bits, std::span<png_tex
     png_set_IHDR(work.png, work.info, static_cast<png_uint_32>(picture.width),
                  static_cast<png_uint_32>(picture.height), bits, colour_types[picture.channels - 1],
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB_gAMA_and_cHRM(work.png, work.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (picture.gamma > 0)
+        png_set_gAMA(work.png, work.info, 1 / picture.gamma);
+    else
+        png_set_sRGB_gAMA_and_cHRM(work.png, work.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_text(work.png, work.info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(work.png, work.info);
     png_write_image(work.png, rows);

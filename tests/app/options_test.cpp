@@ -243,9 +243,7 @@ TEST_CASE("every wrong argument has one message") {
         {{"+GI"}, "`+GI`: needs the name of a file | +GIall.ini"},
         {{"Create_Ini=on"}, "`Create_Ini=on`: needs the name of a file | +GIall.ini"},
         {{"+UF"}, "`+UF`: is not offered: no screen has interlaced fields any more"},
-        {{"File_Gamma=2.2"},
-         "`File_Gamma=2.2`: pictures of 8 and 16 bits are encoded as sRGB; others are linear: +FE, "
-         "+FH"},
+        {{"File_Gamma=0"}, "`File_Gamma=0`: needs sRGB or a number from 0.1 to 10"},
         {{"+\x1b[2J"}, "`+\xe2\x90\x9b[2J`: there is no such option"},
     };
     for (const Case& each : cases) CHECK(complaint(each.words) == each.expected);

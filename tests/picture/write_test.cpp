@@ -73,6 +73,20 @@ TEST_CASE("values of another gamma are made linear first, and old scenes' are le
     }
 }
 
+TEST_CASE("a file may have another gamma than sRGB") {
+    PictureFormat linear, rooted, plain;
+    linear.file_gamma = 1;
+    rooted.file_gamma = plain.file_gamma = 2;
+    plain.encoded = false;
+    for (const double value : {0.0, 0.1, 0.5, 0.9, 1.0, 3.0}) {
+        CAPTURE(value);
+        const double clipped = std::min(value, 1.0);
+        CHECK(quantised(value, 65535, linear) == std::floor(clipped * 65535 + 0.5));
+        CHECK(quantised(value, 255, rooted) == std::floor(std::sqrt(clipped) * 255 + 0.5));
+        CHECK(quantised(value, 255, plain) == std::floor(clipped * 255 + 0.5));
+    }
+}
+
 TEST_CASE("the type of a picture is known by the end of its name") {
     struct Case {
         const char* name;

@@ -50,6 +50,19 @@ TEST_CASE("PNG files are written and read as by the library of all formats", "[p
         }
 }
 
+TEST_CASE("PNG files say which gamma they have", "[png]") {
+    RawPicture picture = picture_of<std::uint8_t>(3);
+    for (const double gamma : {1.0, 1.8, 2.2}) {
+        picture.gamma = gamma;
+        std::string bytes;
+        StoredPicture stored;
+        REQUIRE(write_png(picture, bytes) == "");
+        REQUIRE(read_png(bytes, 100, stored) == "");
+        CHECK(stored.gamma == Approx(gamma));
+        CHECK(stored.linear == (gamma == 1));
+    }
+}
+
 TEST_CASE("damaged PNG files are refused", "[png]") {
     std::string bytes;
     REQUIRE(write_png(picture_of<std::uint8_t>(3), bytes) == "");
