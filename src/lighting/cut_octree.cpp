@@ -78,24 +78,17 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
 
 /// What rays that were tried tell of a cell.
 struct BuiltCutOctree::Survey {
-    LightCut cut;
-    std::vector<float> shares;       ///< see arriving_shares()
     std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
     double by_direction = 0;         ///< see Weights
     bool as_scattered = false;
     double noise = -1;  ///< see Weights; for each unit of the total weight
-
-    std::size_t memory_bytes() const {
-        return sizeof(Survey) + cut.memory_bytes() + shares.capacity() * sizeof(float) +
-               (outlook ? outlook->memory_bytes() : 0);
-    }
 };
 
 struct BuiltCutOctree::Cell {
     Box box;
     int depth = 0;
-    std::optional<LightCut> cut;           ///< none: it is divided
-    std::shared_ptr<const Survey> survey;  ///< none: the scene was not there to be asked
+    std::optional<LightCut> cut;   ///< none: it is divided
+    std::optional<Survey> survey;  ///< none: the scene was not there to be asked
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -161,66 +154,54 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
                learns = probe && !state_->settings.alone;
     const double noise = cell->cut->noise(), bound = state_->rule.noise;
     const bool uneven = large ? noise > bound || (learns && cell->cut->entries() > 1)
-                              : !(learns && small) && noise > divided_above * bound,
-               divided = uneven && cell->depth < state_->settings.max_depth;
-    if (learns && !divided) cell->survey = survey(box, *cell->cut, *probe);
-    if (divided)
+                              : !(learns && small) && noise > divided_above * bound;
+    if (uneven && cell->depth < state_->settings.max_depth)
         cell->cut.reset();
-    else if (cell->survey)
-        cell->cut->scale(counted(*cell->survey, *cell->cut, box));
+    else if (learns)
+        cell->survey = survey(box, *cell->cut, *probe);
     return cell;
 }
 
-std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey(
-    const Box& box, const LightCut& cut, const LightProbe& probe) const {
+/// Teaches the cut of a cell, too, what arrives of its entries' light.
+BuiltCutOctree::Survey BuiltCutOctree::survey(const Box& box, LightCut& cut,
+                                              const LightProbe& probe) const {
     const std::vector<Receiver> receivers = receivers_in(box, state_->eye, probe);
-    if (state_->tree.falloff(state_->tree.root())) return survey_of_sources(cut, receivers, probe);
-    const auto result = std::make_shared<Survey>(
-        Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe),
-               Outlook(box, state_->ball, receivers, probe)});
-    LightCut learned = cut;
-    learned.scale(counted(*result, cut, box));
-    const double found = noise_of_choice(learned, receivers, probe),
+    cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
+                      box));
+    Survey result;
+    if (state_->tree.falloff(state_->tree.root())) return result;
+    result.outlook.emplace(box, state_->ball, receivers, probe);
+    const double found = noise_of_choice(cut, receivers, probe),
                  choice = doubt * found + least_noise,
-                 outlook = result->outlook->noise() + least_noise;
+                 outlook = result.outlook->noise() + least_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     if (found > no_noise)
-        result->by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
-    const double scattering = result->outlook->noise_of_scattering();
-    result->as_scattered = scattering <= std::fmin(outlook, found + least_noise) &&
-                           state_->brightest <= most_glare * result->outlook->mean_luminance();
+        result.by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+    const double scattering = result.outlook->noise_of_scattering();
+    result.as_scattered = scattering <= std::fmin(outlook, found + least_noise) &&
+                          state_->brightest <= most_glare * result.outlook->mean_luminance();
     const double variance =
-        result->as_scattered
-            ? scattering + least_noise
-            : (std::isinf(outlook) ? found + least_noise
-                                   : 1 / (1 / (found + least_noise) + 1 / outlook));
-    const double weight = mean_total(learned, receivers);
-    if (result->outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance))
-        result->noise = result->outlook->irradiance() / weight * std::sqrt(variance);
+        result.as_scattered ? scattering + least_noise
+                            : (std::isinf(outlook) ? found + least_noise
+                                                   : 1 / (1 / (found + least_noise) + 1 / outlook));
+    const double weight = mean_total(cut, receivers);
+    if (result.outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance))
+        result.noise = result.outlook->irradiance() / weight * std::sqrt(variance);
     return result;
 }
 
-std::shared_ptr<const BuiltCutOctree::Survey> BuiltCutOctree::survey_of_sources(
-    const LightCut& cut, std::span<const Receiver> receivers, const LightProbe& probe) const {
-    return std::make_shared<Survey>(
-        Survey{cut, arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), {}});
-}
-
-/// By what the weights of the entries of a cell are to be multiplied: as its survey says, with
-/// caution.
-std::vector<float> BuiltCutOctree::counted(const Survey& survey, const LightCut& cut,
+/// By what the weights of the entries of a cell are to be multiplied: as rays tell, with caution.
+std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const LightCut& cut,
                                            const Box& box) const {
     const std::size_t count = cut.entries();
-    std::vector<double> shares(count), given(count), raise(count);
+    std::vector<double> given(count), raise(count);
     const Vec3 middle = box.centre();
     const double radius = 0.5 * length(box.size());
     double learned = 0, raised = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const LightCluster& cluster = cut.cluster(i);
-        const std::size_t entry = survey.cut.entry_of(cluster.first);
         const Glow g = state_->tree.glow(cluster);
-        shares[i] = entry < survey.shares.size() ? survey.shares[entry] : 1;
         const Vec3 v = g.centre - middle;
         given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
         if (const Falloff* falloff = state_->tree.falloff(cluster))
@@ -228,7 +209,8 @@ std::vector<float> BuiltCutOctree::counted(const Survey& survey, const LightCut&
         learned += given[i] * shares[i];
     }
     for (std::size_t i = 0; i < count; ++i) {
-        raise[i] = cautious_share(shares[i], box, state_->tree.glow(cut.cluster(i))) - shares[i];
+        const double share = shares[i];
+        raise[i] = cautious_share(shares[i], box, state_->tree.glow(cut.cluster(i))) - share;
         if (raise[i] * given[i] > most_raised_alone * learned)
             raise[i] = most_raised_alone * learned / given[i];
         raised += given[i] * raise[i];
@@ -282,7 +264,8 @@ BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const B
     cell = made.release();
     state_->cells += 1;
     state_->bytes += sizeof(Cell) + (cell->cut ? cell->cut->memory_bytes() : 0);
-    if (cell->survey) state_->bytes += cell->survey->memory_bytes();
+    if (cell->survey && cell->survey->outlook)
+        state_->bytes += cell->survey->outlook->memory_bytes();
     return cell;
 }
 

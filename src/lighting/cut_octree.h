@@ -54,10 +54,8 @@ private:
     Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell* parent, const LightProbe*) const;
     const Cell& cell_at(const Vec3&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
-    std::shared_ptr<const Survey> survey(const Box&, const LightCut&, const LightProbe&) const;
-    std::shared_ptr<const Survey> survey_of_sources(const LightCut&, std::span<const Receiver>,
-                                                    const LightProbe&) const;
-    std::vector<float> counted(const Survey&, const LightCut&, const Box&) const;
+    Survey survey(const Box&, LightCut&, const LightProbe&) const;
+    std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
     double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
     std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
                           double& probability) const;
