@@ -64,10 +64,10 @@ public:
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
+        TextureList components;
         const std::uint32_t material =
             has_component_looks(object)
-                ? parted_material(object, here, outer.transform, PrimitiveKind::shape,
-                                  world_.shapes.size())
+                ? materials_.of_parts(object, here, outer.transform, components)
                 : materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
         world_.objects += row ? row->spheres.size() : 1;
@@ -83,8 +83,10 @@ public:
         const Shape& shape = std::get<Shape>(object.form);
         if (has_face_looks(object))
             add_textured(*std::get<Shared<Mesh>>(shape), object, here, outer.transform);
-        else if (placed)
+        else if (placed) {
+            note_parts(PrimitiveKind::shape, world_.shapes.size(), std::move(components));
             place(shape, here, material, object.span);
+        }
     }
 
     /// An object that stands in the scene itself.
@@ -202,12 +204,10 @@ private:
         add_mesh(mesh, here.transform.get(), materials, object.span);
     }
 
-    /// The material of a surface whose parts have textures of their own, which are noted.
-    std::uint32_t parted_material(const Object& object, const Inherited& look,
-                                  const Handle<Transform>& outside, PrimitiveKind kind,
-                                  std::size_t index) {
-        parted_.push_back({kind, static_cast<std::uint32_t>(index), {}});
-        return materials_.of_parts(object, look, outside, parted_.back().textures);
+    /// Of the primitive that is placed next; of most, parts have none.
+    void note_parts(PrimitiveKind kind, std::size_t index, TextureList textures) {
+        if (!textures.empty())
+            parted_.push_back({kind, static_cast<std::uint32_t>(index), std::move(textures)});
     }
 
     void place(const Shape& shape, const Inherited& here, std::uint32_t material, Span span) {
@@ -311,12 +311,14 @@ private:
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {
             const Inherited& look = around.back();
-            const bool parted = has_face_looks(object) || has_component_looks(object);
+            const Handle<Transform>& outside = around[around.size() - 2].transform;
+            TextureList parts;
             const std::uint32_t material =
-                parted ? flattener.parted_material(
-                             object, look, around[around.size() - 2].transform, PrimitiveKind::leaf,
-                             flattener.leaf_materials_.size())
-                       : flattener.materials_.index(look);
+                has_face_looks(object) || has_component_looks(object)
+                    ? flattener.materials_.of_parts(object, look, outside, parts)
+                    : flattener.materials_.index(look);
+            flattener.note_parts(PrimitiveKind::leaf, flattener.leaf_materials_.size(),
+                                 std::move(parts));
             transparent |= flattener.world_.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);

@@ -2,6 +2,7 @@
 #include "world/emitters.h"
 
 #include "support/scripts.h"
+#include "world/compile.h"
 
 #include <catch2/catch.hpp>
 
@@ -28,4 +29,15 @@ TEST_CASE("primitives of each kind become luminaires", "[world]") {
         CHECK(world.luminaire_of[each.primitive] ==
               static_cast<LightIndex>(&each - world.luminaires.data()));
     }
+}
+
+TEST_CASE("textures of a blob that is not placed do not go to the next shape", "[world]") {
+    Diagnostics diagnostics;
+    const World world = survey(scene_of(R"(#version 3.7;
+        blob { threshold 0.2 sphere { 0, 1, 1 pigment { rgb x } } }
+        torus { 2, 0.5 pigment { rgb 1 } finish { emission 2 } }
+    )"),
+                               diagnostics);
+    REQUIRE(world.luminaires.size() == 1);
+    CHECK_FALSE(world.luminaires[0].varying);
 }
