@@ -302,7 +302,7 @@ void ItemReader::store(int field, const Element& element) {
     const auto name = [&] { return of_block(field); };
     const auto way_out = [&] { return help(field); };
     auto value = converted(block_, element, info.type, {name, way_out});
-    if (value && field < positional_ && (offender(info.range, *value) || info.range.any_sign))
+    if (value && field < positional_ && offender(info.range, *value))
         if (const auto bare = bare_vectors(element, *info_)) return block_.report(*bare);
     if (info.type == FieldType::text && info.name != "text")  // others name files
         block_.file_span = element.span;

@@ -105,12 +105,11 @@ void Evaluator::State::count_object(Span span) {
     stopped_ = true;
 }
 
-/// When evaluation ends early, open loops are left as they are: a report says which there were.
-void Evaluator::State::open_loop(const Tree& tree, NodeId first) {
-    Span place = tree.span(first);
-    for (NodeId id = tree[first].next; id != no_node; id = tree[id].next)
-        place = join(place, tree.span(id));
-    loops.push_back({place, 0});
+Span OpenLoop::place() const {
+    Span all = tree->span(first);
+    for (NodeId id = (*tree)[first].next; id != no_node; id = (*tree)[id].next)
+        all = join(all, tree->span(id));
+    return all;
 }
 
 const OpenLoop* Evaluator::State::busiest_loop() const {
@@ -122,14 +121,14 @@ const OpenLoop* Evaluator::State::busiest_loop() const {
 
 Diagnostic& Evaluator::State::point_at_loop(Diagnostic& problem) const {
     if (const OpenLoop* loop = busiest_loop())
-        problem.pointing(loop->place, message("in this loop, which has run ", loop->passes,
-                                              loop->passes == 1 ? " time" : " times"));
+        problem.pointing(loop->place(), message("in this loop, which has run ", loop->passes,
+                                                loop->passes == 1 ? " time" : " times"));
     return problem;
 }
 
 Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, const Sink& take) {
     const std::size_t outer = loops.size();
-    open_loop(tree, node.condition);
+    loops.push_back({&tree, node.condition});
     while (condition(tree, node.condition) && !stopped_) {
         if (too_many_steps(tree, node.condition)) return Flow::stopped;
         ++loops[outer].passes;
@@ -193,7 +192,7 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
     if (!(step > 0 ? start < end + tolerance : start > end - tolerance)) return Flow::end;
     double i = start;
     const std::size_t outer = loops.size();
-    open_loop(tree, node.range);
+    loops.push_back({&tree, node.range});
     while (step > 0 ? i <= end + tolerance : i >= end - tolerance) {
         if (too_many_steps(tree, id)) return Flow::stopped;
         ++loops[outer].passes;

@@ -156,7 +156,7 @@ void Evaluator::State::run_within_memory(SourceId main) {
         const std::vector<Frame> open = frames.list(names, sources);
         const OpenLoop* loop = busiest_loop();
         Diagnostic problem = error(Fault::io,
-                                   loop           ? loop->place
+                                   loop           ? loop->place()
                                    : open.empty() ? Span()
                                                   : open.front().called_at,
                                    "there is not enough memory to evaluate this scene");

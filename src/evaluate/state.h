@@ -28,8 +28,11 @@ enum class Flow {
 
 /// A loop that is running.
 struct OpenLoop {
-    Span place;  ///< its condition or range
+    const Tree* tree;
+    NodeId first;  ///< of the nodes of its condition or range
     std::uint64_t passes = 0;
+
+    Span place() const;
 };
 
 /// `[i][j]`, computed.
@@ -208,7 +211,6 @@ struct Evaluator::State {
     Flow directive(const Tree&, NodeId, const Sink& take);
     /// Counts one more step; reports when it is one too many.
     bool too_many_steps(const Tree&, NodeId);
-    void open_loop(const Tree&, NodeId place);
     /// The open loop that has run the most passes, and the innermost of several; null: none.
     const OpenLoop* busiest_loop() const;
     /// Shows the busiest loop with a problem that it is perhaps the reason for.
@@ -291,7 +293,8 @@ struct Evaluator::State {
     std::map<NameId, Deprecation> deprecated;
     std::vector<Argument> arguments;  ///< of the calls that are being made
     std::size_t include_depth = 0;
-    std::vector<OpenLoop> loops;  ///< the innermost last
+    /// The innermost last. When evaluation ends early they are left here: a report names one.
+    std::vector<OpenLoop> loops;
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
     std::uint64_t written_bytes = 0;
