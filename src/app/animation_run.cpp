@@ -64,7 +64,7 @@ private:
             diagnostics_.add(
                 error(Fault::option, {}, "--movie joins all frames, of which a shard has some")
                     .with_help("--skip-existing --movie FILE when all shards are done"));
-        else if (!options_.to_file || output_.path == "-")
+        else if (!options_.to_file || is_stream(output_.path))
             diagnostics_.add(error(Fault::option, {},
                                    "--movie joins frames in files, so it goes neither with -F nor "
                                    "with standard output"));
@@ -90,7 +90,7 @@ private:
         const AnimationFrame& frame = animation_.frames[i];
         Options options = options_;
         options.type = output_.format.type;
-        options.output = output_.path == "-"
+        options.output = is_stream(output_.path)
                              ? output_.path
                              : numbered(output_.path, frame.number, animation_.digits);
         set_frame(options.facts, options_.animation, animation_, frame);

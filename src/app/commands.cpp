@@ -15,6 +15,9 @@
 #include "text/loader.h"
 #include "text/message.h"
 
+#include <algorithm>
+#include <array>
+
 #include <unistd.h>
 
 namespace {
@@ -46,12 +49,46 @@ std::string ini_text(const Options& options) {
     return text;
 }
 
+/// What the program does beside rendering, by its first argument.
+struct Command {
+    std::string_view name;
+    int (*run)(std::span<const std::string_view> arguments, const Console&);
+    std::string_view help;
+};
+
+constexpr auto commands = std::to_array<Command>({
+    {"merge", merge,
+     "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
+     "Joins the states that shards of a picture have left; candelabra-merge(1) says more.\n"},
+    {"fmt", fmt,
+     "usage: candelabra fmt [--check] [file ...]\n"
+     "Lays scenes out; without files, standard input to standard output. --check only names the\n"
+     "files that it would change; candelabra-fmt(1) says more.\n"},
+    {"lsp",
+     [](std::span<const std::string_view>, const Console& console) {
+         return run_lsp(STDIN_FILENO, console);
+     },
+     "usage: candelabra lsp\n"
+     "Answers an editor's questions by the Language Server Protocol, on standard input and\n"
+     "output; candelabra-lsp(1) says more.\n"},
+});
+
+const Command* command_of(std::span<const std::string_view> arguments) {
+    if (arguments.empty()) return nullptr;
+    const auto found = std::ranges::find(commands, arguments[0], &Command::name);
+    return found == commands.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 int run(std::span<const std::string_view> arguments, const Console& console) {
-    if (!arguments.empty() && arguments[0] == "merge") return merge(arguments.subspan(1), console);
-    if (!arguments.empty() && arguments[0] == "fmt") return fmt(arguments.subspan(1), console);
-    if (!arguments.empty() && arguments[0] == "lsp") return run_lsp(STDIN_FILENO, console);
+    if (const Command* command = command_of(arguments)) {
+        const auto others = arguments.subspan(1);
+        if (std::ranges::find(others, "--help") == others.end())
+            return command->run(others, console);
+        console.out(command->help);
+        return exit_status::done;
+    }
     Diagnostics diagnostics;
     const Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
     const auto end_with_errors = [&](int status) {

@@ -8,6 +8,7 @@
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "vocabulary/glossary.h"
 #include "vocabulary/words.h"
 
 #include <nlohmann/json.hpp>
@@ -43,8 +44,8 @@ std::string overview() {
                 0),
         "\n\n",
         wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
-                "it: sphere, finish, "
-                "light_octree, vrotate, +A, --samples, shapes, light samplers ...",
+                "it: sphere, finish, union, #for, light_octree, vrotate, +A, --samples, shapes, "
+                "light samplers ...",
                 0),
         "\n");
 }
@@ -53,6 +54,38 @@ bool same_topic(std::string_view name, std::string_view topic) {
     std::string spaced(topic);
     std::ranges::replace(spaced, '_', ' ');
     return same_letters(name, topic) || same_letters(name, spaced);
+}
+
+/// Whether a list with commas has that name.
+bool has_name(std::string_view list, std::string_view name) {
+    return message(", ", list, ", ").find(message(", ", name, ", ")) != std::string::npos;
+}
+
+std::string glossary_help(std::string_view topic) {
+    const GlossaryEntry* const entry = glossary_entry(topic);
+    return entry ? message(wrapped(entry->form, 4), "\n  ", wrapped(entry->help, 2), "\n")
+                 : std::string();
+}
+
+/// What the word means in each item that has it.
+std::string field_help(std::string_view topic) {
+    std::vector<ManualEntry> meanings;
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items)
+            for (std::size_t i = 0; i < item->fields.size(); ++i) {
+                const FieldInfo& field = item->fields[i];
+                if (!same_letters(field.name, topic) || field.unnamed()) continue;
+                const std::string help = message(field.help, " (", values(*item, i), ")");
+                const auto same = std::ranges::find(meanings, help, &ManualEntry::help);
+                if (same == meanings.end())
+                    meanings.push_back({std::string(item->name), help});
+                else if (!has_name(same->term, item->name))
+                    same->term += message(", ", item->name);
+            }
+    std::string text;
+    for (const ManualEntry& each : meanings)
+        text += message("in ", wrapped(each.term, 4), ":\n  ", wrapped(each.help, 2), "\n");
+    return text;
 }
 
 /// Groups and items with that name, together.
@@ -85,6 +118,7 @@ std::vector<std::string_view> topics() {
         for (const ItemInfo* item : group.items) names.push_back(item->name);
     }
     for (const FunctionInfo& each : functions()) names.push_back(each.name);
+    for (const Word& word : reserved_words()) names.push_back(word.spelling);
     for (const OptionRow& row : option_table()) {
         if (!row.keyword.empty()) names.push_back(row.keyword);
         if (!row.word.empty()) names.push_back(row.word);
@@ -169,6 +203,8 @@ std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
+           "       candelabra fmt [--check] [file ...]\n"
+           "       candelabra lsp\n"
            "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
 }
@@ -181,9 +217,10 @@ std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
     for (const FunctionInfo& each : functions())
         if (same_letters(each.name, topic))
             text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
-    const std::string option = option_help(topic);
-    if (!text.empty() && !option.empty()) text += "\n";
-    text += option;
+    for (const std::string& more : {glossary_help(topic), field_help(topic), option_help(topic)}) {
+        if (!text.empty() && !more.empty()) text += "\n";
+        text += more;
+    }
     if (text.empty()) {
         const std::string meant = nearest(topic, topics());
         diagnostics.add(

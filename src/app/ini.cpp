@@ -73,6 +73,7 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
     std::vector<IniLine> lines;
     bool taken = true, found = section.empty();
     int number = 0;
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors begin so
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = trimmed(without_comment(text.substr(0, end)));

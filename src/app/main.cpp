@@ -10,6 +10,7 @@
 #include <new>
 #include <vector>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 namespace {
@@ -21,9 +22,17 @@ bool colours_wanted(bool terminal) {
     return terminal && !(none && *none) && !(kind && std::string_view(kind) == "dumb");
 }
 
+/// Else the first files that are opened would be taken for standard streams that are closed.
+void fill_standard_streams() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0)
+            std::_Exit(EXIT_FAILURE);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
+    fill_standard_streams();
     Signals signals;
     const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
     Console console;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/merge.h"
 
+#include "app/checkpoint.h"
 #include "app/option_store.h"
 #include "app/output.h"
 #include "picture/file.h"
@@ -13,28 +14,57 @@
 
 namespace {
 
+/// What may be missing; it is said in any case.
+enum class Gaps {
+    none,
+    around,    ///< samples before and behind those that are there, as a state can have it
+    anywhere,  ///< as a picture can
+};
+
+/// Adds up states of the same picture. Reports those that are not, overlaps, and what is missing.
 class Joiner {
 public:
-    Joiner(std::vector<NamedState> states, Gaps gaps, Diagnostics& diagnostics)
-        : states_(std::move(states)), gaps_(gaps), diagnostics_(diagnostics) {}
+    Joiner(Gaps gaps, Diagnostics& diagnostics) : gaps_(gaps), diagnostics_(diagnostics) {}
 
-    std::optional<Checkpoint> operator()() {
-        std::ranges::stable_sort(states_, {}, [](const NamedState& state) {
-            const Share& share = state.checkpoint.state.share;
-            return std::pair(share.first_sample, share.first_tile);
-        });
-        for (const NamedState& state : states_) compare(state);
-        if (diagnostics_.failed()) return std::nullopt;
-        if (first().state.share.tile_step > 1)
-            check_tiles();
+    void add(const std::string& name, Checkpoint state) {
+        parts_.push_back({name, state.state.share, state.state.rounds, state.samples});
+        if (parts_.size() == 1)
+            begin(state);
         else
-            check_samples();
+            compare(name, state);
+        if (!state.finished)
+            missing(message("`", harmless(name), "` is not finished"), Gaps::around);
+        if (!diagnostics_.failed()) sum_up(state);
+    }
+
+    /// Nothing when anything was wrong. Precondition: at least one state was added.
+    std::optional<Checkpoint> finish() {
+        std::ranges::stable_sort(parts_, {}, [](const Part& part) {
+            return std::pair(part.share.first_sample, part.share.first_tile);
+        });
+        if (!diagnostics_.failed()) {
+            if (share().tile_step > 1)
+                check_tiles();
+            else
+                check_samples();
+        }
         if (diagnostics_.failed()) return std::nullopt;
-        return sum();
+        if (share().tile_step > 1) sum_.samples = sum_.all_samples;
+        sum_.state.rounds = parts_.front().rounds;
+        sum_.state.share.first_sample = parts_.front().share.first_sample;
+        sum_.state.share.first_tile = 0;
+        sum_.state.share.tile_step = 1;
+        return std::move(sum_);
     }
 
 private:
-    const Checkpoint& first() const { return states_.front().checkpoint; }
+    struct Part {
+        std::string name;
+        Share share;
+        std::uint32_t rounds, samples;
+    };
+
+    const Share& share() const { return sum_.state.share; }
 
     void refuse(std::string text) { diagnostics_.add(error(Fault::option, {}, std::move(text))); }
 
@@ -49,37 +79,56 @@ private:
                                                 : "a picture can have such a gap, a state cannot"));
     }
 
-    void compare(const NamedState& state) {
-        const Checkpoint& one = state.checkpoint;
+    void begin(const Checkpoint& first) {
+        const Film& film = first.state.film;
+        sum_.identity = first.identity;
+        sum_.all_samples = first.all_samples;
+        sum_.finished = true;
+        sum_.state.share = first.state.share;
+        sum_.state.film = Film(film.width(), film.height(), film.extras());
+    }
+
+    void compare(const std::string& name, const Checkpoint& one) {
         const auto mixed = [&](const std::string& why) {
-            refuse(message("`", harmless(state.name), "` does not belong to `",
-                           harmless(states_.front().name), "`: ", why));
+            refuse(message("`", harmless(name), "` does not belong to `",
+                           harmless(parts_.front().name), "`: ", why));
         };
-        std::string different = difference(first().identity, one.identity);
-        if (different.empty()) different = difference(one.identity, first().identity);
+        std::string different = difference(sum_.identity, one.identity);
+        if (different.empty()) different = difference(one.identity, sum_.identity);
         if (!different.empty()) return mixed(different);
-        if (one.all_samples != first().all_samples)
+        if (one.all_samples != sum_.all_samples)
             return mixed(message("it is of a picture with ", one.all_samples, " samples, not ",
-                                 first().all_samples));
+                                 sum_.all_samples));
         const Film& film = one.state.film;
-        const Film& other = first().state.film;
-        const Share &a = one.state.share, &b = first().state.share;
+        const Film& other = sum_.state.film;
+        const Share& its = one.state.share;
         if (film.width() != other.width() || film.height() != other.height() ||
-            film.extras() != other.extras() || a.tile_step != b.tile_step || a.region != b.region)
-            return mixed("the picture was cut in another way");
-        if (!one.finished)
-            missing(message("`", harmless(state.name), "` is not finished"), Gaps::around);
+            film.extras() != other.extras() || its.tile_step != share().tile_step ||
+            its.region != share().region)
+            mixed("the picture was cut in another way");
+    }
+
+    void sum_up(const Checkpoint& one) {
+        Film& film = sum_.state.film;
+        const Film& part = one.state.film;
+        for (int y = 0; y < part.height(); ++y)
+            for (int x = 0; x < part.width(); ++x)
+                // A shard of tiles also has samples around its tiles.
+                if (one.state.share.owns(x, y)) {
+                    film.add(film.index(x, y), part);
+                    film.at(x, y).target += part.at(x, y).target;
+                }
+        sum_.samples += one.samples;
+        sum_.finished &= one.finished;
     }
 
     void check_tiles() {
-        const int count = first().state.share.tile_step;
+        const int count = share().tile_step;
         std::set<int> found;
-        for (const NamedState& state : states_) {
-            const int number = state.checkpoint.state.share.first_tile;
-            if (!found.insert(number).second)
+        for (const Part& part : parts_)
+            if (const int number = part.share.first_tile; !found.insert(number).second)
                 refuse(message("shard ", number + 1, " of ", count, " is there twice: `",
-                               harmless(state.name), "`"));
-        }
+                               harmless(part.name), "`"));
         for (int i = 0; i < count; ++i)
             if (!found.count(i))
                 missing(message("shard ", i + 1, " of ", count, " is missing"), Gaps::anywhere);
@@ -89,47 +138,25 @@ private:
         std::uint32_t end = 0;
         const auto gap = [&](std::uint32_t from, std::uint32_t to, Gaps least) {
             if (from < to)
-                missing(message("samples ", from, " to ", to - 1, " of 0 to ",
-                                first().all_samples - 1, " are missing"),
+                missing(message("samples ", from, " to ", to - 1, " of 0 to ", sum_.all_samples - 1,
+                                " are missing"),
                         least);
         };
-        for (const NamedState& state : states_) {
-            const std::uint32_t begin = state.checkpoint.state.share.first_sample;
-            if (begin < end && state.checkpoint.samples > 0)
-                refuse(message("`", harmless(state.name), "` has samples from ", begin,
+        for (const Part& part : parts_) {
+            const std::uint32_t begin = part.share.first_sample;
+            if (begin < end && part.samples > 0)
+                refuse(message("`", harmless(part.name), "` has samples from ", begin,
                                " on, of which another shard has some, too"));
-            gap(end, begin, &state == &states_.front() ? Gaps::around : Gaps::anywhere);
-            end = std::max(end, begin + state.checkpoint.samples);
+            gap(end, begin, &part == &parts_.front() ? Gaps::around : Gaps::anywhere);
+            end = std::max(end, begin + part.samples);
         }
-        gap(end, first().all_samples, Gaps::around);
+        gap(end, sum_.all_samples, Gaps::around);
     }
 
-    Checkpoint sum() const {
-        Checkpoint result = first();
-        Film& film = result.state.film;
-        film = Film(film.width(), film.height(), film.extras());
-        result.samples = 0;
-        for (const NamedState& state : states_) {
-            const RenderState& part = state.checkpoint.state;
-            for (int y = 0; y < part.film.height(); ++y)
-                for (int x = 0; x < part.film.width(); ++x)
-                    // A shard of tiles also has samples around its tiles.
-                    if (part.share.owns(x, y)) {
-                        film.add(film.index(x, y), part.film);
-                        film.at(x, y).target += part.film.at(x, y).target;
-                    }
-            result.samples += state.checkpoint.samples;
-            result.finished &= state.checkpoint.finished;
-        }
-        if (result.state.share.tile_step > 1) result.samples = result.all_samples;
-        result.state.share.first_tile = 0;
-        result.state.share.tile_step = 1;
-        return result;
-    }
-
-    std::vector<NamedState> states_;
     Gaps gaps_;
     Diagnostics& diagnostics_;
+    std::vector<Part> parts_;
+    Checkpoint sum_;
 };
 
 struct Request {
@@ -213,28 +240,25 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
 
 }  // namespace
 
-std::optional<Checkpoint> joined(std::vector<NamedState> states, Gaps gaps,
-                                 Diagnostics& diagnostics) {
-    return Joiner(std::move(states), gaps, diagnostics)();
-}
-
 int merge(std::span<const std::string_view> arguments, const Console& console) {
     Diagnostics diagnostics;
-    const Request request = read_request(arguments, diagnostics);
+    Request request = read_request(arguments, diagnostics);
     const auto end = [&](int status) {
         say_errors(console, request.options, diagnostics);
         return status;
     };
     if (diagnostics.failed()) return end(exit_status::usage);
-    std::vector<NamedState> states;
-    for (const std::string& file : request.files)
-        if (auto checkpoint = read_checkpoint(file, diagnostics))
-            states.push_back({file, std::move(*checkpoint)});
-    if (diagnostics.failed()) return end(exit_status::file);
+    std::ranges::sort(request.files);  // what is said does not depend on their order
     const Gaps gaps = !request.partial       ? Gaps::none
                       : makes_state(request) ? Gaps::around
                                              : Gaps::anywhere;
-    const auto result = joined(std::move(states), gaps, diagnostics);
+    Joiner joiner(gaps, diagnostics);
+    for (const std::string& file : request.files) {
+        auto state = read_checkpoint(file, diagnostics);
+        if (!state) return end(exit_status::file);
+        joiner.add(file, std::move(*state));
+    }
+    const auto result = joiner.finish();
     if (!result) return end(exit_status::usage);
     return end(write_result(request, *result, diagnostics) ? exit_status::done : exit_status::file);
 }

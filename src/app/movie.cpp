@@ -60,7 +60,7 @@ std::string movie_list(const std::vector<std::string>& frames, double frame_rate
 
 std::vector<std::string> movie_arguments(const std::string& list, const std::string& frame,
                                          const std::string& film) {
-    std::vector<std::string> words = {"ffmpeg", "-y", "-loglevel", "error"};
+    std::vector<std::string> words = {"ffmpeg", "-nostdin", "-y", "-loglevel", "error"};
     // Values of EXR are light, those of films are for screens.
     if (frame.ends_with(".exr")) words.insert(words.end(), {"-apply_trc", "iec61966_2_1"});
     words.insert(words.end(), {"-f", "concat", "-safe", "0", "-i", list});

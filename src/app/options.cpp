@@ -248,19 +248,22 @@ private:
         if (given.value && row->takes == Takes::nothing) return fail(argument, "takes no value");
         if (!given.value && row->takes == Takes::value && next_ < arguments_.size())
             given.value = arguments_[next_++];
-        if (!given.value && row->takes == Takes::maybe_words) given.value = following_words();
+        if (!given.value && row->takes == Takes::maybe_words)
+            given.value = following_words(row->store == store::help);
         if (row->takes == Takes::value && (!given.value || given.value->empty()))
             return fail(argument,
                         message("needs a value: `--", row->word, " ", row->parameter, "`"));
         accept(*row, given);
     }
 
-    /// The arguments up to the next option, with blanks between them.
-    std::optional<std::string> following_words() {
+    /// The arguments up to the next option, with blanks between them. An option may be what is
+    /// asked about.
+    std::optional<std::string> following_words(bool option_first) {
         std::string words;
         for (; next_ < arguments_.size(); ++next_) {
             const std::string_view word = arguments_[next_];
-            if (word.starts_with('-') || word.starts_with('+')) break;
+            const bool option = word.starts_with('-') || word.starts_with('+');
+            if (option && !(option_first && words.empty())) break;
             words += message(words.empty() ? "" : " ", word);
         }
         return words.empty() ? std::nullopt : std::optional(words);

@@ -19,22 +19,23 @@ bool is_folder(const std::string& path) {
     return path.ends_with('/') || fs::is_directory(path, none);
 }
 
-bool is_device_or_pipe(const std::string& path) {
-    std::error_code none;
-    const fs::file_status status = fs::status(path, none);
-    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 std::string path_of(const Options& options, PictureType type) {
     const std::string& given = options.output;
     const std::string ending = message('.', extension(type));
     if (given.empty()) return scene_stem(options) + ending;
-    if (given == "-" || is_device_or_pipe(given)) return given;
+    if (is_stream(given)) return given;
     if (is_folder(given)) return (fs::path(given) / (scene_stem(options) + ending)).string();
     return type_of_name(given) == type ? given : given + ending;
 }
 
 }  // namespace
+
+bool is_stream(const std::string& path) {
+    if (path == "-") return true;
+    std::error_code none;
+    const fs::file_status status = fs::status(path, none);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 Output output_of(const Options& options, Diagnostics& diagnostics) {
     Output output;
@@ -54,7 +55,7 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
         refuse(" has no alpha channel", "+FN png, +FE OpenEXR, +FT tga");
     if (options.grey && !has_grey(output.format.type))
         refuse(" is not written in grey", "+FN png, +FP ppm");
-    const bool stored = options.to_file && output.path != "-" && !is_device_or_pipe(output.path);
+    const bool stored = options.to_file && !is_stream(output.path);
     const bool layered = output.format.type == PictureType::exr && options.to_file;
     if (!options.layers.empty() && !stored && !layered)
         diagnostics.add(
@@ -65,6 +66,6 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
 }
 
 std::string folder_of(const Output& output) {
-    if (output.path == "-" || is_device_or_pipe(output.path)) return {};
+    if (is_stream(output.path)) return {};
     return fs::path(output.path).parent_path().string();
 }

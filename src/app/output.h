@@ -17,3 +17,7 @@ Output output_of(const Options&, Diagnostics&);
 /// The folder of the picture, below which the scene may write; "" is the current one, also for
 /// standard output, devices and pipes.
 std::string folder_of(const Output&);
+
+/// Whether a path is standard output (`-`), a device or a pipe: each frame goes there under the
+/// same name.
+bool is_stream(const std::string& path);

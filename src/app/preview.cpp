@@ -200,14 +200,19 @@ private:
         ++shown_.pictures;
     }
 
+    static WebAnswer no_such_page() { return {"text/plain", "no such page\n", 404}; }
+
     WebAnswer answer(const WebRequest& request) {
-        if (request.path == "/view.png") return {"image/png", seen(request.parameter("name"))};
+        if (request.path == "/view.png") {
+            std::string png = seen(request.parameter("name"));
+            return png.empty() ? no_such_page() : WebAnswer{"image/png", std::move(png)};
+        }
         if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
         const std::lock_guard lock(shown_.mutex);
         if (request.path == "/") return {"text/html; charset=utf-8", preview_page};
         if (request.path == "/picture.png") return {"image/png", shown_.png};
         if (request.path == "/turn") return turn(request);
-        if (request.path != "/status") return {"text/plain", "no such page\n", 404};
+        if (request.path != "/status") return no_such_page();
         const nlohmann::json status = {{"picture", shown_.pictures}, {"progress", shown_.progress},
                                        {"errors", shown_.errors},    {"line", shown_.line},
                                        {"lights", shown_.lights},    {"views", views()},
@@ -255,8 +260,9 @@ private:
         const auto whole = [&](std::string_view name) {
             const std::string text = request.parameter(name);
             int value = -1;
-            std::from_chars(text.data(), text.data() + text.size(), value);
-            return value;
+            const auto [end, problem] =
+                std::from_chars(text.data(), text.data() + text.size(), value);
+            return problem == std::errc() && end == text.data() + text.size() ? value : -1;
         };
         const int x = whole("x"), y = whole("y");
         return questions_.ask([=](const Exhibit& exhibit) { return what_is_under(exhibit, x, y); });

@@ -241,7 +241,9 @@ private:
             library_folders(console_.library, options_.library_paths, diagnostics_);
         Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
                       disk_lister());
-        if (options_.task != Task::render && options_.task != Task::export_mesh)
+        // Files are written once, not at each moment of an open shutter.
+        if ((options_.task != Task::render && options_.task != Task::export_mesh) ||
+            clock_ahead > 0)
             loader.keep_off_disk();
         bool line_is_open = false;
         EvaluateOptions options;

@@ -15,13 +15,18 @@ sigset_t set_of(std::initializer_list<int> signals) {
     return set;
 }
 
-sigset_t taken() { return set_of({SIGINT, SIGTERM, SIGUSR1}); }
+/// SIGHUP stays ignored when it was, as nohup wants it.
+sigset_t taken() {
+    struct sigaction hangup {};
+    sigaction(SIGHUP, nullptr, &hangup);
+    return hangup.sa_handler == SIG_IGN ? set_of({SIGINT, SIGTERM, SIGUSR1})
+                                        : set_of({SIGINT, SIGTERM, SIGUSR1, SIGHUP});
+}
 
 }  // namespace
 
-Signals::Signals() {
-    const sigset_t set = taken();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr);
+Signals::Signals() : taken_(taken()) {
+    pthread_sigmask(SIG_BLOCK, &taken_, nullptr);
     // A full disk or a closed pipe is an error of writing, which has its own message.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
@@ -32,15 +37,13 @@ Signals::~Signals() {
     ending_ = true;
     pthread_kill(thread_.native_handle(), SIGUSR1);
     thread_.join();
-    const sigset_t set = taken();
-    pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    pthread_sigmask(SIG_UNBLOCK, &taken_, nullptr);
 }
 
 void Signals::wait() {
-    const sigset_t set = taken();
     while (!ending_) {
         int signal = 0;
-        if (sigwait(&set, &signal) == 0 && !ending_) arrived(signal);
+        if (sigwait(&taken_, &signal) == 0 && !ending_) arrived(signal);
     }
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signals that ask a rendering to stop (SIGINT, SIGTERM) or to write its state (SIGUSR1), taken
-// by a thread of their own, so that no handler and no global is needed. While nothing listens,
-// SIGINT and SIGTERM end the program as they always do, and SIGUSR1 is let go. Made first thing in
-// main(): threads that exist already would not leave the signals to it.
+// The signals that ask a rendering to stop (SIGINT, SIGTERM, SIGHUP) or to write its state
+// (SIGUSR1), taken by a thread of their own, so that no handler and no global is needed. While
+// nothing listens, the first three end the program as they always do, and SIGUSR1 is let go. Made
+// first thing in main(): threads that exist already would not leave the signals to it.
 #pragma once
 
 #include "app/interrupt.h"
 
 #include <atomic>
+#include <csignal>
 #include <thread>
 
 class Signals {
@@ -23,6 +24,7 @@ private:
     void wait();
     void arrived(int signal);
 
+    sigset_t taken_;
     std::atomic<Interrupt> asked_ = Interrupt::none;
     std::atomic<bool> listening_ = false;
     std::atomic<bool> ending_ = false;

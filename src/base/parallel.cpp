@@ -5,10 +5,13 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
+
 int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
 void run_on_threads(int threads, const std::function<void()>& work) {
-    if (threads <= 0) threads = core_count();
+    // More threads than cores gain nothing, and very many would only wait for each other.
+    threads = threads <= 0 ? core_count() : std::min(threads, 4 * core_count());
     using Control = oneapi::tbb::global_control;
     const Control allowed(Control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     oneapi::tbb::task_arena arena(threads);

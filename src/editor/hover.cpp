@@ -4,6 +4,7 @@
 #include "evaluate/functions.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
+#include "vocabulary/glossary.h"
 #include "vocabulary/manual.h"
 
 #include <algorithm>
@@ -48,7 +49,10 @@ std::string word_help(const EditedFile& file, const Token& token, const Names& n
         if (!text.empty()) return text;
     }
     std::string text = function_help(word);
-    return text.empty() ? item_help(word) : text;
+    if (text.empty()) text = item_help(word);
+    if (const GlossaryEntry* entry = glossary_entry(word); entry && text.empty())
+        text = fenced(entry->form) + std::string(entry->help);
+    return text;
 }
 
 std::size_t line_start(std::string_view text, std::size_t offset) {

@@ -100,6 +100,7 @@ void Evaluator::run(SourceId main) {
         const std::size_t margin = std::size_t{1} << 20;
         state.stack_end = &here - (bytes - margin);
         state.run_within_memory(main);
+        state.check_written_files();
     });
     state.stack_end = nullptr;
     state.diagnostics.set_frames({});
@@ -201,7 +202,8 @@ void Evaluator::State::walk_whole(const Tree& tree, NodeId first, const Sink& ta
 bool Evaluator::State::no_room(const Tree& tree, NodeId node) {
     if (!stopped_)
         report(error(Fault::recursion_limit, tree.span(node), "this is nested too deeply")
-                   .with_help("--limit-depth makes room for deeper calls of macros"));
+                   .with_help("--limit-depth makes room for deeper calls of macros; a very long "
+                              "expression can be declared in parts"));
     stopped_ = true;
     return false;
 }

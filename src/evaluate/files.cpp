@@ -4,6 +4,8 @@
 #include "evaluate/state.h"
 #include "text/message.h"
 
+#include <algorithm>
+
 void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeId id) {
     const std::string_view mode = names.spelling(node.mode);
     const Span span = tree.span(node.path);
@@ -20,7 +22,7 @@ void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeI
                    .with_help("#undef it before, or choose another name"));
         return;
     }
-    DataFile file{*path.text(), tree.span(id), {}, {}};
+    DataFile file(*path.text(), tree.span(id));
     if (mode == "read") {
         open_for_reading(file, span);
     } else if (mode == "write" || mode == "append") {
@@ -51,14 +53,15 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
             error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
                 .with_note(loader.door().writing_rule())
                 .with_help(Door::writing_help(file.name)));
-    auto writer = writer_for(*path, append);
+    const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
     if (!writer->good())
         return report(
             error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
     // An #include of this file is to see what is in it then.
     if (!loader.keeps_off_disk()) loader.written(*path);
     loaded.erase(*path);
-    file.writer = std::move(writer);
+    file.writer = writer;
+    written_files.push_back({file.name, file.opened, writer});
 }
 
 /// A writer at a destination of the door; in a run that changes nothing it writes to memory, where
@@ -105,9 +108,22 @@ void Evaluator::State::close_file(const Tree& tree, const node::Close& node, Nod
     const Handle<DataFile> file = open_file_named(node.file, tree.span(id));
     if (!file) return;
     scope.undefine(node.file);
-    if (file->writer && !file->writer->close())
-        report(error(Fault::io, tree.span(id),
+    if (file->writer) check_written(file->writer, tree.span(id));
+}
+
+/// Closes a file and reports, once, what has not got to the disk.
+void Evaluator::State::check_written(const std::shared_ptr<DataWriter>& writer, Span span) {
+    const auto file = std::ranges::find(written_files, writer, &WrittenFile::writer);
+    if (file == written_files.end()) return;
+    if (!writer->close())
+        report(error(Fault::io, span,
                      message("not everything could be written to `", file->name, "`")));
+    written_files.erase(file);
+}
+
+void Evaluator::State::check_written_files() {
+    while (!written_files.empty())
+        check_written(written_files.front().writer, written_files.front().opened);
 }
 
 void Evaluator::State::read_values(const Tree& tree, const node::Read& node, NodeId id) {
@@ -182,7 +198,7 @@ void Evaluator::State::write_values(const Tree& tree, const node::Write& node, N
         report(error(Fault::loop_limit, tree.span(id),
                      message("this scene has written more than ", limits.written_bytes,
                              " bytes, which is the limit"))
-                   .with_help("--limit-written raises it"));
+                   .with_help("--limit-written, in megabytes, raises it"));
         stopped_ = true;
     }
 }

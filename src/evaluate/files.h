@@ -11,8 +11,21 @@
 #include <string>
 
 struct DataFile {
+    DataFile(std::string name_, Span opened_) : name(std::move(name_)), opened(opened_) {}
+    DataFile(DataFile&&) = default;
+    ~DataFile() {
+        if (writer) writer->close();
+    }
+
     std::string name;  ///< as the scene writes it
     Span opened;
     std::unique_ptr<DataReader> reader;  ///< one of these two
-    std::unique_ptr<DataWriter> writer;
+    std::shared_ptr<DataWriter> writer;
+};
+
+/// A file that was opened for writing, to tell in the end whether all of it is on the disk.
+struct WrittenFile {
+    std::string name;
+    Span opened;
+    std::shared_ptr<DataWriter> writer;
 };

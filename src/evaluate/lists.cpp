@@ -162,6 +162,11 @@ private:
             return;
         }
         const int look = static_cast<int>(std::get<double>(*value));
+        if (look < 0)
+            return block_.report(error(Fault::out_of_range, element.span,
+                                       message("the textures of a `texture_list` are counted from "
+                                               "0, but this is ",
+                                               look)));
         if (looks.size() < faces.size()) {
             looks.resize(faces.size(), {-1, -1, -1});
             looks.back() = {look, look, look};

@@ -104,8 +104,8 @@ void ModelReader::read_hull(const Element& element) {
 }
 
 void ModelReader::wrong(const std::string& why) {
-    Diagnostic fault =
-        error(Fault::degenerate, span_, message("this does not become a mesh: ", why));
+    Diagnostic fault = error(Fault::degenerate, object_ || hull_ ? span_ : block_.span,
+                             message("this does not become a mesh: ", why));
     if (object_)
         fault = std::move(fault).with_help(
             "what becomes a mesh is closed and has an end; planes may cut it");

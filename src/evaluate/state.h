@@ -255,6 +255,9 @@ struct Evaluator::State {
     Handle<DataFile> open_file_named(const Tree&, NodeId);
     Handle<DataFile> open_file_named(NameId, Span);
     void close_file(const Tree&, const node::Close&, NodeId);
+    void check_written(const std::shared_ptr<DataWriter>&, Span);
+    /// At the end: those that were not closed by the scene.
+    void check_written_files();
     void read_values(const Tree&, const node::Read&, NodeId);
     bool read_into(const Tree&, NodeId target, DataReader&);
     void write_values(const Tree&, const node::Write&, NodeId);
@@ -297,6 +300,7 @@ struct Evaluator::State {
     std::vector<OpenLoop> loops;
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
+    std::vector<WrittenFile> written_files;  ///< that are still to be checked
     std::uint64_t written_bytes = 0;
     double version = 3.7;
     bool version_given = false;

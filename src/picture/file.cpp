@@ -58,6 +58,9 @@ int replace(const fs::path& path, std::string_view bytes, const struct stat* old
     if (draft.file < 0) return old ? write_in_place(path.string(), bytes) : errno;
     int failure = write_all(draft.file, bytes);
     if (old && failure == 0 && ::fchmod(draft.file, old->st_mode & 07777) != 0) failure = errno;
+    // Else a power failure could leave the new name with none of the bytes. Some file systems
+    // cannot.
+    if (failure == 0 && ::fdatasync(draft.file) != 0 && errno != EINVAL) failure = errno;
     if (::close(draft.file) != 0 && failure == 0) failure = errno;
     if (failure == 0 && ::rename(draft.path.c_str(), path.c_str()) != 0) failure = errno;
     if (failure != 0) ::unlink(draft.path.c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Puts bytes into a file so that others see the old content or the new, never a part. Called for
-// pictures and statistics.
+// Puts bytes into a file so that others see the old content or the new, never a part, also when
+// the machine stops. Called for pictures, states and statistics.
 #pragma once
 
 #include "text/diagnostic.h"

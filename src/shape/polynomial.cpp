@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/polynomial.h"
 
+#include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
 #include "base/roots.h"
+
+#include <algorithm>
 
 const ItemInfo Cubic::vocabulary = described<Cubic>([] {
     using F = Field<Cubic>;
@@ -26,6 +29,24 @@ const ItemInfo Poly::vocabulary = described<Poly>([] {
                         F{"degree", &Poly::degree, positional, "degree", between(2, 35)},
                         F{"factors", &Poly::factors, positional,
                           "<factors>, powers of x falling, then of y, then of z"});
+});
+
+const ItemInfo PolynomialTerm::vocabulary = described<PolynomialTerm>([] {
+    using F = Field<PolynomialTerm>;
+    return schema<PolynomialTerm>(
+        "xyz", "A term of a polynomial, written `xyz(2, 0, 1): 3`.",
+        F{"x", &PolynomialTerm::x, positional, "power of x", between(0, greatest_degree)},
+        F{"y", &PolynomialTerm::y, positional, "power of y", between(0, greatest_degree)},
+        F{"z", &PolynomialTerm::z, positional, "power of z", between(0, greatest_degree)},
+        F{"factor", &PolynomialTerm::factor, positional, "factor"});
+});
+
+const ItemInfo Polynomial::vocabulary = described<Polynomial>([] {
+    using F = Field<Polynomial>;
+    return schema<Polynomial>(
+        "polynomial", "The surface of a polynomial of any degree; inside it is below 0.",
+        F{"degree", &Polynomial::degree, positional, "degree", between(2, greatest_degree)},
+        parts<&Polynomial::terms>("xyz", "a term, as `xyz(2, 0, 1): 3`"));
 });
 
 namespace {
@@ -119,9 +140,15 @@ std::string wrong_count(const std::string& name, int degree, const std::vector<d
     if (factors.size() != needed)
         return "a `" + name + "` needs " + std::to_string(needed) + " factors, and this has " +
                std::to_string(factors.size());
-    for (std::size_t i = 0; i + 1 < factors.size(); ++i)
-        if (factors[i] != 0) return {};
+    if (std::any_of(factors.begin(), factors.end() - 1, [](double f) { return f != 0; })) return {};
     return "a `" + name + "` needs a factor that is not 0 besides the constant";
+}
+
+/// The place of a term among the factors: behind those of more x, then of more y, then of more z.
+std::size_t place(int degree, const PolynomialTerm& term) {
+    const int without_x = degree - term.x, without_xy = without_x - term.y;
+    return factor_count(without_x - 1) +
+           static_cast<std::size_t>(without_xy * (without_xy + 1) / 2 + without_xy - term.z);
 }
 
 }  // namespace
@@ -129,10 +156,28 @@ std::string wrong_count(const std::string& name, int degree, const std::vector<d
 AlgebraicSurface build(const Cubic& cubic) { return {3, cubic.factors}; }
 AlgebraicSurface build(const Quartic& quartic) { return {4, quartic.factors}; }
 AlgebraicSurface build(const Poly& poly) { return {poly.degree, poly.factors}; }
+AlgebraicSurface build(const Polynomial& polynomial) {
+    AlgebraicSurface surface{polynomial.degree,
+                             std::vector<double>(factor_count(polynomial.degree))};
+    for (const PolynomialTerm& term : polynomial.terms)
+        surface.factors[place(polynomial.degree, term)] = term.factor;
+    return surface;
+}
 
 std::string problem(const Cubic& cubic) { return wrong_count("cubic", 3, cubic.factors); }
 std::string problem(const Quartic& quartic) { return wrong_count("quartic", 4, quartic.factors); }
 std::string problem(const Poly& poly) { return wrong_count("poly", poly.degree, poly.factors); }
+std::string problem(const Polynomial& polynomial) {
+    const auto has_place = [&](const PolynomialTerm& term) {
+        return term.x + term.y + term.z <= polynomial.degree;
+    };
+    const auto term = std::ranges::find_if_not(polynomial.terms, has_place);
+    if (term == polynomial.terms.end())
+        return wrong_count("polynomial", polynomial.degree, build(polynomial).factors);
+    return "xyz(" + std::to_string(term->x) + ", " + std::to_string(term->y) + ", " +
+           std::to_string(term->z) + ") is of a higher degree than the " +
+           std::to_string(polynomial.degree) + " of its `polynomial`";
+}
 
 Box bounds(const AlgebraicSurface&) { return {Vec3(-infinity), Vec3(infinity)}; }
 

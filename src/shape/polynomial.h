@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces where a polynomial of x, y and z is 0: cubic, quartic, and poly of any degree up to 35.
+// Surfaces where a polynomial of x, y and z is 0: cubic, quartic, and poly and polynomial, which is
+// written term by term, of any degree up to 35.
 // Rays ask the AlgebraicSurface that is built from each of them.
 #pragma once
 
@@ -42,14 +43,32 @@ struct Poly {
     static const ItemInfo vocabulary;
 };
 
+/// `xyz(2, 0, 1): 3`, which is 3 x^2 z.
+struct PolynomialTerm {
+    int x = 0, y = 0, z = 0;
+    double factor = 0;
+
+    static const ItemInfo vocabulary;
+};
+
+/// A surface of any degree. Terms that are not there are 0; of the same ones the last counts.
+struct Polynomial {
+    int degree = 2;
+    std::vector<PolynomialTerm> terms;
+
+    static const ItemInfo vocabulary;
+};
+
 AlgebraicSurface build(const Cubic&);
 AlgebraicSurface build(const Quartic&);
 AlgebraicSurface build(const Poly&);
+AlgebraicSurface build(const Polynomial&);
 /// What is wrong beyond the ranges of single fields (number of factors), as a sentence; empty when
 /// nothing is.
 std::string problem(const Cubic&);
 std::string problem(const Quartic&);
 std::string problem(const Poly&);
+std::string problem(const Polynomial&);
 
 /// Infinite: where the surface ends, if it does, is not known.
 Box bounds(const AlgebraicSurface&);

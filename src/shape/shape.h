@@ -37,8 +37,8 @@
 using Shape =
     std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
                  Shared<SmoothTriangle>, Shared<Mesh>, Torus, Shared<Quadric>, Shared<Cubic>,
-                 Shared<Quartic>, Shared<Poly>, Superellipsoid, Shared<Polygon>, Shared<Prism>,
-                 Shared<Lathe>, Shared<Sor>, Ovus, Shared<SphereSweep>, Shared<Blob>,
+                 Shared<Quartic>, Shared<Poly>, Shared<Polynomial>, Superellipsoid, Shared<Polygon>,
+                 Shared<Prism>, Shared<Lathe>, Shared<Sor>, Ovus, Shared<SphereSweep>, Shared<Blob>,
                  Shared<Isosurface>, Shared<Parametric>, Shared<HeightField>, Shared<BicubicPatch>,
                  Shared<JuliaFractal>, Shared<Text>, Shared<TriangleMesh>>;
 

@@ -107,7 +107,8 @@ bool has_needless_bounds(const Object& object) {
     if (const auto* shape = std::get_if<Shape>(&object.form))
         return !(std::holds_alternative<Shared<Cubic>>(*shape) ||
                  std::holds_alternative<Shared<Quartic>>(*shape) ||
-                 std::holds_alternative<Shared<Poly>>(*shape));
+                 std::holds_alternative<Shared<Poly>>(*shape) ||
+                 std::holds_alternative<Shared<Polynomial>>(*shape));
     const auto* group = std::get_if<Union>(&object.form);
     if (!group || group->csg != Csg::together || !object.confines->clips.empty()) return false;
     Box box = own_extent(object);

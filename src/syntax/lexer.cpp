@@ -4,6 +4,7 @@
 #include "syntax/escapes.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "vocabulary/reserved.h"
 
 #include <algorithm>
 #include <array>
@@ -180,6 +181,7 @@ Token Lexer::read_word(const char* first) {
     }
     if (previous_ == TokenKind::hash_version && spelling == "unofficial")
         kind = TokenKind::unofficial;
+    if (id == "xyz"_word) kind = TokenKind::powers;
     return token(kind, first, value);
 }
 

@@ -10,9 +10,9 @@ namespace {
 constexpr auto names = std::to_array<std::string_view>({
     "end of file", "name", "word", "layer", "constant", "unary function", "function",
     "colour prefix", "channel", "number", "vector", "string", "colour", "array",
-    "function literal", "deprecated", "once", "unofficial", "#declare", "#message", "#undef",
-    "#if", "#ifdef", "#elseif", "#else", "#end", "#while", "#for", "#switch", "#case", "#range",
-    "#break", "#macro", "#include", "#default", "#version", "#fopen", "#fclose", "#read",
+    "function literal", "deprecated", "once", "unofficial", "powers", "#declare", "#message",
+    "#undef", "#if", "#ifdef", "#elseif", "#else", "#end", "#while", "#for", "#switch", "#case",
+    "#range", "#break", "#macro", "#include", "#default", "#version", "#fopen", "#fclose", "#read",
     "#write", "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "&", "|", "?", ":",
     "+", "-", "*", "/", "!", ".", ",", ";", "between",
 });

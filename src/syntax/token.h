@@ -30,6 +30,7 @@ enum class TokenKind : std::uint8_t {
     deprecated,
     once,
     unofficial,
+    powers,  // xyz, before the powers of a term
     // directives
     hash_declare,  // value 1: #local
     hash_message,  // value: MessageKind

@@ -48,6 +48,11 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("vrotate"), "vrotate("));
     CHECK(has(help("+W"), "+Wn, Width=n"));
     CHECK(has(help("Width"), "+Wn, Width=n"));
+    CHECK(has(help("#while"), "#while (condition)"));
+    CHECK(has(help("union"), "union { objects modifiers }"));
+    CHECK(has(help("camera"), "--help cameras"));
+    CHECK(has(help("media"), "not available"));
+    CHECK(has(help("max_trace_level"), "in global_settings"));
     CHECK(has(help("--samples"), "--samples n"));
     CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on"));
     CHECK(help("shpere") == "! there is no help on `shpere` | did you mean `sphere`?");

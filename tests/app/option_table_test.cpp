@@ -93,7 +93,7 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
         {{"+SP8", "+EP2", "Preview_Start_Size=8", "Preview_End_Size=1"},
          "is ignored: no preview is shown"},
         {{"+V", "-V", "Verbose=on"}},
-        {{"+X", "-X", "+X10", "Test_Abort=on", "Test_Abort_Count=5"}, "is ignored: Ctrl-C stops"},
+        {{"+X", "-X", "+X10", "Test_Abort=on", "Test_Abort_Count=5"}},
         {{"+Lfolder", "Library_Path=folder"}},
         {{"+HIa.inc", "Include_Header=a.inc"}},
         {{"+MV3.7", "Version=3.6"}},

@@ -9,8 +9,8 @@
 
 #include <sys/wait.h>
 
-TEST_CASE("SIGUSR1 writes the state, SIGTERM and SIGINT end the program with it") {
-    for (const char* signal : {"TERM", "INT"}) {
+TEST_CASE("SIGUSR1 writes the state, SIGTERM, SIGINT and SIGHUP end the program with it") {
+    for (const char* signal : {"TERM", "INT", "HUP"}) {
         const Shell shell;
         // A signal that comes before the program listens is ignored, as the program inherits that.
         const std::string script = "trap '' USR1; cd " + shell.folder.string() +

@@ -131,6 +131,10 @@ std::vector<Poly> others() {
     return {{6, c}};
 }
 template <>
+std::vector<Polynomial> others() {
+    return {{6, {{6, 0, 0, 1}, {0, 6, 0, 1}, {0, 0, 6, 1}, {2, 0, 2, -1}, {0, 0, 0, -1}}}};
+}
+template <>
 std::vector<Superellipsoid> others() {
     return {{{0.25, 0.5}}, {{1.5, 0.2}}, {{0.1, 2}}, {{3, 3}}, {{0.5, 3}}};
 }

@@ -6,7 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <csignal>
 #include <filesystem>
+
+#include <sys/resource.h>
 
 namespace {
 
@@ -139,6 +142,25 @@ TEST_CASE("a scene cannot write without end", "[files]") {
         folder, "#fopen F \"o.txt\" write #while (1) #write(F, \"0123456789abcdef\") #end", limits);
     CHECK(result.messages ==
           "this scene has written more than 10000 bytes, which is the limit | "
-          "--limit-written raises it\n");
+          "--limit-written, in megabytes, raises it\n");
     CHECK(folder.get("o.txt").size() < 11'000);
+}
+
+TEST_CASE("what does not get to the disk is said, also of a file that is never closed", "[files]") {
+    const Folder folder;
+    // As if the disk were full after a thousand bytes.
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+    const rlimit small{1000, before.rlim_max};
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+    const std::string open = "#fopen F \"o.txt\" write #for (I, 1, 999) #write(F, I, \",\") #end ";
+    const std::string lost = "not everything could be written to `o.txt`\n";
+    std::vector<std::string> messages;
+    for (const char* end : {"", "#undef F", "#fclose F", "#macro A() #fclose F #end A()"})
+        messages.push_back(said(folder, open + end).messages);
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+    std::signal(SIGXFSZ, SIG_DFL);
+    for (const std::string& each : messages) CHECK(each == lost);
+    CHECK(said(folder, open).messages.empty());
 }

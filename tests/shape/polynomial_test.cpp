@@ -123,3 +123,18 @@ TEST_CASE("in a range, a polynomial is crossed where the whole line crosses it",
     }
     CHECK(found > 40);
 }
+
+TEST_CASE("a polynomial written term by term is the poly of these factors", "[shape]") {
+    const Polynomial by_terms{5, {{2, 1, 2, 4}, {0, 5, 0, -2}, {1, 0, 0, 3}, {0, 0, 0, -0.5}}};
+    const Poly same{5, factors(5, {{2, 1, 2, 4}, {0, 5, 0, -2}, {1, 0, 0, 3}, {0, 0, 0, -0.5}})};
+    CHECK(build(by_terms).factors == build(same).factors);
+    // Of the same terms the last counts.
+    const Polynomial again{2, {{1, 1, 0, 7}, {0, 0, 2, 1}, {1, 1, 0, 2}}};
+    CHECK(build(again).factors == factors(2, {{1, 1, 0, 2}, {0, 0, 2, 1}}));
+
+    CHECK(problem(again).empty());
+    CHECK(problem(Polynomial{2, {{1, 1, 0, 2}, {2, 0, 1, 2}}}) ==
+          "xyz(2, 0, 1) is of a higher degree than the 2 of its `polynomial`");
+    CHECK(problem(Polynomial{2, {}}) ==
+          "a `polynomial` needs a factor that is not 0 besides the constant");
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vocabulary/glossary.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+constexpr auto entries = std::to_array<GlossaryEntry>({
+    // directives
+    {"declare", "#declare Name = value;",
+     "gives a name to a number, vector, colour, string, array, function, object, texture or other "
+     "part of a scene, until the end, everywhere"},
+    {"local", "#local Name = value;",
+     "the same as #declare, but only in the macro or included file that it stands in"},
+    {"undef", "#undef Name", "takes a name away"},
+    {"if elseif else", "#if (condition) ... #elseif (condition) ... #else ... #end",
+     "chooses; any number but 0 is true"},
+    {"ifdef ifndef", "#ifdef(Name) ... #else ... #end", "asks whether a name is declared, or not"},
+    {"for", "#for (Name, first, last[, step]) ... #end", "counts, the last number included"},
+    {"while", "#while (condition) ... #end", "repeats; #break leaves the loop"},
+    {"break", "#break", "leaves a loop, a #switch or a macro"},
+    {"switch case range", "#switch (value) #case (n) ... #range (low, high) ... #else ... #end",
+     "goes on at the first case that fits and through the following ones, until #break"},
+    {"macro", "#macro Name(A, B) ... #end",
+     "declares a macro, which is called as Name(1, 2) and stands for its text"},
+    {"end", "#if (A) ... #end", "ends #if, #for, #while, #switch and #macro"},
+    {"include", "#include \"file\"",
+     "reads another file here: from the folder of the file that includes it, the scene's folder, "
+     "the current one, those of +L, and the library"},
+    {"version", "#version 3.7;",
+     "the version of POV-Ray's language that the scene is written for; before 3.7 some words mean "
+     "something else"},
+    {"default", "#default { texture, pigment, finish or camera }",
+     "what objects have from here on when nothing else is said"},
+    {"debug warning error render statistics", "#debug concat(\"A is \", str(A, 0, 2), \"\\n\")",
+     "tell something to whoever renders the scene; #error ends it"},
+    {"fopen fclose read write append", "#fopen F \"file\" write #write (F, A, \", \") #fclose F",
+     "open a file for read, write or append, and #read (F, A, B) what values are there"},
+    // transformations
+    {"translate", "translate <x, y, z>", "moves"},
+    {"rotate", "rotate <x, y, z>",
+     "turns around the x axis, then y, then z, by so many degrees; positive angles turn as the "
+     "fingers of the left hand curl around the axis"},
+    {"scale", "scale <x, y, z>", "stretches from the origin; one number does so in all directions"},
+    {"matrix", "matrix <m00, m01, m02, m10, m11, m12, m20, m21, m22, m30, m31, m32>",
+     "the images of the three axes, then that of the origin"},
+    {"transform", "transform { translate v rotate v scale v matrix m ... [inverse] }",
+     "transformations in their order, as one; it may be declared and used by name"},
+    // objects
+    {"object", "object { Name or object, modifiers }",
+     "a declared object, or any other, with something more"},
+    {"union", "union { objects modifiers }",
+     "several objects as one; what it is given holds for those inside that have none of their own"},
+    {"intersection difference", "difference { objects modifiers }",
+     "an intersection is what is inside of all its objects; a difference is the first one without "
+     "the others"},
+    {"merge", "merge { objects modifiers }",
+     "a union without the surfaces that are hidden within it, for glass"},
+    {"light_group", "light_group { lights objects [global_lights on] }",
+     "lights that shine on these objects only"},
+    {"bounded_by clipped_by", "clipped_by { objects }",
+     "cuts away what is outside of these objects, and leaves it open; bounded_by does the same "
+     "where the bounds cut through the object"},
+    {"looks_like projected_through", "light_source { ... looks_like { object } }",
+     "the object that is seen in a light's place; or the one that the light has to pass"},
+    {"no_shadow no_image no_reflection", "sphere { ... no_shadow }",
+     "an object that throws no shadow, that the camera does not see, or that mirrors do not see"},
+    {"hollow inverse double_illuminate", "sphere { ... hollow }",
+     "the inside is empty; inside and outside are exchanged; light on the back counts as well"},
+    {"cutaway_textures", "difference { ... cutaway_textures }",
+     "parts without textures show those of what they cut through"},
+    {"camera", "camera { type location v look_at v angle n ... }",
+     "the type is the first word, and perspective when there is none: --help cameras"},
+    {"light_sources", "light_source { location, colour ... }",
+     "a light without size; what has size and glows is any object with finish { emission n }"},
+    // looks
+    {"texture", "texture { pigment { ... } normal { ... } finish { ... } transformations }",
+     "how a surface looks; several one after the other are layers, the last on top, and a pattern "
+     "with texture_map blends some"},
+    {"pigment", "pigment { colour }, pigment { pattern map modifiers transformations }",
+     "the colour of a surface: --help patterns, --help pattern_modifiers"},
+    {"normal", "normal { pattern depth modifiers transformations }",
+     "bumps: the pattern is taken for a height, and tilts the surface as far as light goes"},
+    {"material", "material { texture { ... } interior { ... } }",
+     "how a surface and its inside look"},
+    {"interior_texture", "sphere { ... interior_texture { ... } }",
+     "how the side looks that is seen from inside"},
+    {"color_map colour_map", "color_map { [0 colour] [0.5 colour] [1 colour] }",
+     "the colours of a pattern's values, and blends between them"},
+    {"pigment_map normal_map texture_map slope_map", "pigment_map { [0 pigment] [1 pigment] }",
+     "the same with whole pigments, normals or textures; a slope_map has <height, slope>"},
+    {"rgb rgbf rgbt rgbft srgb color colour", "rgb <red, green, blue>",
+     "a colour; f is the share of light that passes and takes on the colour, t that of light that "
+     "passes unchanged; srgb takes values as displays know them"},
+    {"red green blue filter transmit alpha", "color red 1 green 0.5 filter 0.2, Colour.red",
+     "one component of a colour"},
+    {"uv_mapping", "pigment { uv_mapping image_map { ... } }",
+     "the pattern lies on the surface's own coordinates instead of in space"},
+    {"quick_color quick_colour", "pigment { ... quick_color rgb 1 }",
+     "the colour at the qualities +Q0 to +Q5"},
+    // values
+    {"array", "array[3] { 1, 2, 3 }, array[2][4]", "a list or table of values, counted from 0"},
+    {"function", "function(x, y, z) { x*x + y*y - 1 }, function { pattern { ... } }",
+     "a function of numbers, for other expressions, isosurfaces and patterns"},
+    {"spline", "spline { cubic_spline 0, <0, 0, 0>, 1, <1, 2, 0>, ... }",
+     "a curve through points at times, called like a function: Path(0.5); also linear_spline, "
+     "quadratic_spline and natural_spline"},
+    {"pi", "pi", "3.14159..."},
+    {"true yes on false no off", "on", "1, or 0"},
+    {"x y z u v t", "3*x + y", "the vectors along the axes; the variables of functions"},
+    {"clock", "clock", "the time of an animation, from 0 to 1 when nothing is said: +K, +KI, +KF"},
+    {"frame_number initial_frame final_frame initial_clock final_clock clock_delta clock_on "
+     "image_width image_height",
+     "frame_number, image_width ...", "facts about the animation and the picture"},
+    // what this version lacks
+    {"media scattering absorption density samples intervals confidence variance ratio",
+     "interior { media { ... } }", "not available in this version, which is an error that says so"},
+    {"photons gather pass_through", "photons { ... }",
+     "without effect in this version; `caustics` in an interior has one"},
+    {"radiosity", "global_settings { radiosity { ... } }",
+     "without effect in this version: light between surfaces that do not glow is not followed"},
+});
+
+bool has_word(std::string_view words, std::string_view word) {
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (words.substr(0, end) == word) return true;
+        words.remove_prefix(std::min(words.size(), end + 1));
+    }
+    return false;
+}
+
+}  // namespace
+
+std::span<const GlossaryEntry> glossary() { return entries; }
+
+const GlossaryEntry* glossary_entry(std::string_view word) {
+    if (word.starts_with('#')) word.remove_prefix(1);
+    const auto found = std::ranges::find_if(
+        entries, [&](const GlossaryEntry& entry) { return has_word(entry.words, word); });
+    return found == entries.end() ? nullptr : &*found;
+}
