@@ -24,6 +24,7 @@ constexpr auto structure = std::array{
     Structure{"intersection", ""},
     Structure{"difference", ""},
     Structure{"merge", ""},
+    Structure{"composite", ""},
     Structure{"cutaway_textures", "intersection"},
     Structure{"cutaway_textures", "difference"},
     Structure{"clipped_by", "object"},
@@ -335,6 +336,12 @@ void OpenBlock::reject_value(const Element& element) {
                    .with_help(message("write `", meant, "`")));
         return;
     }
+    if (const auto& [tree, node] = element.origin;
+        tree && tree->get_if<node::Colour>(node) && contains(effectless, "color"))
+        return report(
+            warning(Fault::no_effect, element.span, message("`color` has no effect in ", quoted()))
+                .with_help("an object gets its colour from a pigment: "
+                           "pigment { color rgb <1, 0, 0> }"));
     // In a scene each of several would be spoken of.
     passing_over_ = name.empty();
     const std::string_view kind = kind_name(element.value);

@@ -8,7 +8,7 @@
 /// Whether a block with this word makes one object of several.
 inline bool combines_objects(NameId word) {
     return word == "union"_word || word == "intersection"_word || word == "difference"_word ||
-           word == "merge"_word || word == "light_group"_word;
+           word == "merge"_word || word == "light_group"_word || word == "composite"_word;
 }
 
 /// Whether a block with this word makes an object.

@@ -77,6 +77,13 @@ void PictureReader::add_words(WordList& words) const {
 
 bool PictureReader::take(const Element& element) {
     if (take_adjustment(element)) return true;
+    if (const Numbers* place = element.value.numbers();
+        element.kind == Element::Kind::value && block_.taken == 0 && place && place->count > 1) {
+        block_.report(warning(Fault::deprecated, element.span,
+                              "a vector before the file, which said where a picture lies, has no "
+                              "effect since version 3"));
+        return true;
+    }
     if (element.kind == Element::Kind::word && !fields_.waiting() &&
         std::ranges::find(file_kinds, element.word) != file_kinds.end())
         return true;

@@ -201,6 +201,8 @@ Token Lexer::read_directive(const char* hash) {
                                  "this `#` has no effect, for no word follows it"));
         return scan();
     }
+    // A setting that the oldest scenes write so.
+    if (spelling == "max_trace_level") return read_word(first);
     return read_unknown_directive(hash, spelling);
 }
 
