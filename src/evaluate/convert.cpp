@@ -103,7 +103,9 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
             if (!numbers->is_scalar()) return wrong(Fault::wrong_type, kind_name(element.value));
             const double given = numbers->at[0];
             const double whole = std::round(given);
-            if (std::abs(whole) > 2147483647.0) return wrong(Fault::out_of_range, message(given));
+            if (std::abs(whole) > 2147483647.0)
+                return wrong(Fault::out_of_range, message(given),
+                             "a whole number up to 2147483647");
             if (std::abs(whole - given) <= 1e-6) return whole;
             // As in POV-Ray, which takes what is before the point.
             block.report(warning(Fault::no_effect, element.span,
