@@ -281,8 +281,11 @@ Vec3 Tracer::faded(const Path& path, const Hit& hit) const {
 
 Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, double share) {
     Vec3 direction = mirrored(path.ray.direction, s.normal);
-    // A smooth normal may mirror the ray into the surface; the true one brings it out again.
-    if (dot(direction, s.true_normal) < 0) direction = mirrored(direction, s.true_normal);
+    // A smooth normal may mirror the ray into the surface; the true one brings it out again. Where
+    // the smooth one looks away from the viewer, POV-Ray does as if there were only the true one.
+    if (dot(direction, s.true_normal) < 0)
+        direction =
+            mirrored(dot(direction, s.normal) < 0 ? path.ray.direction : direction, s.true_normal);
     Path next = path;
     next.ray = {s.position, unit(direction)};
     next.tolerance = s.tolerance;
@@ -349,10 +352,12 @@ Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& su
     Path next = path;
     next.ray = {s.position, path.ray.direction};
     if (!straight) {
-        const double cosine = -dot(s.view, s.normal);
+        // A disturbed normal that looks away from the viewer counts from its other side.
+        const Vec3 normal = dot(s.view, s.normal) > 0 ? -s.normal : s.normal;
+        const double cosine = -dot(s.view, normal);
         const double behind = std::sqrt(1 - surface.ratio * surface.ratio * (1 - cosine * cosine));
         next.ray.direction =
-            unit(surface.ratio * s.view + (surface.ratio * cosine - behind) * s.normal);
+            unit(surface.ratio * s.view + (surface.ratio * cosine - behind) * normal);
     }
     next.tolerance = s.tolerance;
     next.level = path.level + (straight ? 0 : 1);

@@ -19,6 +19,39 @@ KdTree index_of(std::span<const Box> boxes) {
     return build_kdtree(boxes, {}, {}, boxes.size() > many ? 0 : 1);
 }
 
+/// The half space that a leaf is, its normal unit; empty when it is none.
+std::optional<Plane> half_space(const CompositeLeaf& leaf) {
+    const Plane* plane = std::get_if<Plane>(&leaf.shape);
+    if (!plane || leaf.transform) return std::nullopt;
+    const Vec3 normal = unit(plane->normal);
+    return leaf.inverse ? Plane{-normal, -plane->distance} : Plane{normal, plane->distance};
+}
+
+Interval common(const Interval& a, const Interval& b) {
+    return {std::max(a.min, b.min), std::min(a.max, b.max)};
+}
+
+/// The part of the line in the half spaces, and a little more for rounding errors. Those that it
+/// runs along, nearly, do not count.
+Interval within(std::span<const Plane> half_spaces, const Ray& ray) {
+    constexpr double slack = 1e-9, least_rise = 1e-5;
+    const auto sum = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const double size = sum(ray.origin), least = least_rise * sum(ray.direction);
+    Interval left{-infinity, infinity};
+    for (const Plane& plane : half_spaces) {
+        const double rise = dot(ray.direction, plane.normal);
+        if (!(std::abs(rise) > least)) continue;
+        const double depth = plane.distance - dot(ray.origin, plane.normal) +
+                             slack * (size + std::abs(plane.distance));
+        const double end = depth / rise;
+        if (rise > 0)
+            left.max = std::min(left.max, end + slack * std::abs(end));
+        else
+            left.min = std::max(left.min, end - slack * std::abs(end));
+    }
+    return left;
+}
+
 /// Around what can be inside of the leaf in a box, which may be infinite.
 Box within(const CompositeLeaf& leaf, const Box& box) {
     const auto* quadric = std::get_if<Shared<Quadric>>(&leaf.shape);
@@ -101,6 +134,8 @@ void CompositeBuilder::settle(std::uint32_t index) {
     bool all_finite = true;
     for (const PartRef& ref : parts_[index]) {
         const Composite::Part part{ref, region_of(ref)};
+        if (!decisive && ref.leaf)
+            if (const auto half = half_space(made_.leaves_[ref.index])) node.cuts.push_back(*half);
         if (part.region.outside == decisive) {
             node.always.push_back(part);
             continue;
@@ -147,6 +182,11 @@ Composite CompositeBuilder::finish(PartRef root) {
     made_.seen_.assign(made_.leaves_.size(), Box());
     made_.root_ = root;
     show(root, everywhere());
+    for (std::uint32_t node : made_.parents_) {
+        while (node != Composite::nothing && made_.nodes_[node].cuts.empty())
+            node = made_.nodes_[node].parent;
+        made_.cut_by_.push_back(node);
+    }
     std::vector<Box> boxes = made_.seen_;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].empty()) continue;
@@ -165,6 +205,8 @@ bool Composite::inside_part(const Part& part, const Vec3& point) const {
     if (!contains(part.region.box, point)) return part.region.outside;
     if (!part.ref.leaf) return inside_node(nodes_[part.ref.index], point, nullptr);
     const CompositeLeaf& leaf = leaves_[part.ref.index];
+    const Plane* plane = std::get_if<Plane>(&leaf.shape);
+    if (plane && !leaf.transform) return ::inside(*plane, point) != leaf.inverse;
     return ::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point) : point) !=
            leaf.inverse;
 }
@@ -226,6 +268,13 @@ bool Composite::within_limits(std::uint32_t leaf, const Ray& ray) const {
     return true;
 }
 
+const Interval& Composite::cut(std::uint32_t leaf, const Ray& ray, Cut& last) const {
+    if (cut_by_[leaf] == last.node) return last.left;
+    last.node = cut_by_[leaf];
+    last.left = last.node == nothing ? Cut().left : ::within(nodes_[last.node].cuts, ray);
+    return last.left;
+}
+
 /// In the range; `seen` is the part of the ray where there can be any.
 template <class Take>
 void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& range,
@@ -251,10 +300,13 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
     if (slabs.miss(bounds_, range)) return std::nullopt;
     std::optional<Meeting> nearest;
     Interval left = range;
+    Cut last;
     const auto ask = [&](std::uint32_t leaf) {
-        const Interval seen = slabs.within(seen_[leaf], left);
+        const Interval here = common(left, cut(leaf, ray, last));
+        if (here.min > here.max) return;
+        const Interval seen = slabs.within(seen_[leaf], here);
         if (seen.min > seen.max || !wanted(leaf)) return;
-        meet_leaf(leaf, ray, left, seen, [&](const Meeting& met) {
+        meet_leaf(leaf, ray, here, seen, [&](const Meeting& met) {
             if (nearest && met.t >= nearest->t) return;
             nearest = met;
         });
@@ -281,8 +333,11 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
     });
     std::ranges::sort(candidates);
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-    for (const std::uint32_t leaf : candidates)
+    Cut last;
+    for (const std::uint32_t leaf : candidates) {
+        const Interval here = common(range, cut(leaf, ray, last));
         if (wanted(leaf))
-            meet_leaf(leaf, ray, range, slabs.within(seen_[leaf], range),
+            meet_leaf(leaf, ray, here, slabs.within(seen_[leaf], here),
                       [&](const Meeting& each) { met.push_back(each); });
+    }
 }

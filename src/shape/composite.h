@@ -82,6 +82,9 @@ private:
         /// Parts that decide the answer also outside of their boxes, then the others.
         std::vector<Part> always, boxed;
         KdTree index;  ///< over the boxes of `boxed`; without nodes when they are few
+        /// Half spaces that all of the node lies in, with unit normals: what each ray is cut to
+        /// before any part is asked.
+        std::vector<Plane> cuts;
     };
 
     bool inside_part(const Part&, const Vec3&) const;
@@ -90,12 +93,20 @@ private:
     bool seen_at(std::uint32_t leaf, const Vec3&) const;
     bool within_limits(std::uint32_t leaf, const Ray&) const;
     bool meets(const Ray&) const;
+    /// The part of a ray that lies in the half spaces around a leaf. Leaves come in turn, and many
+    /// have the same around them, for which it is computed once.
+    struct Cut {
+        std::uint32_t node = nothing;
+        Interval left = {-std::numeric_limits<double>::infinity()};
+    };
+    const Interval& cut(std::uint32_t leaf, const Ray&, Cut& last) const;
     template <class Take>
     void meet_leaf(std::uint32_t leaf, const Ray&, const Interval& range, const Interval& seen,
                    Take) const;
 
     std::vector<CompositeLeaf> leaves_;
     std::vector<std::uint32_t> parents_;  ///< of the leaves
+    std::vector<std::uint32_t> cut_by_;   ///< nodes around the leaves that have cuts, or nothing
     std::vector<Box> seen_;               ///< of the leaves; empty for those that only clip
     std::vector<Node> nodes_;
     std::vector<Handle<Composite>> limits_;

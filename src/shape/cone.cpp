@@ -68,6 +68,9 @@ Interval within_side(const Line& line) {
     return line.radius_step > 0 ? Interval{roots.max, infinity} : Interval{-infinity, roots.min};
 }
 
+/// Polishing moves a root by no more than this share of it.
+constexpr double polish = 1e-9;
+
 /// A root with the digits back that a flat parabola has cost: one step of Newton's method on the
 /// distance from the side. Grazing lines stay as they are.
 double polished(const Line& line, double t) {
@@ -76,7 +79,7 @@ double polished(const Line& line, double t) {
     const double distance = length(radial);
     const double change = dot(radial, line.radial_step) / distance - line.radius_step;
     const double step = (distance - line.radius - t * line.radius_step) / change;
-    return std::abs(step) <= 1e-9 * std::abs(t) ? t - step : t;
+    return std::abs(step) <= polish * std::abs(t) ? t - step : t;
 }
 
 /// The same, computed from the point where the line is deepest: there b vanishes, and a grazing
@@ -85,13 +88,10 @@ Interval within_side_centred(const Line& line) {
     const double a = line.a();
     const double scale =
         dot(line.radial_step, line.radial_step) + line.radius_step * line.radius_step;
-    if (std::abs(a) < 1e-3 * scale || scale == 0) {
-        const Interval side = within_side(line);
-        return {polished(line, side.min), polished(line, side.max)};
-    }
+    if (std::abs(a) < 1e-3 * scale || scale == 0) return within_side(line);
     const double shift = -line.b() / a;
     const Interval around = within_side(line.moved(shift));
-    return {polished(line, around.min + shift), polished(line, around.max + shift)};
+    return {around.min + shift, around.max + shift};
 }
 
 /// Where the line is between the planes of the ends; below and above are the heights over the one
@@ -128,7 +128,17 @@ void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
     const double below = dot(near - cone.base, axis.up), above = dot(cone.cap - near, axis.up);
     const Line line{axis.across(near - cone.base), axis.across(direction),
                     cone.base_radius + axis.slope * below, axis.slope * rise};
-    const Interval side = within_side_centred(line), slab = between_ends(below, above, rise);
+    const Interval slab = between_ends(below, above, rise);
+    if (!(slab.min < slab.max)) return;
+    Interval side = within_side_centred(line);
+    // A root that polishing cannot bring to where it counts stays as it is.
+    const auto far_below = [](double t, double limit) {
+        return t + 2 * polish * std::abs(t) < limit;
+    };
+    if (side.min > side.max || far_below(side.max, slab.min) || far_below(-side.min, -slab.max))
+        return;
+    if (!far_below(side.min, slab.min)) side.min = polished(line, side.min);
+    if (!far_below(-side.max, -slab.max)) side.max = polished(line, side.max);
     if (!(std::fmax(side.min, slab.min) < std::fmin(side.max, slab.max))) return;
 
     const auto crossing = [&](double t, bool at_end, bool entering) -> Crossing {

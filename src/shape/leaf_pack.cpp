@@ -59,11 +59,13 @@ void pack_leaf(const PackedKinds& kinds, std::span<const std::uint32_t> items, c
     const auto others_begin = std::ranges::lower_bound(items, kinds.others_begin);
     const auto spheres = static_cast<std::uint32_t>(triangles_begin - items.begin());
     const auto triangles = static_cast<std::uint32_t>(others_begin - triangles_begin);
+    const auto others = static_cast<std::uint32_t>(items.end() - others_begin);
     const double size = length(cell.size());
     double reach = size + max_abs_component(middle - from);
 
     const std::size_t head = packs.size();
-    packs.resize(head + pack_head + 4 * std::size_t{spheres} + 9 * std::size_t{triangles});
+    packs.resize(head + pack_head + 4 * std::size_t{spheres} + 9 * std::size_t{triangles} +
+                 6 * std::size_t{others});
     float* row = packs.data() + head + pack_head;
     for (std::uint32_t i = 0; i < spheres; ++i) {
         const auto [centre, radius] = kinds.sphere(items[i]);
@@ -81,6 +83,14 @@ void pack_leaf(const PackedKinds& kinds, std::span<const std::uint32_t> items, c
             row[k * triangles + i] = static_cast<float>(x);
         }
     }
+    row += 9 * std::size_t{triangles};
+    for (std::uint32_t i = 0; i < others; ++i) {
+        const Box box = clip(kinds.box(items[spheres + triangles + i]), cell);
+        for (int axis = 0; axis < 3; ++axis) {
+            row[axis * others + i] = static_cast<float>(box.low[axis] - from[axis]);
+            row[(3 + axis) * others + i] = static_cast<float>(box.high[axis] - from[axis]);
+        }
+    }
     std::ranges::copy(anchor, packs.begin() + static_cast<std::ptrdiff_t>(head));
     packs[head + 3] = rounded_up(2 * reach);
     packs[head + 4] = std::bit_cast<float>(spheres);
@@ -94,6 +104,7 @@ void PackRay::prepare() {
     const double shorter = 1 / length_;
     for (int axis = 0; axis < 3; ++axis)
         along_[axis] = static_cast<float>(direction_[axis] * shorter);
+    for (int axis = 0; axis < 3; ++axis) steps_[axis] = 1 / along_[axis];
     const Vec3 size = glm::abs(direction_);
     z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     x_ = (z_ + 1) % 3;
@@ -195,4 +206,25 @@ CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::near_triangles(const float* row
     const Marks outside = (along > most_ + pad) | (along < least_ - pad);
     return {lanes_of(~((left & right) | (within & outside))),
             lanes_of(within & (along > least_ + pad) & (along < most_ - pad))};
+}
+
+/// By where the ray enters and leaves the slabs between opposite faces. For a ray that runs along a
+/// face these are at infinity, or NaN, which rules out nothing.
+CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_boxes(const float* rows,
+                                                           std::size_t stride) const {
+    const float rounding = static_cast<float>(float_error) * reach_ + 4 * slack_;
+    const float pad = 4 * rounding;
+    Floats near = Floats{} + (least_ - pad), far = Floats{} + (most_ + pad);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool backward = std::signbit(steps_[axis]);
+        const float wider = backward ? -rounding : rounding;
+        Floats in, out;
+        load(in, rows + (backward ? 3 + axis : axis) * stride);
+        load(out, rows + (backward ? axis : 3 + axis) * stride);
+        in = (in - (point_[axis] + wider)) * steps_[axis];
+        out = (out - (point_[axis] - wider)) * steps_[axis];
+        near = in > near ? in : near;
+        far = out < far ? out : far;
+    }
+    return lanes_of(~(near > far + pad));
 }

@@ -5,13 +5,18 @@
 
 #include "base/ray.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 /// One ray and its boxes. As in clip(), what is no number does not count.
 class Slabs {
 public:
     explicit Slabs(const Ray& ray)
         : origin_(ray.origin),
           inverse_(Vec3(1) / ray.direction),
-          size_(max_abs_component(ray.origin)) {}
+          size_(std::max({std::abs(ray.origin.x), std::abs(ray.origin.y), std::abs(ray.origin.z)})),
+          backward_{std::signbit(inverse_.x), std::signbit(inverse_.y), std::signbit(inverse_.z)} {}
 
     bool miss(const Box& box, const Interval& range) const {
         const Interval left = within(box, range);
@@ -23,10 +28,11 @@ public:
     Interval within(const Box& box, const Interval& range) const {
         double near = range.min, far = range.max;
         for (int axis = 0; axis < 3; ++axis) {
-            const double a = (box.low[axis] - origin_[axis]) * inverse_[axis];
-            const double b = (box.high[axis] - origin_[axis]) * inverse_[axis];
-            const bool backward = std::signbit(inverse_[axis]);
-            const double in = backward ? b : a, out = backward ? a : b;
+            const bool backward = backward_[static_cast<std::size_t>(axis)];
+            const Vec3 &first = backward ? box.high : box.low,
+                       &last = backward ? box.low : box.high;
+            const double in = (first[axis] - origin_[axis]) * inverse_[axis];
+            const double out = (last[axis] - origin_[axis]) * inverse_[axis];
             near = in > near ? in : near;
             far = out < far ? out : far;
         }
@@ -37,4 +43,5 @@ public:
 private:
     Vec3 origin_, inverse_;
     double size_;
+    std::array<bool, 3> backward_;
 };

@@ -53,7 +53,8 @@ void build_tree(World& world, const std::vector<Box>& boxes, int threads) {
         [&](std::uint32_t item) {
             const TrianglePrimitive& t = world.triangles[item - spheres];
             return std::array{t.corner1, t.corner2, t.corner3};
-        }};
+        },
+        [&](std::uint32_t item) { return item_bounds(world, item); }};
     world.tree.pack([&](std::span<const std::uint32_t> items, const Box& cell,
                         std::vector<float>& packs) { pack_leaf(kinds, items, cell, packs); });
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace {
 
@@ -18,6 +19,9 @@ constexpr double relative_tolerance = 1e-11;
 double tolerance_at(const Ray& ray, double t) {
     return relative_tolerance * (max_abs_component(ray.origin) + t);
 }
+
+/// The next larger number after a positive one.
+double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
 /// Items that have been asked for one ray: those that stand in several cells of the tree need not
 /// be asked again, and a few are remembered.
@@ -74,8 +78,11 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Slabs& slabs,
             first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
-        const Box& box = shapes[primitive - spheres.size() - triangles.size()].box;
-        if (!slabs.miss(box, {range.min, best.t})) meet_shape(primitive, ray, range, best);
+        const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
+        // Most scenes have a plane, which every ray asks.
+        const bool endless = std::holds_alternative<Plane>(placed.shape);
+        if (endless || !slabs.miss(placed.box, {range.min, best.t}))
+            meet_shape(primitive, ray, range, best);
     }
 }
 
@@ -120,18 +127,30 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         return !any_left_out || !left_out(primitive, kind);
     };
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
-    Asked asked;
+    std::uint32_t met = 0;  // the item of `best`
+    // Of surfaces in one place that of the first item counts, whatever the order of asking.
     const auto ask = [&](std::uint32_t item) {
-        if (item >= first_shape && asked.before(item)) return;
+        const double before = best.t;
+        const PrimitiveIndex nearest = best.primitive;
+        if (item < met) best.t = next_up(best.t);
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
             meet(item, ray, slabs, range, best);
+        if (best.primitive == nearest)
+            best.t = before;
+        else
+            met = item;
     };
     for (const std::uint32_t item : unbounded) ask(item);
+    Asked asked;
+    const auto ask_once = [&](std::uint32_t item) {
+        if (item < first_shape || !asked.before(item)) ask(item);
+        return false;
+    };
     PackRay packed(ray);
     tree.traverse(ray, {tolerance, best.t}, [&](const KdLeaf& leaf, Interval& left) {
-        packed.candidates(leaf, left, [&](std::uint32_t item) { return ask(item), false; });
+        packed.candidates(leaf, left, ask_once);
         left.max = best.t;
         return false;
     });
@@ -255,18 +274,20 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     const Slabs slabs(ray);
     std::vector<std::uint32_t> clear;
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
-    Asked asked;
     const auto blocks = [&](std::uint32_t item) {
-        if (item >= first_shape && asked.before(item)) return false;
         if (any_transparent && may_pass(item)) clear.push_back(item);
         return opaque_between(item, ray, slabs, range);
     };
     if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
+    Asked asked;
+    const auto blocks_once = [&](std::uint32_t item) {
+        return !(item >= first_shape && asked.before(item)) && blocks(item);
+    };
     PackRay packed(ray);
     const bool blocked =
         tree.traverse_likely(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
-            return any_clear ? packed.candidates(leaf, whole, blocks)
-                             : packed.blocked(leaf, whole, blocks);
+            return any_clear ? packed.candidates(leaf, whole, blocks_once)
+                             : packed.blocked(leaf, whole, blocks_once);
         });
     if (blocked) return Vec3(0);
 

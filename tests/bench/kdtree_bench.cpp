@@ -208,7 +208,7 @@ KdTree tree_of(const std::vector<Ball>& balls, const KdTreeSettings& settings) {
         return PackedKinds::Ball{balls[i].centre, balls[i].radius};
     };
     tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
-        pack_leaf({count, count, ball, {}}, items, cell, out);
+        pack_leaf({count, count, ball, {}, {}}, items, cell, out);
     });
     return tree;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <numbers>
 
 namespace {
 
@@ -91,6 +92,34 @@ TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
             const Vec3 found = pinhole_ray(world, 1.5 / 4 - 0.5, 0.5 - 0.5 / 3).direction;
             CHECK(max_abs_component(found - (along_y ? c.along_y : c.along_x)) < 2e-4);
         }
+}
+
+TEST_CASE("bumps that turn away mirror and bend light as POV-Ray's do", "[render]") {
+    // Of a plane that is seen at 5 degrees, its normal tilted evenly by a slope map.
+    struct Case {
+        double slope;
+        bool mirror;
+        double povray;
+    };
+    for (const auto& [slope, mirror, povray] : {Case{-2, true, 0.54357},
+                                                {-1, true, 0.54357},
+                                                {1, true, 0.67256},
+                                                {-8, false, 0.61567},
+                                                {-4, false, 0.70414},
+                                                {4, false, 0.26554}}) {
+        CAPTURE(slope, mirror);
+        const std::string script =
+            "camera { location 9*y look_at z } sky_sphere { pigment { gradient y color_map { [0 "
+            "rgb 0] [1 rgb 1] } scale 2 "
+            "translate -y } } plane { y, 0 pigment { rgbt " +
+            std::string(mirror ? "0" : "1") + " } finish { ambient 0 diffuse 0 reflection " +
+            (mirror ? "1" : "0") + " } interior { ior 1.5 } normal { gradient x, " +
+            std::to_string(slope) +
+            " slope_map { [0 <0, 1>] [1 <1, 1>] } accuracy 0.0001 } translate 0.37*x }";
+        const double angle = std::numbers::pi / 36;
+        const Vec3 from(-5 * std::cos(angle), 5 * std::sin(angle), 0);
+        CHECK(seen(script, from, -from).x == Approx(povray).margin(2e-3));
+    }
 }
 
 TEST_CASE("the textures of a blob's components flow into each other as POV-Ray's do", "[render]") {

@@ -33,6 +33,25 @@ TEST_CASE("the nearest of all kinds of primitives is hit", "[world]") {
     CHECK(first(world, Vec3(0), Vec3(0, 1, 0)).primitive == no_primitive);
 }
 
+TEST_CASE("of surfaces in one place that of the first object is hit", "[world]") {
+    std::string crowd;
+    for (int i = 0; i < 60; ++i)
+        crowd += "box { <" + std::to_string(i) + ", -3, 0>, <" + std::to_string(i) + ".9, -2, 9> }";
+    for (const std::string& others : {std::string(), crowd}) {
+        const World world = world_of(R"(
+            box { <20, 0, 2>, <22, 1, 4> pigment { rgb x } }
+            box { <0, 0, 0>, <60, 1, 9> }
+            box { <30, 0, 2>, <32, 1, 4> pigment { rgb x } }
+        )" + others);
+        for (const auto& [x, red] : {std::pair(21.0, true), {31.0, false}}) {
+            const Hit hit = first(world, Vec3(x - 40, 9, 3), Vec3(x, 1, 3));
+            CHECK(hit.position.y == Approx(1));
+            CHECK((world.material(hit.primitive).texture->pigment.colour.rgb == Vec3(1, 0, 0)) ==
+                  red);
+        }
+    }
+}
+
 TEST_CASE("spheres under a similarity stay spheres, others become shapes", "[world]") {
     const World round = world_of("sphere { <1, 0, 0>, 1 scale 2 rotate 90*y translate 3*z }");
     REQUIRE(round.spheres.size() == 1);
