@@ -105,6 +105,16 @@ void Evaluator::State::count_object(Span span) {
     stopped_ = true;
 }
 
+void Evaluator::State::count_placed(std::uint64_t parts, Span span) {
+    placed += parts;
+    if (placed <= limits.objects || stopped_) return;
+    report(error(Fault::loop_limit, span,
+                 message("with the parts of this object there are more than ", limits.objects,
+                         " objects in the scene, which is the limit"))
+               .with_help("unions of unions grow fast; --limit-objects raises the limit"));
+    stopped_ = true;
+}
+
 Span OpenLoop::place() const {
     Span all = tree->span(first);
     for (NodeId id = (*tree)[first].next; id != no_node; id = (*tree)[id].next)

@@ -175,6 +175,7 @@ private:
         append_lights(*object, scene_.lights);
         const auto* together = std::get_if<Union>(&object->form);
         if (together && together->children.empty()) return;
+        binder_.evaluator.count_placed(*object, object->span);
         if (!object->texture) object.edit().texture = binder_.default_texture;
         scene_.objects.push_back(std::move(object));
     }

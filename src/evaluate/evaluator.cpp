@@ -54,6 +54,9 @@ void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnos
 bool Evaluator::stopped() const { return state_->stopped(); }
 void Evaluator::stop() { state_->stopped_ = true; }
 void Evaluator::count_object(Span span) { state_->count_object(span); }
+void Evaluator::count_placed(const Object& object, Span span) {
+    state_->count_placed(object.parts, span);
+}
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }

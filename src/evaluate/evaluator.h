@@ -144,6 +144,9 @@ public:
     /// To be called for each object that the scene keeps, at its place. Stops with a report when
     /// there are more than the limits allow.
     void count_object(Span);
+    /// The same for an object that is put into the scene, with all its parts: those of declared
+    /// objects count each time.
+    void count_placed(const Object&, Span);
 
     std::string_view spelling(NameId) const;
     Names& names();

@@ -34,6 +34,7 @@ void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span
     auto& open = std::get<SphereRow>(last->edit().form);
     open.spheres.push_back(sphere);
     open.spans.push_back(span);
+    last->edit().parts = static_cast<std::uint32_t>(open.spheres.size());
 }
 
 }  // namespace

@@ -85,6 +85,11 @@ ObjectHandle ObjectDraft::finished(Span span) {
     return std::move(made);
 }
 
+void nest_rows(Object& whole) {
+    for (const ObjectHandle& child : std::get<Union>(whole.form).children)
+        if (std::holds_alternative<SphereRow>(child->form)) nest(whole, *child);
+}
+
 ObjectHandle another(const ObjectHandle& declared) {
     if (!std::holds_alternative<Union>(declared->form)) return declared;
     ObjectHandle whole = make_handle<Object>();

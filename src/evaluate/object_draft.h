@@ -56,6 +56,9 @@ private:
 /// All lights inside, in the space around the object.
 void append_lights(const Object&, std::vector<PlacedLight>&);
 
+/// Notes that the spheres of rows are parts of the union that the rows are in.
+void nest_rows(Object& whole);
+
 /// A declared object as an object of its own, which shares what the declared one holds.
 ObjectHandle another(const ObjectHandle&);
 

@@ -253,6 +253,7 @@ private:
         if (draft_.cutaway && !draft_.textured && !block_.broken)
             cut_away(std::get<Union>(draft_.made.edit().form), block_.binder.default_texture);
         const auto* whole = std::get_if<Union>(&draft_.made->form);
+        if (together) nest_rows(draft_.made.edit());
         if (together && !block_.broken && whole->children.empty() && whole->lights.empty())
             warn_of_nothing();
     }

@@ -217,6 +217,7 @@ struct Evaluator::State {
     Diagnostic& point_at_loop(Diagnostic&) const;
     /// Counts one more object; reports when it is one too many.
     void count_object(Span);
+    void count_placed(std::uint64_t parts, Span);
     std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
     std::optional<double> counter(NameId, Span);
     Flow branch(const Tree&, const node::If&, const Sink& take);
@@ -300,6 +301,7 @@ struct Evaluator::State {
     std::vector<OpenLoop> loops;
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
+    std::uint64_t placed = 0;  ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
     std::uint64_t written_bytes = 0;
     double version = 3.7;

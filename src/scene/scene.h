@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -101,6 +102,8 @@ struct Object : Switches {
     Span span;
     std::uint32_t depth = 0;  ///< how many objects lie inside each other in it: it can be recursed
                               ///< through so deeply
+    std::uint32_t parts = 1;  ///< how many it consists of, itself included; the greatest number
+                              ///< stands for all that are greater
 
     const Switches& switches() const { return *this; }
     Switches& switches() { return *this; }
@@ -109,6 +112,7 @@ struct Object : Switches {
 /// Notes that an object becomes part of another.
 inline void nest(Object& outer, const Object& inner) {
     outer.depth = std::max(outer.depth, inner.depth + 1);
+    outer.parts += std::min(inner.parts, std::numeric_limits<std::uint32_t>::max() - outer.parts);
 }
 
 /// An object after one more transformation, with its textures and what confines it.

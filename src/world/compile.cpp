@@ -102,6 +102,20 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     return world;
 }
 
+ClearSolids find_clear_solids(const World& world, const std::vector<Box>& boxes) {
+    ClearSolids clear;
+    std::vector<Box> around;
+    for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+        if (!world.is_clear_solid(item) || boxes[item].empty()) continue;
+        clear.bounded.push_back(item);
+        around.push_back(boxes[item]);
+    }
+    for (const std::uint32_t item : world.unbounded)
+        if (world.is_clear_solid(item)) clear.unbounded.push_back(item);
+    clear.index = PartIndex(std::move(around));
+    return clear;
+}
+
 void note_luminaires(World& world) {
     if (world.luminaires.empty()) return;
     world.luminaire_of.assign(world.material_of.size(), no_primitive);
@@ -142,6 +156,8 @@ void build_indices(World& world, const CompileOptions& options) {
         boxes[item] = item_bounds(world, item);
     for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
     build_tree(world, boxes, options.threads);
+    if (world.any_transparent && world.camera.parallel)
+        world.clear_solids = find_clear_solids(world, boxes);
     note_luminaires(world);
     map_brightness(world);
     if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)

@@ -310,19 +310,39 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
     return inside(placed.shape, placed.transform ? placed.transform->inverse_point(point) : point);
 }
 
-std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
-    std::vector<PrimitiveIndex> result;
-    for (PrimitiveIndex primitive = 0; primitive < leaves_begin(); ++primitive)
-        if (material(primitive).transparent && contains_point(primitive, point))
-            result.push_back(primitive);
-    for (const PlacedComposite& placed : composites) {
-        if (!placed.transparent || !placed.composite->inside(point)) continue;
-        // What is in the solid is what is behind its first transparent leaf.
-        PrimitiveIndex leaf = placed.first_leaf;
-        while (!material(leaf).transparent) ++leaf;
-        result.push_back(leaf);
+bool World::is_clear_solid(std::uint32_t item) const {
+    const bool face = item >= spheres.size() && item < spheres.size() + triangles.size();
+    return item >= leaves_begin() ? composites[item - leaves_begin()].transparent
+                                  : !face && material(item).transparent;
+}
+
+void World::add_if_inside(std::uint32_t item, const Vec3& point,
+                          std::vector<PrimitiveIndex>& found) const {
+    if (item < leaves_begin()) {
+        if (contains_point(item, point)) found.push_back(item);
+        return;
     }
-    return result;
+    const PlacedComposite& placed = composites[item - leaves_begin()];
+    if (!placed.composite->inside(point)) return;
+    // What is in the solid is what is behind its first transparent leaf.
+    PrimitiveIndex leaf = placed.first_leaf;
+    while (!material(leaf).transparent) ++leaf;
+    found.push_back(leaf);
+}
+
+std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
+    std::vector<PrimitiveIndex> found;
+    if (camera.parallel) {
+        for (const std::uint32_t item : clear_solids.unbounded) add_if_inside(item, point, found);
+        clear_solids.index.around(point, [&](std::uint32_t part) {
+            add_if_inside(clear_solids.bounded[part], point, found);
+        });
+        return found;
+    }
+    const std::size_t items = leaves_begin() + composites.size();
+    for (std::uint32_t item = 0; item < items; ++item)
+        if (is_clear_solid(item)) add_if_inside(item, point, found);
+    return found;
 }
 
 Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {

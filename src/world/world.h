@@ -8,6 +8,7 @@
 #include "index/kdtree.h"
 #include "lighting/sampler.h"
 #include "scene/scene.h"
+#include "shape/part_index.h"
 #include "world/sources.h"
 
 #include <cstdint>
@@ -74,6 +75,13 @@ struct PlacedComposite {
     bool transparent = false;  ///< a leaf is
 };
 
+/// Transparent primitives and composites by where they are, for cameras whose rays begin anywhere.
+struct ClearSolids {
+    std::vector<std::uint32_t> unbounded;
+    std::vector<std::uint32_t> bounded;  ///< in the order of the index's parts
+    PartIndex index;
+};
+
 /// A group of lights and objects in another one.
 struct LightGroup {
     std::uint32_t outer = 0;    ///< the group around it; 0: none
@@ -113,6 +121,10 @@ public:
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
     /// does not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance) const;
+
+    /// Whether a point may lie inside of a transparent primitive, or of a composite by its number
+    /// from leaves_begin() on.
+    bool is_clear_solid(std::uint32_t item) const;
 
     /// The transparent primitives that the point lies inside of.
     std::vector<PrimitiveIndex> containing(const Vec3&) const;
@@ -204,6 +216,7 @@ public:
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
     KdTree tree;
+    ClearSolids clear_solids;  ///< empty unless the camera is parallel
 
     std::vector<Luminaire> luminaires;
     std::vector<std::uint32_t>
@@ -254,6 +267,9 @@ private:
         Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
+    /// Adds the transparent primitive that a primitive or composite stands for, if the point is in
+    /// it.
+    void add_if_inside(std::uint32_t item, const Vec3& point, std::vector<PrimitiveIndex>&) const;
     /// A leaf of a composite, by its number among all leaves.
     const CompositeLeaf& leaf(std::uint32_t) const;
     void meet(PrimitiveIndex, const Ray&, const Slabs&, const Interval&, Candidate&) const;

@@ -104,4 +104,16 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
     CHECK(world.containing(Vec3(1, 0, 0)).size() == 1);
     CHECK(world.containing(Vec3(2.5, 0, 0)).empty());
+    // The rays of a parallel camera begin in many places, so it has an index of them.
+    const World parallel = world_of(R"(camera { orthographic location -9*z look_at 0 }
+        #for (I, 1, 20) sphere { 10*I*x, 3 pigment { rgbt 1 } } #end
+        plane { y, -5 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }
+        difference { box { -3, 3 } sphere { 0, 3 } pigment { rgbt 1 } })");
+    for (int i = 1; i <= 20; ++i) {
+        CHECK(parallel.containing(Vec3(10 * i + 1, 0, 2)).size() == 1);
+        CHECK(parallel.containing(Vec3(10 * i + 5, 0, 0)).empty());
+        CHECK(parallel.containing(Vec3(10 * i + 5, -6, 0)).size() == 1);
+    }
+    CHECK(parallel.containing(Vec3(0)).empty());
+    CHECK(parallel.containing(Vec3(2.9)).size() == 1);
 }
