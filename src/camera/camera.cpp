@@ -131,7 +131,8 @@ Projection untransformed(const View& view, Lens lens) {
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
-        // Where up is along the direction, POV-Ray looks into a mirror.
+        // Where up is along the direction, POV-Ray looks into a mirror. So it does with a `right`
+        // to the left when it looks along the sky.
         const double handedness = dot(cross(f.up, f.direction), f.right) > 0 ? 1 : -1;
         const Vec3 ahead = unit(*view.look_at - view.location);
         const Vec3 side = unit(cross(view.sky, ahead));
@@ -141,6 +142,7 @@ Projection untransformed(const View& view, Lens lens) {
             f.up = length(f.up) * unit(cross(ahead, side));
         } else {
             f.up = length(f.up) * unit(cross(ahead, f.right));
+            f.right *= handedness;
         }
     }
     if (parallel && ((!view.up && !view.right) || view.angle)) {

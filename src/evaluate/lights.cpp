@@ -42,6 +42,32 @@ private:
     PlacedLight& placed_;
 };
 
+/// Notes which of the words came last that say how light leaves the source: it holds, as in
+/// POV-Ray.
+class LastBeam : public SimpleReader {
+public:
+    /// It sees all elements, and takes none.
+    bool waiting() const { return true; }
+    bool take(const Element& element) {
+        if (element.word == "shadowless"_word) shadowless_ = element.word_span;
+        if (element.word == "spotlight"_word || element.word == "cylinder"_word) {
+            if (shadowless_) undone_ = shadowless_;
+            shadowless_.reset();
+            beam_ = true;
+        }
+        return false;
+    }
+
+    /// The `shadowless` that another word has undone.
+    const std::optional<Span>& undone() const { return undone_; }
+    /// Whether the light has shadows whatever was said before.
+    bool has_shadows() const { return beam_ && !shadowless_; }
+
+private:
+    std::optional<Span> shadowless_, undone_;
+    bool beam_ = false;
+};
+
 }  // namespace
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
@@ -62,8 +88,16 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     };
     TransformReader moves(block, apply);
     LightObjects look(block, placed);
-    block.read(element.body, declared, fields, look, moves);
+    LastBeam last;
+    block.read(element.body, declared, last, fields, look, moves);
     if (block.broken) return std::nullopt;
+    if (last.has_shadows()) {
+        std::visit([](auto& light) { light.shadowless = false; }, placed.light);
+        if (last.undone())
+            block.report(warning(Fault::no_effect, *last.undone(),
+                                 "`shadowless` has no effect: the kind of light that follows it "
+                                 "has shadows"));
+    }
     const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
     if (!wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));

@@ -115,7 +115,8 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
     if (light.kept_to() == cone && !light.along_axis())
         result.colour *= in_cone(light, -dot(axis_of(light), result.direction));
     if (light.along_axis()) {
-        const Vec3 axis = axis_of(light);
+        // Each light of a grid has an axis of its own to the same point.
+        const Vec3 axis = unit(light.point_at - from);
         const double ahead = -dot(offset, axis);
         if (light.kept_to() == parallel_beam)
             result.colour *= ahead < 0 ? 0 : in_beam(light, length(offset + ahead * axis));

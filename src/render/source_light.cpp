@@ -106,7 +106,9 @@ private:
             place1 += uniform(key, Purpose::jitter_u) - 0.5;
             place2 += uniform(key, Purpose::jitter_v) - 0.5;
         }
-        const Vec3 offset = grid_point(light_, place1, place2, direction_) - s_.position;
+        const Vec3 from = grid_point(light_, place1, place2, direction_);
+        if (light_.along_axis()) return known = passed(incidence(light_, from, s_.position));
+        const Vec3 offset = from - s_.position;
         const double distance = length(offset);
         return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
     }

@@ -241,7 +241,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         const Shading s = first ? top : with_layer(world_, common, layer);
         result += through * lit(path, hit, s, through, !counted);
         const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
-        if (amount != Vec3(0)) result += reflected(path, s, amount, share);
+        if (amount != Vec3(0))
+            result += reflected(path, s, amount, share, s.finish->reflection.exponent);
         if (s.finish->microfacet.on && world_.quality >= quality_reflection)
             result += through * scattered(path, s, share, through);
         if (&layer != &layers.back()) through *= kept(s);
@@ -279,7 +280,8 @@ Vec3 Tracer::faded(const Path& path, const Hit& hit) const {
     return attenuation(*interior, length(hit.position - path.ray.origin));
 }
 
-Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, double share) {
+Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, double share,
+                       double exponent) {
     Vec3 direction = mirrored(path.ray.direction, s.normal);
     // A smooth normal may mirror the ray into the surface; the true one brings it out again. Where
     // the smooth one looks away from the viewer, POV-Ray does as if there were only the true one.
@@ -295,8 +297,7 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
     next.counted = false;
     next.key = path.key.bounced(reflection);
     ++rays_.scattered;
-    const Vec3 tinted = amount * iridescence(world_, s, next.ray.direction);
-    const double exponent = s.finish->reflection.exponent;
+    const Vec3 colours = iridescence(world_, s, next.ray.direction), tinted = amount * colours;
     // A power of a sum has no parts.
     const Scaled scaled(rays_, exponent == 1 ? tinted : Vec3(0));
     const Vec3 seen = follow(next);
@@ -304,7 +305,8 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
     const auto dimmed = [&](double channel) {
         return channel > 0 ? std::pow(channel, 1 / exponent) : 0.0;
     };
-    return tinted * Vec3(dimmed(seen.x), dimmed(seen.y), dimmed(seen.z));
+    const Vec3 shown = colours * seen;
+    return amount * Vec3(dimmed(shown.x), dimmed(shown.y), dimmed(shown.z));
 }
 
 /// What small facets reflect, besides what direct_light_ has seen of it.

@@ -77,7 +77,8 @@ private:
     Vec3 layered(const Path&, const Hit&, const Shading&, std::span<const Layer>);
     bool in_the_open(const Path&) const;
     Vec3 faded(const Path&, const Hit&) const;
-    Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share);
+    Vec3 reflected(const Path&, const Shading&, const Vec3& amount, double share,
+                   double exponent = 1);
     Vec3 lit(const Path&, const Hit&, const Shading&, const Vec3& through, bool glowing);
     Vec3 scattered(const Path&, const Shading&, double share, const Vec3& through);
     Vec3 transmitted(const Path&, const Shading&, const Interface&, const Vec3& share);

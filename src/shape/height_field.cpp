@@ -90,7 +90,12 @@ Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, co
 class Walk {
 public:
     Walk(const BuiltHeightField& field, const Ray& ray, const Vec3& direction, Crossings& found)
-        : field_(field), grid_(*field.grid), ray_(ray), direction_(direction), found_(found) {}
+        : field_(field),
+          grid_(*field.grid),
+          ray_(ray),
+          steps_(Vec3(1) / ray.direction),
+          direction_(direction),
+          found_(found) {}
 
     /// Up to the first crossing in `wanted`.
     void along(const Interval& range, const Interval& wanted) {
@@ -119,9 +124,7 @@ public:
     }
 
 private:
-    static int cell(double at, int count) {
-        return std::clamp(static_cast<int>(std::floor(at)), 0, count - 2);
-    }
+    static int cell(double at, int count) { return std::clamp(static_cast<int>(at), 0, count - 2); }
 
     const HeightBlock& block_at(int x, int z) const {
         const int row = (grid_.width - 2) / height_block + 1;
@@ -145,13 +148,13 @@ private:
     /// Where the ray leaves a square of cells.
     double leaves(int x, int z, double after, int size) const {
         double t = std::numeric_limits<double>::infinity();
-        const auto bound = [&](double origin, double speed, int low) {
-            if (speed == 0) return;
-            const double at = (low + (speed > 0 ? size : 0) - origin) / speed;
+        // Along the other axis this is infinite, or no number: it bounds nothing.
+        const auto bound = [&](double origin, double step, int low) {
+            const double at = (low + (step > 0 ? size : 0) - origin) * step;
             if (at > after) t = std::min(t, at);
         };
-        bound(ray_.origin.x, ray_.direction.x, x);
-        bound(ray_.origin.z, ray_.direction.z, z);
+        bound(ray_.origin.x, steps_.x, x);
+        bound(ray_.origin.z, steps_.z, z);
         return t;
     }
 
@@ -192,6 +195,7 @@ private:
     const BuiltHeightField& field_;
     const HeightGrid& grid_;
     const Ray& ray_;
+    const Vec3 steps_;       ///< of t from one pixel to the next
     const Vec3& direction_;  ///< in the unit square
     Crossings& found_;
     bool above_ = true;

@@ -75,6 +75,23 @@ std::vector<Plane> world_planes(const World& world) {
     return planes;
 }
 
+/// Divides what has no end into planes and others.
+void note_planes(World& world) {
+    for (const std::uint32_t item : world.unbounded) {
+        const std::size_t shape = item - world.spheres.size() - world.triangles.size();
+        const Plane* plane = shape < world.shapes.size() && !world.shapes[shape].transform
+                                 ? std::get_if<Plane>(&world.shapes[shape].shape)
+                                 : nullptr;
+        if (!plane) {
+            world.endless.push_back(item);
+            continue;
+        }
+        Crossings found;
+        crossings(*plane, {Vec3(0), plane->normal}, found);
+        world.planes.push_back({found[0].normal, plane->distance, item});
+    }
+}
+
 /// Lights as they are seen at a quality.
 void simplify_lights(World& world) {
     if (world.quality < quality_light) {
@@ -155,6 +172,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = item_bounds(world, item);
     for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
+    note_planes(world);
     build_tree(world, boxes, options.threads);
     if (world.any_transparent && world.camera.parallel)
         world.clear_solids = find_clear_solids(world, boxes);

@@ -79,10 +79,7 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Slabs& slabs,
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
         const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
-        // Most scenes have a plane, which every ray asks.
-        const bool endless = std::holds_alternative<Plane>(placed.shape);
-        if (endless || !slabs.miss(placed.box, {range.min, best.t}))
-            meet_shape(primitive, ray, range, best);
+        if (!slabs.miss(placed.box, {range.min, best.t})) meet_shape(primitive, ray, range, best);
     }
 }
 
@@ -142,7 +139,14 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         else
             met = item;
     };
-    for (const std::uint32_t item : unbounded) ask(item);
+    for (const EndlessPlane& plane : planes) {
+        const double t = plane.meet(ray);
+        if (!(t > tolerance && t <= best.t) || !there(plane.primitive)) continue;
+        if (t == best.t && met < plane.primitive) continue;
+        best = {t, plane.primitive, plane.normal};
+        met = plane.primitive;
+    }
+    for (const std::uint32_t item : endless) ask(item);
     Asked asked;
     const auto ask_once = [&](std::uint32_t item) {
         if (item < first_shape || !asked.before(item)) ask(item);
@@ -278,7 +282,13 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
         if (any_transparent && may_pass(item)) clear.push_back(item);
         return opaque_between(item, ray, slabs, range);
     };
-    if (std::ranges::any_of(unbounded, blocks)) return Vec3(0);
+    for (const EndlessPlane& plane : planes) {
+        if (!range.contains(plane.meet(ray))) continue;
+        const Material& m = material(plane.primitive);
+        if (!m.transparent && !m.no_shadow) return Vec3(0);
+        clear.push_back(plane.primitive);
+    }
+    if (std::ranges::any_of(endless, blocks)) return Vec3(0);
     Asked asked;
     const auto blocks_once = [&](std::uint32_t item) {
         return !(item >= first_shape && asked.before(item)) && blocks(item);

@@ -68,6 +68,20 @@ struct PlacedShape {
     Box box;                      ///< around it; infinite for planes and the like
 };
 
+/// A plane in world space, which every ray asks.
+struct EndlessPlane {
+    Vec3 normal;  ///< unit
+    double distance;
+    PrimitiveIndex primitive;
+
+    /// Where the ray meets it; not a number when it never does.
+    double meet(const Ray& ray) const {
+        const double approach = dot(ray.direction, normal);
+        return approach == 0 ? std::numeric_limits<double>::quiet_NaN()
+                             : (distance - dot(ray.origin, normal)) / approach;
+    }
+};
+
 /// Several shapes as one solid. Its leaves are primitives as well, one after the other.
 struct PlacedComposite {
     Handle<Composite> composite;
@@ -213,6 +227,8 @@ public:
     /// Of faces of meshes that are leaves, and of components of blobs.
     std::unordered_map<PrimitiveIndex, TextureList> part_textures;
     std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
+    std::vector<EndlessPlane> planes;        ///< those of them that are planes in their own place
+    std::vector<std::uint32_t> endless;      ///< the others
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
     KdTree tree;

@@ -23,6 +23,18 @@ TEST_CASE("angle sets the length of the direction", "[camera]") {
     CHECK(near(projection(camera).direction, Vec3(0, 0, 1)));
 }
 
+TEST_CASE("a camera that looks along the sky is mirrored as POV-Ray's", "[camera]") {
+    Perspective camera;
+    camera.location = Vec3(0, 6, 0);
+    camera.look_at = Vec3(0);
+    CHECK(near(projection(camera).right, Vec3(1.33, 0, 0)));
+    camera.right = Vec3(-1.33, 0, 0);
+    CHECK(near(projection(camera).right, Vec3(1.33, 0, 0)));
+    camera.right = Vec3(1.33, 0, 0);
+    camera.up = Vec3(0, 0, 1);  // along the direction, as it was
+    CHECK(near(projection(camera).right, Vec3(-1.33, 0, 0)));
+}
+
 TEST_CASE("look_at keeps lengths and handedness", "[camera]") {
     Perspective camera;
     camera.location = Vec3(0, 0, -5);

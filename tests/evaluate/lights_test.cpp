@@ -27,6 +27,19 @@ TEST_CASE("a light source has its place, colour and words", "[evaluate]") {
     CHECK(done.scene.objects.empty());
 }
 
+TEST_CASE("of shadowless and kinds with shadows the last word holds, as in POV-Ray", "[evaluate]") {
+    const Script done = run(
+        "#version 3.7; light_source { y, 1 shadowless spotlight } light_source { y, 1 spotlight "
+        "shadowless } #declare L = light_source { y, 1 shadowless } light_source { L cylinder }"
+        "light_source { y, 1 shadowless cylinder shadowless parallel }");
+    REQUIRE(done.scene.lights.size() == 4);
+    CHECK_FALSE(light(done, 0).shadowless);
+    CHECK(done.text.find("`shadowless` has no effect") != std::string::npos);
+    CHECK(light(done, 1).shadowless);
+    CHECK_FALSE(light(done, 2).shadowless);
+    CHECK(light(done, 3).shadowless);
+}
+
 TEST_CASE("declared lights are placed anew", "[evaluate]") {
     const Script done =
         run("#version 3.7; #declare L = light_source { x, 1 } light_source { L translate x } "

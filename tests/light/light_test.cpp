@@ -39,6 +39,17 @@ TEST_CASE("beams are bright in the middle and end at their falloff", "[light]") 
     CHECK(incidence(light, light.location, Vec3(0.9, 0, 0)).direction == Vec3(0, 0, -1));
 }
 
+TEST_CASE("each light of a parallel grid has an axis of its own", "[light]") {
+    PointLight light;
+    light.colour = Vec3(1);
+    light.location = Vec3(0, 10, 0);
+    light.point_at = Vec3(0);
+    light.parallel = true;
+    const Incidence off = incidence(light, Vec3(2, 10, 0), Vec3(50, 1, 7));
+    CHECK(length(off.direction - unit(Vec3(2, 10, 0))) < 1e-12);
+    CHECK(incidence(light, light.location, Vec3(50, 1, 7)).direction == Vec3(0, 1, 0));
+}
+
 TEST_CASE("a light without shadows keeps to no cone and no cylinder, as POV-Ray's", "[light]") {
     PointLight light;
     light.colour = Vec3(1);

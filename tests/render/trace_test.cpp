@@ -122,6 +122,27 @@ TEST_CASE("bumps that turn away mirror and bend light as POV-Ray's do", "[render
     }
 }
 
+TEST_CASE("a reflection's exponent takes in iridescence, and leaves out total reflection",
+          "[render]") {
+    const std::string glass = R"(camera { location -0.5*y look_at x }
+        box { <-50, -1, -50>, <50, 0, 50> pigment { rgbf 1 }
+              finish { ambient 0 diffuse 0 reflection { 0.6 exponent 2 } } interior { ior 1.5 } }
+        box { <2, -0.99, -5>, <3, -0.01, 5> pigment { rgb <0.2, 0.4, 0.6> }
+              finish { ambient 1 diffuse 0 } })";
+    const Vec3 wall = seen(glass, Vec3(0, -0.5, 0), Vec3(1, 0.5, 0));
+    CHECK(length(wall - Vec3(0.2, 0.4, 0.6)) < 1e-9);
+
+    const auto mirror = [](const std::string& exponent) {
+        return seen(
+            "background { rgb 0.6 } plane { y, 0 pigment { rgb 1 } finish { ambient 0 "
+            "diffuse 0 reflection { 0.8 exponent " +
+                exponent + " } irid { 0.5 thickness 0.3 turbulence 0 } } }",
+            Vec3(0, 2, -3), Vec3(0, -2, 3));
+    };
+    const Vec3 colours = mirror("1") / (0.8 * 0.6);
+    CHECK(length(mirror("0.5") - 0.8 * (colours * 0.6) * (colours * 0.6)) < 1e-9);
+}
+
 TEST_CASE("the textures of a blob's components flow into each other as POV-Ray's do", "[render]") {
     const std::string blob = R"(#version 3.7;
         #default { finish { ambient 1 diffuse 0 } }
