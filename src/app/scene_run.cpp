@@ -23,6 +23,7 @@
 #include "text/message.h"
 #include "text/sha256.h"
 #include "world/compile.h"
+#include "world/moments.h"
 #include "world/review.h"
 
 #include <filesystem>
@@ -214,6 +215,7 @@ private:
             Diagnostics unheard;
             world.other_moments.push_back(compile(std::move(scene), compile_options(), unheard));
         }
+        share_light_statements(world, sources_);
     }
 
     int export_mesh(const Scene& scene) {

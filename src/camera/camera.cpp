@@ -44,8 +44,8 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         maybe(F{"moments", &T::moments, following,
                 "moments of that time that the picture is made of, after a comma",
                 between(1, 1000)}),
-        F{"angle", &T::angle, item, "degrees from the left edge to the right",
-          Range{0, 360, true}}};
+        F{"angle", &T::angle, item, "degrees from the left edge to the right; 0: as without",
+          between(0, 360)}};
     Schema<T, N + common.size() + M> result{name, help, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
     to = std::copy(common.begin(), common.end(), to);

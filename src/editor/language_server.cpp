@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace {
 
@@ -85,6 +86,27 @@ int completion_kind(Suggestion::Kind kind) {
     }
     return 14;
 }
+
+/// Ranges of places in several files, of which there may be many.
+class Ranges {
+public:
+    explicit Ranges(Workspace& workspace) : workspace_(workspace) {}
+
+    Json of(const Mention& mention) {
+        auto known = tables_.find(mention.path);
+        if (known == tables_.end()) {
+            FileHandle file = workspace_.file(mention.path);
+            const LineTable table(file ? std::string_view(file->text) : std::string_view());
+            known = tables_.emplace(mention.path, std::pair(std::move(file), table)).first;
+        }
+        return known->second.second.range_of(mention.place);
+    }
+
+private:
+    Workspace& workspace_;
+    std::map<std::string, std::pair<FileHandle, LineTable>>
+        tables_;  ///< the handles hold the texts
+};
 
 }  // namespace
 
@@ -245,10 +267,10 @@ Json LanguageServer::definition(const Json& parameters) {
 Json LanguageServer::references(const Json& parameters) {
     const std::string path = document(parameters), content = text_of(path);
     Json places = Json::array();
+    Ranges ranges(workspace_);
     for (const Mention& each :
          mentions(workspace_, path, offset_of(content, within(parameters, "position"))))
-        places.push_back(
-            {{"uri", uri_of(each.path)}, {"range", range_of(text_of(each.path), each.place)}});
+        places.push_back({{"uri", uri_of(each.path)}, {"range", ranges.of(each)}});
     return places;
 }
 
@@ -262,9 +284,9 @@ Json LanguageServer::rename(const Json& parameters) {
         return nullptr;
     }
     Json changes = Json::object();
+    Ranges ranges(workspace_);
     for (const Mention& each : *std::get_if<std::vector<Mention>>(&result))
-        changes[uri_of(each.path)].push_back(
-            {{"range", range_of(text_of(each.path), each.place)}, {"newText", new_name}});
+        changes[uri_of(each.path)].push_back({{"range", ranges.of(each)}, {"newText", new_name}});
     return {{"changes", changes}};
 }
 
@@ -272,9 +294,10 @@ Json LanguageServer::symbols(const Json& parameters) {
     const FileHandle file = workspace_.file(document(parameters));
     Json all = Json::array();
     if (!file) return all;
+    const LineTable lines(file->text);
     for (const DeclaredName& each : file->declarations) {
         if (each.local || each.kind == DeclaredName::parameter) continue;
-        const Json range = range_of(file->text, each.place);
+        const Json range = lines.range_of(each.place);
         all.push_back({{"name", std::string(workspace_.names().spelling(each.name))},
                        {"kind", each.kind == DeclaredName::macro ? 12 : 13},
                        {"range", range},
@@ -287,8 +310,9 @@ Json LanguageServer::colours(const Json& parameters) {
     const FileHandle file = workspace_.file(document(parameters));
     Json all = Json::array();
     if (!file) return all;
+    const LineTable lines(file->text);
     for (const Swatch& each : swatches(*file, workspace_.names()))
-        all.push_back({{"range", range_of(file->text, each.place)},
+        all.push_back({{"range", lines.range_of(each.place)},
                        {"color",
                         {{"red", each.srgb.x},
                          {"green", each.srgb.y},

@@ -26,6 +26,17 @@ std::int64_t number(const Json& object, const char* name) {
     return found != object.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
 }
 
+/// How many UTF-16 units a part of a line has.
+int column(std::string_view line) {
+    int units_before = 0;
+    for (std::size_t at = 0; at < line.size();) {
+        const Character character = character_at(line, at);
+        units_before += units(character);
+        at += character.length;
+    }
+    return units_before;
+}
+
 }  // namespace
 
 std::string path_of(std::string_view uri) {
@@ -71,16 +82,26 @@ std::uint32_t offset_of(std::string_view text, const Json& position) {
 
 Json position_of(std::string_view text, std::uint32_t offset) {
     const std::string_view before = text.substr(0, std::min<std::size_t>(offset, text.size()));
-    const std::size_t start = before.rfind('\n') + 1;
-    int column = 0;
-    for (std::size_t at = start; at < before.size();) {
-        const Character character = character_at(text, at);
-        column += units(character);
-        at += character.length;
-    }
-    return {{"line", std::ranges::count(before, '\n')}, {"character", column}};
+    return {{"line", std::ranges::count(before, '\n')},
+            {"character", column(before.substr(before.rfind('\n') + 1))}};
 }
 
 Json range_of(std::string_view text, Part part) {
     return {{"start", position_of(text, part.first)}, {"end", position_of(text, part.last)}};
+}
+
+LineTable::LineTable(std::string_view text) : text_(text), starts_{0} {
+    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+        starts_.push_back(static_cast<std::uint32_t>(at + 1));
+}
+
+Json LineTable::position_of(std::uint32_t offset) const {
+    const std::size_t end = std::min<std::size_t>(offset, text_.size());
+    const auto start = std::prev(std::ranges::upper_bound(starts_, end));
+    return {{"line", start - starts_.begin()},
+            {"character", column(text_.substr(*start, end - *start))}};
+}
+
+Json LineTable::range_of(Part part) const {
+    return {{"start", position_of(part.first)}, {"end", position_of(part.last)}};
 }

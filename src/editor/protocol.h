@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 using Json = nlohmann::json;
 
@@ -19,3 +20,17 @@ std::string uri_of(std::string_view path);
 std::uint32_t offset_of(std::string_view text, const Json& position);
 Json position_of(std::string_view text, std::uint32_t offset);
 Json range_of(std::string_view text, Part);
+
+/// Where the lines of a text begin: gives many ranges of it without counting lines each time. The
+/// text must live as long.
+class LineTable {
+public:
+    explicit LineTable(std::string_view text);
+    Json range_of(Part) const;
+
+private:
+    Json position_of(std::uint32_t offset) const;
+
+    std::string_view text_;
+    std::vector<std::uint32_t> starts_;
+};

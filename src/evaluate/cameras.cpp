@@ -148,6 +148,8 @@ public:
 private:
     bool take_field(const Element& element) {
         const bool taken = fields_.take(element);
+        std::optional<double>& angle = view_of(camera_).angle;
+        if (angle == 0.0) angle.reset();
         if (taken && block_.binder.evaluator.version() < 3.5) settle(camera_);
         return taken;
     }

@@ -89,7 +89,7 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
     const auto inside = [&state = state, object = object->name](const double* in, double* out) {
         const Value* value = state.scope.find(object);
         const ObjectHandle content = value ? value->handle<Object>() : nullptr;
-        if (!content || !has_inside(*content)) return false;
+        if (!content || !state.world.solids.solid(content)) return false;
         out[0] = state.world.solids.inside(content, Vec3(in[0], in[1], in[2]));
         return true;
     };

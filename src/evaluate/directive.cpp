@@ -310,7 +310,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         const std::size_t errors = diagnostics.error_count();
         const SourceId source = sources.add(found->path, found->text, span);
         frames.push({Frame::include, no_name, source, span});
-        known = &trees.emplace_back(parse(source, sources, names, diagnostics));
+        known = &trees.emplace_back(parse(source, sources, names, diagnostics, version));
         frames.pop();
         codes.add(*known);
         if (diagnostics.error_count() > errors) stopped_ = true;

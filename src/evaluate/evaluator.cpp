@@ -173,7 +173,7 @@ void Evaluator::State::run_within_memory(SourceId main) {
 }
 
 void Evaluator::State::run(SourceId main) {
-    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics));
+    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics, version));
     lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;

@@ -7,7 +7,7 @@ Value inside_object(FunctionCall& call) {
     const ObjectHandle object = call.object(0);
     const Vec3 point = call.vector(1);
     if (call.failed()) return Absence::broken;
-    if (!has_inside(*object))
+    if (!call.world.solids.solid(object))
         return call.fail(Fault::domain, 0,
                          "this object has no inside: it is, or holds, a triangle, polygon, patch, "
                          "or a mesh without inside_vector");

@@ -21,9 +21,13 @@ const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
                                 "the colour in all directions"});
 });
 
-constexpr std::string_view sampler_form =
-    "{ light_octree [threshold n] ... }, or one of: every_light, constant_alpha, linear_alpha, "
-    "light_bvh";
+std::string sampler_form() {
+    std::string names;
+    for (const ItemInfo* sampler : Kinds<LightSampler>::infos)
+        if (sampler != &LightOctree::vocabulary)
+            names += message(names.empty() ? "" : ", ", sampler->name);
+    return message("{ light_octree [threshold n] ... }, or one of: ", names);
+}
 
 /// Parameters of light_octree that only the paper's version looks at, and those that it does not.
 constexpr auto words_of_paper =
@@ -119,7 +123,8 @@ public:
             block_.spelling(element.word) != "light_sampler")
             return false;
         OpenBlock inner(block_.binder, "light_sampler", element.word_span);
-        inner.form = sampler_form;
+        const std::string form = sampler_form();
+        inner.form = form;
         SamplerReader reader(inner, sampler_);
         inner.read(element.body, reader);
         return true;

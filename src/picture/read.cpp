@@ -25,7 +25,8 @@ public:
     Decoder(const TexelCoding& coding, const StoredPicture& picture, const FileFacts& facts)
         : coding_(coding), picture_(picture) {
         const bool said = facts.says_coding.value_or(false) || picture.linear;
-        const bool plain = picture.format == "pnm";
+        // Files that POV-Ray takes as they are.
+        const bool plain = picture.format == "pnm" || (picture.format == "tiff" && !said);
         decodes_ = coding.gamma == 0 && !plain &&
                    (coding.decode == TexelCoding::always ||
                     (coding.decode == TexelCoding::where_said && said));

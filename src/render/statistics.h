@@ -30,7 +30,7 @@ struct RayCounts {
         camera += other.camera;
         shadow += other.shadow;
         scattered += other.scattered;
-        if (lights.empty()) lights.resize(other.lights.size());
+        if (lights.size() < other.lights.size()) lights.resize(other.lights.size());
         for (std::size_t i = 0; i < other.lights.size(); ++i) {
             lights[i].light.add(other.lights[i].light);
             lights[i].rays += other.lights[i].rays;

@@ -169,11 +169,13 @@ Vec3 Tracer::veiled(const Path& path, double distance, const Vec3& seen) const {
 /// What lies behind everything.
 Vec3 Tracer::beyond(const Path& path) {
     if (path.counted && !world_.sky_light.empty()) return Vec3(0);
-    if (clear_sky_ && path.kind == RayKind::camera) {
-        clear_ += std::max(0.0, grey(rays_.share)) * world_.sky_clear(path.ray.direction);
-        if (world_.language_version < 3.7) return Vec3(0);
-    }
-    return world_.sky_radiance(path.ray.direction);
+    const Vec3& direction = path.ray.direction;
+    if (!clear_sky_) return world_.sky_radiance(direction);
+    if (path.kind != RayKind::camera)
+        return world_.sky_radiance(direction, world_.background.mirrored());
+    clear_ += std::max(0.0, grey(rays_.share)) * world_.sky_clear(direction);
+    if (world_.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.background.covering());
 }
 
 /// Notes what a luminaire shows that is seen itself.

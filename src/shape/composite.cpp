@@ -181,6 +181,8 @@ Composite CompositeBuilder::finish(PartRef root) {
     made_.parents_.assign(made_.leaves_.size(), Composite::nothing);
     made_.seen_.assign(made_.leaves_.size(), Box());
     made_.root_ = root;
+    const Composite::Region region = region_of(root);
+    made_.inside_bounds_ = region.outside ? everywhere() : region.box;
     show(root, everywhere());
     for (std::uint32_t node : made_.parents_) {
         while (node != Composite::nothing && made_.nodes_[node].cuts.empty())

@@ -56,6 +56,8 @@ public:
 
     /// Around all surface that can be seen; infinite when some has no end.
     const Box& bounds() const { return bounds_; }
+    /// Around all points inside; infinite when there are some everywhere.
+    const Box& inside_bounds() const { return inside_bounds_; }
     const CompositeLeaf& leaf(std::uint32_t i) const { return leaves_[i]; }
     std::size_t leaf_count() const { return leaves_.size(); }
     /// Around the surface of one leaf, as far as it can be seen.
@@ -114,7 +116,7 @@ private:
     bool limited_ = false;
     std::vector<std::uint32_t> apart_;  ///< leaves with surface without end; all when they are few
     KdTree tree_;                       ///< over the others
-    Box bounds_;
+    Box bounds_, inside_bounds_;
 };
 
 /// Makes a composite from the leaves up.

@@ -19,14 +19,19 @@ bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
 
 }  // namespace
 
-const Composite& Solids::composite(const ObjectHandle& object) {
-    if (last_ && last_->object == object) return last_->composite;
+const Solids::Known& Solids::known(const ObjectHandle& object) {
+    if (last_ && last_->object == object) return *last_;
     auto found = known_.find(object.get());
     if (found == known_.end())
-        found = known_.emplace(object.get(), Known{object, composite_of(*object, shapes_)}).first;
+        found = known_
+                    .emplace(object.get(),
+                             Known{object, composite_of(*object, shapes_), has_inside(*object)})
+                    .first;
     last_ = &found->second;
-    return last_->composite;
+    return *last_;
 }
+
+const Composite& Solids::composite(const ObjectHandle& object) { return known(object).composite; }
 
 std::optional<Solids::Hit> Solids::trace(const ObjectHandle& object, const Vec3& from,
                                          const Vec3& direction) {
@@ -39,6 +44,8 @@ std::optional<Solids::Hit> Solids::trace(const ObjectHandle& object, const Vec3&
 bool Solids::inside(const ObjectHandle& object, const Vec3& point) {
     return composite(object).inside(point);
 }
+
+bool Solids::solid(const ObjectHandle& object) { return known(object).solid; }
 
 bool has_inside(const Object& object) {
     if (const auto* group = std::get_if<Union>(&object.form))

@@ -22,6 +22,8 @@ public:
     std::optional<Hit> trace(const ObjectHandle&, const Vec3& from, const Vec3& direction);
 
     bool inside(const ObjectHandle&, const Vec3& point);
+    /// has_inside(), known after the first question.
+    bool solid(const ObjectHandle&);
 
     /// The object as rays ask it; it lives as long as this.
     const Composite& composite(const ObjectHandle&);
@@ -30,7 +32,11 @@ private:
     struct Known {
         ObjectHandle object;  ///< kept, so that no address comes twice
         Composite composite;
+        bool solid;  ///< has an inside
     };
+
+    const Known& known(const ObjectHandle&);
+
     ShapeStore shapes_;
     std::unordered_map<const Object*, Known> known_;
     const Known* last_ = nullptr;

@@ -169,13 +169,14 @@ bool Brackets::accept_else(const Token& divider) {
     return true;
 }
 
-/// Where the first branch of a condition leaves braces open that are closed behind its #end.
+/// Where the first branch of a condition leaves braces open that are closed behind its #end, or
+/// ends in the word of a block that stands there.
 bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
     Open& opener = open_[depth - 1];
     const auto above = open_.begin() + static_cast<std::ptrdiff_t>(depth);
     const bool conditional =
         opener.token.kind == TokenKind::hash_if || opener.token.kind == TokenKind::hash_ifdef;
-    if (!conditional || opener.divided || above == open_.end() ||
+    if (!conditional || opener.divided || (above == open_.end() && !is_block_word(last_.kind)) ||
         !std::all_of(above, open_.end(), [](const Open& o) {
             return o.token.kind == TokenKind::open_brace && !o.blamed;
         }))

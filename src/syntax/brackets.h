@@ -3,7 +3,8 @@
 // `{ }`, `( )`, `[ ]`, and #if, #while, #for, #switch, #macro with #end. What does not match is
 // reported once, with both places, and mended by closing what is open or by dropping what closes
 // nothing; the parser never sees it. Only where each branch of a condition opens the same number of
-// braces, what follows its #end is part of every branch, up to where these are closed.
+// braces, or ends in a word whose braces follow, what comes behind its #end is part of every
+// branch, up to where these are closed.
 #pragma once
 
 #include "syntax/token_stream.h"
@@ -14,8 +15,9 @@
 
 class Brackets {
 public:
-    Brackets(Lexer& lexer, SourceId source, std::string_view text, Diagnostics& diagnostics)
-        : tokens_(lexer), source_(source), text_(text), diagnostics_(diagnostics) {}
+    Brackets(Lexer& lexer, double version, SourceId source, std::string_view text,
+             Diagnostics& diagnostics)
+        : tokens_(lexer, version), source_(source), text_(text), diagnostics_(diagnostics) {}
 
     Token next();
     /// Whether the next token comes behind a comma, right inside of braces.

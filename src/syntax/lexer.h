@@ -19,6 +19,8 @@ public:
     Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&);
 
     Token next();
+    /// What a token of a number says.
+    double number(const Token& token) const { return tree_.numbers[token.value]; }
 
 private:
     Token token(TokenKind, const char* first, std::uint32_t value = 0);

@@ -294,7 +294,8 @@ int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
 static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
-Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics) {
+Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
+           double version) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
@@ -303,7 +304,7 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
     Lexer lexer(source, sources, names, tree, diagnostics);
-    Brackets brackets(lexer, source, text, diagnostics);
+    Brackets brackets(lexer, version, source, text, diagnostics);
     ParseState state{tree, names, brackets, diagnostics, text};
     grammar_parse(state);
     return tree;

@@ -8,4 +8,6 @@
 #include "text/diagnostic.h"
 #include "text/source.h"
 
-Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&);
+/// `version`: of the language, until the text names one; it decides conditions about the version
+/// whose branches are no whole elements.
+Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, double version = 3.7);

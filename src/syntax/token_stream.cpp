@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/token_stream.h"
 
+#include "vocabulary/reserved.h"
+
 #include <algorithm>
 
 namespace {
@@ -45,6 +47,15 @@ private:
 }  // namespace
 
 Token TokenStream::next() {
+    for (;;) {
+        const Token token = fetch();
+        if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
+        names_version_ = token.kind == TokenKind::hash_version;
+        if (token.kind != TokenKind::hash_if || !choose_branch()) return token;
+    }
+}
+
+Token TokenStream::fetch() {
     if (ahead_.empty()) return lexer_.next();
     const Token token = ahead_.front();
     ahead_.pop_front();
@@ -52,8 +63,74 @@ Token TokenStream::next() {
 }
 
 Token TokenStream::take(Tokens& taken) {
-    taken.push_back(next());
+    taken.push_back(fetch());
     return taken.back();
+}
+
+void TokenStream::give_back(const Tokens& taken) {
+    ahead_.insert(ahead_.begin(), taken.begin(), taken.end());
+}
+
+/// `(version >= 3.1)`
+std::optional<bool> TokenStream::version_condition(Tokens& taken) {
+    if (take(taken).kind != TokenKind::open_parenthesis) return std::nullopt;
+    const Token word = take(taken);
+    if (word.kind != TokenKind::constant || NameId(word.value) != "version"_word)
+        return std::nullopt;
+    const TokenKind sign = take(taken).kind;
+    const Token limit = take(taken);
+    if (limit.kind != TokenKind::number || take(taken).kind != TokenKind::close_parenthesis)
+        return std::nullopt;
+    const double other = lexer_.number(limit);
+    switch (sign) {
+        case TokenKind::less:
+            return version_ < other;
+        case TokenKind::less_equal:
+            return version_ <= other;
+        case TokenKind::greater:
+            return version_ > other;
+        case TokenKind::greater_equal:
+            return version_ >= other;
+        case TokenKind::equal:
+            return version_ == other;
+        case TokenKind::not_equal:
+            return version_ != other;
+        default:
+            return std::nullopt;
+    }
+}
+
+bool TokenStream::choose_branch() {
+    Tokens taken;
+    const std::optional<bool> condition = version_condition(taken);
+    std::vector<Tokens> branches(1);
+    Balance balance;
+    bool whole = true, plain = true;
+    for (bool ended = !condition; !ended;) {
+        const Token token = take(taken);
+        const bool outside = balance.directives() == 0;
+        ended = token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+                (outside && token.kind == TokenKind::hash_end);
+        if (outside && (ended || divides_directive(token.kind))) {
+            plain = plain && (ended || token.kind == TokenKind::hash_else);
+            whole = whole && balance.braces == 0;
+            balance = {};
+            branches.emplace_back();
+        } else {
+            balance.add(token.kind);
+            whole = whole && balance.braces >= 0;
+            branches.back().push_back(token);
+        }
+    }
+    plain = plain && branches.size() <= 3 && taken.back().kind == TokenKind::hash_end;
+    if (!condition || !plain) return give_back(taken), false;
+    const Token behind = take(taken);
+    if (whole && behind.kind != TokenKind::open_brace) return give_back(taken), false;
+    // The last list is what follows #end, which is empty.
+    Tokens kept = branches[*condition ? 0 : 1];
+    kept.push_back(behind);
+    give_back(kept);
+    return true;
 }
 
 bool TokenStream::take_branches(std::vector<Tokens>& branches, Tokens& taken, int braces) {
@@ -81,6 +158,11 @@ bool TokenStream::take_branches(std::vector<Tokens>& branches, Tokens& taken, in
 std::optional<std::vector<Token>> TokenStream::take_rest(Tokens& taken, int braces) {
     Tokens rest;
     Balance balance;
+    if (braces == 0) {
+        rest.push_back(take(taken));
+        if (rest.back().kind != TokenKind::open_brace) return std::nullopt;
+        braces = 1;
+    }
     while (balance.braces > -braces || balance.directives() > 0) {
         const Token token = take(taken);
         const bool outside = balance.directives() == 0 &&
@@ -102,11 +184,12 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
         (one ? branches.size() == 1
              : branches.size() > 1 && branches.back().front().kind == TokenKind::hash_else);
     const Token end = found ? taken.back() : Token{};
-    const std::optional<Tokens> rest = found ? take_rest(taken, braces) : std::nullopt;
-    if (!rest) {
-        ahead_.insert(ahead_.begin(), taken.begin(), taken.end());
-        return false;
-    }
+    const auto ends_in_word = [](const Tokens& branch) {
+        return !branch.empty() && is_block_word(branch.back().kind);
+    };
+    const bool fits = found && (braces > 0 || std::ranges::all_of(branches, ends_in_word));
+    const std::optional<Tokens> rest = fits ? take_rest(taken, braces) : std::nullopt;
+    if (!rest) return give_back(taken), false;
     result = *rest;
     result.push_back(divider);
     for (const Tokens& branch : branches) {
@@ -114,6 +197,6 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
         result.insert(result.end(), rest->begin(), rest->end());
     }
     result.push_back(end);
-    ahead_.insert(ahead_.begin(), result.begin(), result.end());
+    give_back(result);
     return true;
 }

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tokens of a text for Brackets, which may look ahead. It makes sense of conditions whose
-// branches open a brace that the text behind them closes:
+// branches are no whole elements:
 //
 //     #if (Merge) merge { #else union { #end A B }
+//     #if (Merge) merge #else union #end { A B }
 //
-// is read as if A B } stood in both branches.
+// are read as if A B } or { A B } stood in both branches, and
+//
+//     #if (version >= 3.1) material { #end A #if (version >= 3.1) } #end
+//
+// as if only the branches for the language's version were there.
 #pragma once
 
 #include "syntax/lexer.h"
@@ -15,14 +20,16 @@
 
 class TokenStream {
 public:
-    explicit TokenStream(Lexer& lexer) : lexer_(lexer) {}
+    /// `version`: of the language, until the text names one.
+    TokenStream(Lexer& lexer, double version) : lexer_(lexer), version_(version) {}
 
     Token next();
 
     /// To be called behind the first #else or #elseif of a condition whose first branch leaves so
-    /// many braces open. When every other branch leaves as many, and there is an #else, the tokens
-    /// from #end to the last of the braces that close them go into each branch; that of the first
-    /// branch comes next, then the divider. Otherwise nothing changes, and it is false.
+    /// many braces open, or ends in a word when there are none. When every other branch does, too,
+    /// and there is an #else, the tokens from #end to the last of the braces that close them, or
+    /// the block in braces that follows, go into each branch; that of the first branch comes next,
+    /// then the divider. Otherwise nothing changes, and it is false.
     bool copy_rest_into_branches(const Token& divider, int braces);
 
 private:
@@ -32,11 +39,24 @@ private:
     /// #end.
     bool take_branches(std::vector<Tokens>& branches, Tokens& taken, int braces);
     std::optional<Tokens> take_rest(Tokens& taken, int braces);
+    Token fetch();
     Token take(Tokens& taken);
+    void give_back(const Tokens& taken);
+    /// Behind #if: keeps only the tokens of one branch, if the branches are no whole elements and
+    /// the condition is about the version. Otherwise nothing changes, and it is false.
+    bool choose_branch();
+    std::optional<bool> version_condition(Tokens& taken);
 
     Lexer& lexer_;
+    double version_;
+    bool names_version_ = false;  ///< the last token was #version
     std::deque<Token> ahead_;
 };
+
+/// What a block may begin with, in front of its brace.
+constexpr bool is_block_word(TokenKind kind) {
+    return kind == TokenKind::word || kind == TokenKind::layer;
+}
 
 constexpr bool opens_directive(TokenKind kind) {
     using enum TokenKind;

@@ -111,6 +111,8 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.camera = projection(scene.camera);
     world.camera_normal = scene.camera_normal;
     world.background = scene.background;
+    if (scene.language_version < 3.7)  // it was always seen
+        world.background.colour.filter = world.background.colour.transmit = 0;
     world.sky = scene.sky;
     world.fogs = scene.fogs;
     world.rainbows = scene.rainbows;
@@ -119,16 +121,31 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     return world;
 }
 
-ClearSolids find_clear_solids(const World& world, const std::vector<Box>& boxes) {
+/// Around all points that lie inside of a primitive that is no face, or of a composite.
+Box inside_box(const World& world, std::uint32_t item) {
+    if (item < world.spheres.size()) return item_bounds(world, item);
+    if (item >= world.leaves_begin())
+        return world.composites[item - world.leaves_begin()].composite->inside_bounds();
+    const PlacedShape& placed = world.shapes[item - world.spheres.size() - world.triangles.size()];
+    const Box box = inside_bounds(placed.shape);
+    return placed.transform ? placed.transform->box(box) : box;
+}
+
+ClearSolids find_clear_solids(const World& world) {
     ClearSolids clear;
     std::vector<Box> around;
-    for (std::uint32_t item = 0; item < boxes.size(); ++item) {
-        if (!world.is_clear_solid(item) || boxes[item].empty()) continue;
-        clear.bounded.push_back(item);
-        around.push_back(boxes[item]);
+    const std::size_t items = world.leaves_begin() + world.composites.size();
+    for (std::uint32_t item = 0; item < items; ++item) {
+        if (!world.is_clear_solid(item)) continue;
+        const Box box = inside_box(world, item);
+        if (box.empty()) continue;
+        if (!finite(box)) {
+            clear.unbounded.push_back(item);
+        } else {
+            clear.bounded.push_back(item);
+            around.push_back(box);
+        }
     }
-    for (const std::uint32_t item : world.unbounded)
-        if (world.is_clear_solid(item)) clear.unbounded.push_back(item);
     clear.index = PartIndex(std::move(around));
     return clear;
 }
@@ -175,7 +192,7 @@ void build_indices(World& world, const CompileOptions& options) {
     note_planes(world);
     build_tree(world, boxes, options.threads);
     if (world.any_transparent && world.camera.parallel)
-        world.clear_solids = find_clear_solids(world, boxes);
+        world.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);
     if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)

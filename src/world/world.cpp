@@ -377,10 +377,9 @@ bool World::light_is_drawn() const {
            std::ranges::any_of(source_sets, [](const SourceSet& set) { return set.drawn(); });
 }
 
-Vec3 World::sky_radiance(const Vec3& direction) const {
-    if (!sky) return background.radiance();
-    return radiance(*sky, direction, background.radiance(), pattern_scene(),
-                    language_version < 3.7);
+Vec3 World::sky_radiance(const Vec3& direction, const Vec3& behind) const {
+    if (!sky) return behind;
+    return radiance(*sky, direction, behind, pattern_scene(), language_version < 3.7);
 }
 
 double World::sky_clear(const Vec3& direction) const {

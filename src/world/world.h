@@ -160,7 +160,11 @@ public:
     Vec2 uv(PrimitiveIndex, std::uint32_t part, const Vec3& point) const;
 
     /// What comes from a direction in which there is nothing.
-    Vec3 sky_radiance(const Vec3& direction) const;
+    Vec3 sky_radiance(const Vec3& direction) const {
+        return sky_radiance(direction, background.radiance());
+    }
+    /// The same with that light of the background.
+    Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
 
     /// How clear it is there, 0 to 1, in a picture with alpha: POV-Ray 3.7's rules.
     double sky_clear(const Vec3& direction) const;

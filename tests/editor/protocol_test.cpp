@@ -23,6 +23,8 @@ TEST_CASE("places are lines and units of UTF-16") {
         CAPTURE(each.line, each.character);
         CHECK(offset_of(text, position) == each.offset);
         CHECK(position_of(text, each.offset) == position);
+        const Part place{0, each.offset};
+        CHECK(LineTable(text).range_of(place) == range_of(text, place));
     }
     CHECK(offset_of(text, {{"line", 1}, {"character", 99}}) == 9);
     CHECK(offset_of(text, {{"line", 99}, {"character", 0}}) == text.size());

@@ -35,6 +35,27 @@ TEST_CASE("what follows branches that open braces is part of each", "[syntax]") 
         {"#if (a) merge { #else union { #end #if (b) c { #else d { #end e } }",
          "#if (a) merge { #if (b) c { e } #else d { e } #end } #else union { #if (b) c { e } "
          "#else d { e } #end } #end"},
+        {"#if (a) merge #else union #end { b { c } } d",
+         "#if (a) merge { b { c } } #else union { b { c } } #end, d"},
+    }));
+    INFO(text);
+    const Parsed parsed(text);
+    CHECK(parsed.messages() == "");
+    CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+}
+
+TEST_CASE("of branches that are no whole elements only that for the version is read", "[syntax]") {
+    const auto [text, meaning] = GENERATE(table<std::string, std::string>({
+        {"#if (version >= 3.1) merge { #end b #if (version >= 3.1) } #end c", "merge { b }, c"},
+        {"#if (version < 3.1) merge { #end b #if (version < 3.1) } #end c", "b, c"},
+        {"#version 3; #if (version < 3.1) merge { #end b #if (version < 3.1) } #end",
+         "#version 3; merge { b }"},
+        {"a { #if (version = 3.7) merge #else union #end { b } }", "a { merge { b } }"},
+        {"#if (version > 3.5) merge { union #else sphere #end { b } #if (version > 3.5) } #end",
+         "merge { union { b } }"},
+        // Whole elements stay as they are.
+        {"#if (version < 3.1) merge { b } #else union { c } #end d",
+         "#if (version < 3.1) merge { b } #else union { c } #end, d"},
     }));
     INFO(text);
     const Parsed parsed(text);
@@ -49,7 +70,8 @@ TEST_CASE("branches that do not open the same are an error", "[syntax]") {
         "#if (a) merge { #elseif (c) union { #end b }", "#if (a) merge { #else union { #end b",
         "#switch (a) #case (1) merge { #else "
         "union { #end }",
-        "#if (a) merge { #else b }");
+        "#if (a) merge { #else b }", "#if (version > 3) merge { #end b",
+        "#if (version > x) merge { #end b #if (version > x) } #end");
     INFO(text);
     CHECK(Parsed(text).messages() != "");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "support/draw.h"
 #include "support/scripts.h"
 
 #include <catch2/catch.hpp>
@@ -104,16 +105,36 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         world_of("sphere { 0, 2 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }");
     CHECK(world.containing(Vec3(1, 0, 0)).size() == 1);
     CHECK(world.containing(Vec3(2.5, 0, 0)).empty());
-    // The rays of a parallel camera begin in many places, so it has an index of them.
-    const World parallel = world_of(R"(camera { orthographic location -9*z look_at 0 }
+    // The rays of a parallel camera begin in many places, so it has an index of them; that of
+    // another camera is asked at one place only, and has none.
+    const std::string scene = R"(
         #for (I, 1, 20) sphere { 10*I*x, 3 pigment { rgbt 1 } } #end
         plane { y, -5 pigment { rgbt 1 } } sphere { 0, 3 pigment { rgb 1 } }
-        difference { box { -3, 3 } sphere { 0, 3 } pigment { rgbt 1 } })");
-    for (int i = 1; i <= 20; ++i) {
-        CHECK(parallel.containing(Vec3(10 * i + 1, 0, 2)).size() == 1);
-        CHECK(parallel.containing(Vec3(10 * i + 5, 0, 0)).empty());
-        CHECK(parallel.containing(Vec3(10 * i + 5, -6, 0)).size() == 1);
+        difference { box { -3, 3 } sphere { 0, 3 } pigment { rgbt 1 } }
+        sphere { 40*z, 5 inverse pigment { rgbt 1 } } disc { -30*z, y, 5 pigment { rgbt 1 } }
+        height_field { function 8, 8 { x*y } scale 9 translate 50*x pigment { rgbt 1 } }
+        box { 20, 30 pigment { rgbt 1 } rotate 20 } torus { 9, 2 inverse pigment { rgbt 1 } }
+        merge { sphere { -20*x, 3 } box { -24, -20 } inverse pigment { rgbt 1 } })";
+    const World parallel = world_of("camera { orthographic location -9*z look_at 0 }" + scene),
+                other = world_of("camera { location -9*z look_at 0 }" + scene);
+    Draw draw(3);
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 point = draw.point(60);
+        std::vector<PrimitiveIndex> found = parallel.containing(point),
+                                    expected = other.containing(point);
+        std::ranges::sort(found);
+        std::ranges::sort(expected);
+        CAPTURE(point.x, point.y, point.z);
+        CHECK(found == expected);
     }
-    CHECK(parallel.containing(Vec3(0)).empty());
-    CHECK(parallel.containing(Vec3(2.9)).size() == 1);
+    CHECK(parallel.clear_solids.bounded.size() > 20);
+}
+
+TEST_CASE("the background's transparency counts from version 3.7 on", "[world]") {
+    const std::string text = "background { rgbft <1, 0.5, 0.2, 0.25, 0.5> }";
+    const World now = world_of("#version 3.7; " + text), old = world_of("#version 3.6; " + text);
+    CHECK(now.sky_radiance(Vec3(0, 0, 1)) == Vec3(0.5, 0.25, 0.1));
+    CHECK(now.background.covering() == Vec3(0.25, 0.125, 0.05));
+    CHECK(now.background.mirrored() == Vec3(1, 0.5, 0.2));
+    CHECK(old.sky_radiance(Vec3(0, 0, 1)) == Vec3(1, 0.5, 0.2));
 }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/moments.h"
+
+#include <map>
+#include <string>
+#include <tuple>
+
+void share_light_statements(World& world, const SourceStore& sources) {
+    using Place = std::tuple<std::string, std::uint32_t, std::uint32_t>;
+    std::map<Place, std::uint32_t> numbers;
+    std::vector<Span> all;
+    const auto number = [&](const Span& statement) {
+        const Place place{statement.known() ? sources.name(statement.source) : std::string(),
+                          statement.first, statement.last};
+        const auto [found, added] =
+            numbers.try_emplace(place, static_cast<std::uint32_t>(all.size()));
+        if (added) all.push_back(statement);
+        return found->second;
+    };
+    const auto renumber = [&](World& moment) {
+        std::vector<std::uint32_t> now;
+        for (const Span& statement : moment.light_statements) now.push_back(number(statement));
+        for (auto* list : {&moment.statement_of_luminaire, &moment.statement_of_light})
+            for (std::uint32_t& statement : *list) statement = now[statement];
+    };
+    renumber(world);
+    for (World& moment : world.other_moments) renumber(moment);
+    for (World& moment : world.other_moments) moment.light_statements = all;
+    world.light_statements = std::move(all);
+}
