@@ -21,6 +21,7 @@ struct Columns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
     const float *half_x, *half_y, *half_z;
+    const float *lean_x, *lean_y, *lean_z, *lean;
 };
 struct SourceColumns {
     const float *fade_power, *per_fade_distance, *dark, *per_edge;
@@ -68,13 +69,18 @@ template <bool both_sides>
 
 [[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t first,
                                                  const Place& p, Rows& out) {
+    constexpr auto kept = static_cast<float>(least_leaning);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
         const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
         const float r2 = c.radius[row] * c.radius[row];
         const float d2 = vx * vx + vy * vy + vz * vz;
         const float along = std::abs(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz);
-        out[i] *= c.evenness[row] + along / std::sqrt(d2 > r2 ? d2 : r2);
+        const float leaning = c.lean_x[row] * vx + c.lean_y[row] * vy + c.lean_z[row] * vz;
+        const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
+        const float seen = c.evenness[row] + (along - leaning) * inverse;
+        const float least = c.lean[row] * (kept + c.radius[row] * inverse);
+        out[i] *= seen > least ? seen : least;
     }
 }
 
@@ -135,7 +141,8 @@ template <bool both_sides>
 }
 
 struct Look {
-    bool both_sides, flat;         ///< the point is lit from both sides; some luminaires are flat
+    bool both_sides;               ///< the point is lit from both sides
+    bool turned;                   ///< some luminaires are flat, or lean
     const SourceColumns* sources;  ///< null: there are luminaires only
 };
 
@@ -150,11 +157,16 @@ void weigh_rows(const Columns& c, std::size_t count, const Place& place, const L
             weigh_even<true>(c, first, p, rows);
         else
             weigh_even<false>(c, first, p, rows);
-        if (look.flat) turn_to_point(c, first, p, rows);
+        if (look.turned) turn_to_point(c, first, p, rows);
         if (look.sources) fall_off(c, *look.sources, first, p, rows);
         std::ranges::copy(rows, result.weight.begin() + first);
         result.block_sum[first / block] = sum(rows);
     }
+}
+
+Glow exact_glow(const Luminaire& luminaire) {
+    const LightBounds b = bounds(luminaire);
+    return leaning(glow(b), b.lean);
 }
 
 /// A cluster as a point of the cell sees it, roughly.
@@ -207,6 +219,7 @@ private:
         const double d = length(g.centre - centre_);
         Entry entry{cluster, 0, 0};
         entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
+        if (g.lean != Vec3(0)) entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
         if (const Falloff* falloff = tree_.falloff(cluster))
             entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
         if (cluster.count > 1) {
@@ -242,7 +255,7 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     std::fill_n(column(radius), rows_, 1.0f);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         const LightCluster& c = clusters_[i];
-        Glow g = c.count == 1 ? glow(bounds(luminaires[tree.light(c.first)])) : tree.glow(c);
+        Glow g = c.count == 1 ? exact_glow(luminaires[tree.light(c.first)]) : tree.glow(c);
         g.strength /= whole;
         fill(i, g);
         if (sources_) fill(i, *tree.falloff(c));
@@ -268,7 +281,11 @@ void LightCut::fill(std::size_t entry, const Glow& g) {
     column(axis_y)[entry] = static_cast<float>(g.axis.y);
     column(axis_z)[entry] = static_cast<float>(g.axis.z);
     column(evenness)[entry] = static_cast<float>(g.evenness);
-    flat_ = flat_ || g.axis != Vec3(0);
+    column(lean_x)[entry] = static_cast<float>(g.lean.x);
+    column(lean_y)[entry] = static_cast<float>(g.lean.y);
+    column(lean_z)[entry] = static_cast<float>(g.lean.z);
+    column(lean)[entry] = static_cast<float>(length(g.lean));
+    turned_ = turned_ || g.axis != Vec3(0) || g.lean != Vec3(0);
 }
 
 void LightCut::fill(std::size_t entry, const Falloff& f) {
@@ -298,11 +315,12 @@ void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
                       static_cast<float>(point.normal.z)};
     const Columns c{column(x),        column(y),      column(z),      column(radius),
                     column(strength), column(axis_x), column(axis_y), column(axis_z),
-                    column(evenness), column(half_x), column(half_y), column(half_z)};
+                    column(evenness), column(half_x), column(half_y), column(half_z),
+                    column(lean_x),   column(lean_y), column(lean_z), column(lean)};
     SourceColumns s{};
     if (sources_)
         s = {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)};
-    weigh_rows(c, rows_, place, {point.both_sides, flat_, sources_ ? &s : nullptr}, result);
+    weigh_rows(c, rows_, place, {point.both_sides, turned_, sources_ ? &s : nullptr}, result);
     result.total = 0;
     for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];
 }

@@ -114,6 +114,8 @@ public:
     /// does not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance) const;
 
+    /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
+    bool contains_point(PrimitiveIndex, const Vec3&) const;
     /// The transparent primitives that the point lies inside of.
     std::vector<PrimitiveIndex> containing(const Vec3&) const;
 
@@ -268,5 +270,4 @@ private:
     Vec3 dimmed(std::vector<Passage>&) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
-    bool contains_point(PrimitiveIndex, const Vec3&) const;
 };
