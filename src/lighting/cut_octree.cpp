@@ -204,6 +204,7 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
         const Glow g = state_->tree.glow(cluster);
         const Vec3 v = g.centre - middle;
         given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
+        if (g.lean != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
         if (const Falloff* falloff = state_->tree.falloff(cluster))
             given[i] *= against_square_law(*falloff, v, radius + g.radius);
         learned += given[i] * shares[i];

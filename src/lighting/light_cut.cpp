@@ -21,6 +21,7 @@ struct Columns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
     const float *half_x, *half_y, *half_z;
+    const float *lean_x, *lean_y, *lean_z, *lean;
 };
 struct SourceColumns {
     const float *fade_power, *per_fade_distance, *dark, *per_edge;
@@ -29,21 +30,28 @@ struct Place {
     float x, y, z, nx, ny, nz;
 };
 
+/// A block of rows. Arithmetic on local arrays of known length, which nothing else can refer to, is
+/// what compilers turn into vectors.
+constexpr std::size_t block = CutWeights::block;
+using Rows = std::array<float, block>;
+
 /// The formula of irradiance() in glow.h, in single precision and with wider margins.
 template <bool both_sides>
-[[gnu::always_inline]] inline void weigh_even(const Columns& c, std::size_t count, const Place& p,
-                                              float* out) {
+[[gnu::always_inline]] inline void weigh_even(const Columns& c, std::size_t first, const Place& p,
+                                              Rows& out) {
     const float steep_x = std::abs(p.nx), steep_y = std::abs(p.ny), steep_z = std::abs(p.nz);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z, radius = c.radius[i];
-        const float r2 = radius * radius;
+    for (std::size_t i = 0; i < block; ++i) {
+        const std::size_t row = first + i;
+        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
+        const float radius = c.radius[row], r2 = radius * radius;
         const float d2 = vx * vx + vy * vy + vz * vz;
         const float outside2 = d2 > r2 ? d2 : r2;
         const float distance = std::sqrt(outside2);
         const float inverse = 1 / distance;
         const float signed_height = p.nx * vx + p.ny * vy + p.nz * vz;
         const float height = both_sides ? std::abs(signed_height) : signed_height;
-        const float of_box = steep_x * c.half_x[i] + steep_y * c.half_y[i] + steep_z * c.half_z[i];
+        const float of_box =
+            steep_x * c.half_x[row] + steep_y * c.half_y[row] + steep_z * c.half_z[row];
         const float least = 1e-3f * radius, wide = of_box > least ? of_box : least;
         const float reach = wide < radius ? wide : radius;
         const float cut = height < reach ? height : reach;
@@ -54,19 +62,25 @@ template <bool both_sides>
         const float above = partly + (height - cut);
         const float surrounded = both_sides ? 2 * reach : reach;
         const float within = d2 < r2 ? surrounded : 0;
-        out[i] = c.strength[i] * radius * (above > within ? above : within) * inverse * inverse *
+        out[i] = c.strength[row] * radius * (above > within ? above : within) * inverse * inverse *
                  inverse;
     }
 }
 
-[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t count,
-                                                 const Place& p, float* out) {
-    for (std::size_t i = 0; i < count; ++i) {
-        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z;
-        const float r2 = c.radius[i] * c.radius[i];
+[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t first,
+                                                 const Place& p, Rows& out) {
+    constexpr auto kept = static_cast<float>(least_leaning);
+    for (std::size_t i = 0; i < block; ++i) {
+        const std::size_t row = first + i;
+        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
+        const float r2 = c.radius[row] * c.radius[row];
         const float d2 = vx * vx + vy * vy + vz * vz;
-        const float along = std::abs(c.axis_x[i] * vx + c.axis_y[i] * vy + c.axis_z[i] * vz);
-        out[i] *= c.evenness[i] + along / std::sqrt(d2 > r2 ? d2 : r2);
+        const float along = std::abs(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz);
+        const float leaning = c.lean_x[row] * vx + c.lean_y[row] * vy + c.lean_z[row] * vz;
+        const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
+        const float seen = c.evenness[row] + (along - leaning) * inverse;
+        const float least = c.lean[row] * (kept + c.radius[row] * inverse);
+        out[i] *= seen > least ? seen : least;
     }
 }
 
@@ -86,27 +100,28 @@ template <bool both_sides>
 }
 
 /// against_square_law(), in single precision.
-CANDELABRA_EVERY_MACHINE
-void fall_off(const Columns& c, const SourceColumns& s, std::size_t count, const Place& p,
-              float* out) {
+[[gnu::always_inline]] inline void fall_off(const Columns& c, const SourceColumns& s,
+                                            std::size_t first, const Place& p, Rows& out) {
     constexpr auto slack = static_cast<float>(cone_slack), edge = static_cast<float>(cone_edge);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float vx = c.x[i] - p.x, vy = c.y[i] - p.y, vz = c.z[i] - p.z, radius = c.radius[i];
-        const float r2 = radius * radius;
+    for (std::size_t i = 0; i < block; ++i) {
+        const std::size_t row = first + i;
+        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
+        const float radius = c.radius[row], r2 = radius * radius;
         const float d2 = vx * vx + vy * vy + vz * vz;
         const float outside2 = d2 > r2 ? d2 : r2;
         const float distance = std::sqrt(outside2);
-        const float far = rough_power(distance * s.per_fade_distance[i], s.fade_power[i]);
+        const float far = rough_power(distance * s.per_fade_distance[row], s.fade_power[row]);
         const float inverse = 1 / distance, sine = radius * inverse;
         const float cosine2 = 1 - sine * sine;
         const float cosine = std::sqrt(cosine2 > 0 ? cosine2 : 0);
-        const float along = -(c.axis_x[i] * vx + c.axis_y[i] * vy + c.axis_z[i] * vz) * inverse;
+        const float along =
+            -(c.axis_x[row] * vx + c.axis_y[row] * vy + c.axis_z[row] * vz) * inverse;
         const float across2 = 1 - along * along;
         const float across = std::sqrt(across2 > 0 ? across2 : 0);
         const float turned = along * cosine + across * sine;
         const float nearest = along < cosine ? turned : 1;
-        const float inside = nearest + slack - s.dark[i];
-        const float t0 = inside * s.per_edge[i], t = t0 < 1 ? t0 : 1;
+        const float inside = nearest + slack - s.dark[row];
+        const float t0 = inside * s.per_edge[row], t = t0 < 1 ? t0 : 1;
         const float smooth = t * t * (3 - 2 * t), lit = smooth > edge ? smooth : edge;
         const float share = inside > 0 ? lit : 0;
         const float kept = d2 > r2 ? share : 1;
@@ -114,31 +129,44 @@ void fall_off(const Columns& c, const SourceColumns& s, std::size_t count, const
     }
 }
 
-struct Look {
-    bool both_sides, flat;  ///< the point is lit from both sides; some luminaires are flat
-};
-
-CANDELABRA_EVERY_MACHINE
-void weigh_rows(const Columns& c, std::size_t count, const Place& p, Look look, float* out) {
-    if (look.both_sides)
-        weigh_even<true>(c, count, p, out);
-    else
-        weigh_even<false>(c, count, p, out);
-    if (look.flat) turn_to_point(c, count, p, out);
+/// Exact but for the last bits of double precision: a faint entry behind glaring ones must keep its
+/// chance.
+[[gnu::always_inline]] inline double sum(const Rows& rows) {
+    std::array<double, block / 2> strand;
+    for (std::size_t j = 0; j < block / 2; ++j)
+        strand[j] = static_cast<double>(rows[j]) + static_cast<double>(rows[j + block / 2]);
+    for (std::size_t half = block / 4; half > 0; half /= 2)
+        for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
+    return strand[0];
 }
 
-/// The sums of blocks, exact but for the last bits of double precision: a faint entry behind
-/// glaring ones must keep its chance.
+struct Look {
+    bool both_sides;               ///< the point is lit from both sides
+    bool turned;                   ///< some luminaires are flat, or lean
+    const SourceColumns* sources;  ///< null: there are luminaires only
+};
+
+/// Weighs all rows, and adds up each block of them.
 CANDELABRA_EVERY_MACHINE
-void sum_blocks(const float* rows, std::size_t count, double* sums) {
-    for (std::size_t i = 0; i < count; i += CutWeights::block) {
-        std::array<double, 8> strand;
-        for (std::size_t j = 0; j < 8; ++j)
-            strand[j] = static_cast<double>(rows[i + j]) + static_cast<double>(rows[i + j + 8]);
-        for (std::size_t half = 4; half > 0; half /= 2)
-            for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
-        *sums++ = strand[0];
+void weigh_rows(const Columns& c, std::size_t count, const Place& place, const Look& look,
+                CutWeights& result) {
+    const Place p = place;
+    for (std::size_t first = 0; first < count; first += block) {
+        Rows rows;
+        if (look.both_sides)
+            weigh_even<true>(c, first, p, rows);
+        else
+            weigh_even<false>(c, first, p, rows);
+        if (look.turned) turn_to_point(c, first, p, rows);
+        if (look.sources) fall_off(c, *look.sources, first, p, rows);
+        std::ranges::copy(rows, result.weight.begin() + first);
+        result.block_sum[first / block] = sum(rows);
     }
+}
+
+Glow exact_glow(const Luminaire& luminaire) {
+    const LightBounds b = bounds(luminaire);
+    return leaning(glow(b), b.lean);
 }
 
 /// A cluster as a point of the cell sees it, roughly.
@@ -191,6 +219,7 @@ private:
         const double d = length(g.centre - centre_);
         Entry entry{cluster, 0, 0};
         entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
+        if (g.lean != Vec3(0)) entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
         if (const Falloff* falloff = tree_.falloff(cluster))
             entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
         if (cluster.count > 1) {
@@ -220,14 +249,13 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     const Glow all = tree.glow(tree.root());
     const double whole = all.strength * all.radius;
     for (const auto& entry : refinement.entries()) clusters_.push_back(entry.cluster);
-    constexpr std::size_t block = CutWeights::block;
     rows_ = (clusters_.size() + block - 1) / block * block;
     sources_ = tree.falloff(tree.root()) != nullptr;
     values_.assign((sources_ ? source_columns : columns) * rows_, 0);
     std::fill_n(column(radius), rows_, 1.0f);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         const LightCluster& c = clusters_[i];
-        Glow g = c.count == 1 ? glow(bounds(luminaires[tree.light(c.first)])) : tree.glow(c);
+        Glow g = c.count == 1 ? exact_glow(luminaires[tree.light(c.first)]) : tree.glow(c);
         g.strength /= whole;
         fill(i, g);
         if (sources_) fill(i, *tree.falloff(c));
@@ -253,7 +281,11 @@ void LightCut::fill(std::size_t entry, const Glow& g) {
     column(axis_y)[entry] = static_cast<float>(g.axis.y);
     column(axis_z)[entry] = static_cast<float>(g.axis.z);
     column(evenness)[entry] = static_cast<float>(g.evenness);
-    flat_ = flat_ || g.axis != Vec3(0);
+    column(lean_x)[entry] = static_cast<float>(g.lean.x);
+    column(lean_y)[entry] = static_cast<float>(g.lean.y);
+    column(lean_z)[entry] = static_cast<float>(g.lean.z);
+    column(lean)[entry] = static_cast<float>(length(g.lean));
+    turned_ = turned_ || g.axis != Vec3(0) || g.lean != Vec3(0);
 }
 
 void LightCut::fill(std::size_t entry, const Falloff& f) {
@@ -283,12 +315,12 @@ void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
                       static_cast<float>(point.normal.z)};
     const Columns c{column(x),        column(y),      column(z),      column(radius),
                     column(strength), column(axis_x), column(axis_y), column(axis_z),
-                    column(evenness), column(half_x), column(half_y), column(half_z)};
-    weigh_rows(c, rows_, place, {point.both_sides, flat_}, result.weight.data());
+                    column(evenness), column(half_x), column(half_y), column(half_z),
+                    column(lean_x),   column(lean_y), column(lean_z), column(lean)};
+    SourceColumns s{};
     if (sources_)
-        fall_off(c, {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)},
-                 rows_, place, result.weight.data());
-    sum_blocks(result.weight.data(), rows_, result.block_sum.data());
+        s = {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)};
+    weigh_rows(c, rows_, place, {point.both_sides, turned_, sources_ ? &s : nullptr}, result);
     result.total = 0;
     for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];
 }

@@ -59,6 +59,10 @@ private:
         axis_y,
         axis_z,
         evenness,
+        lean_x,
+        lean_y,
+        lean_z,
+        lean,  ///< its length
         columns,
         /// Of light sources only, behind the others.
         fade_power = columns,
@@ -76,7 +80,8 @@ private:
     Vec3 middle_;
     double scale_ = 1;  ///< of lengths
     std::size_t rows_ = 0;
-    bool flat_ = false, sources_ = false;
+    bool turned_ = false;  ///< some are flat, or lean
+    bool sources_ = false;
     double noise_ = 0;
     std::vector<LightCluster> clusters_;  ///< in the tree's order
     std::vector<float> values_;           ///< column by column

@@ -49,15 +49,23 @@ struct Bin {
     }
 };
 
-/// How flat luminaires shine on the whole: sums over a node, weighed by intensity.
+/// How luminaires shine on the whole: sums over a node, weighed by intensity.
 struct Shine {
-    Vec3 axis = Vec3(0);
-    double flat = 0, round = 0;
+    Vec3 axis = Vec3(0), lean = Vec3(0);
+    double flat = 0, even = 0, all = 0;
 };
 
 Shine join(const Shine& a, const Shine& b) {
     const Vec3 turned = dot(a.axis, b.axis) < 0 ? -b.axis : b.axis;
-    return {a.axis + turned, a.flat + b.flat, a.round + b.round};
+    return {a.axis + turned, a.lean + b.lean, a.flat + b.flat, a.even + b.even, a.all + b.all};
+}
+
+/// Components as numbers of parts, of which a unit has so many.
+std::array<std::int8_t, 3> in_bytes(const Vec3& v, double unit) {
+    const auto part = [&](int axis) {
+        return static_cast<std::int8_t>(std::lround(unit * v[axis]));
+    };
+    return {part(0), part(1), part(2)};
 }
 
 }  // namespace
@@ -233,20 +241,21 @@ private:
         if (cluster.count == 1) {
             const LightBounds b = bounds(luminaires_[tree_.order_[cluster.first]]);
             const bool flat = b.axis != Vec3(0);
-            sum = {b.intensity * b.axis, flat ? b.intensity : 0,
-                   flat ? b.evenness * b.intensity : b.intensity};
+            const double rest = b.intensity * (1 - length(b.lean));
+            sum = {rest * b.axis, b.intensity * b.lean, flat ? rest : 0,
+                   flat ? rest * (flat_evenness + b.evenness) : rest, b.intensity};
         } else {
             const auto [first, second] = tree_.halves(cluster);
             const Shine before = shine(first);
             sum = join(before, shine(second));
         }
-        const double all = sum.flat + sum.round;
-        if (!(sum.flat > 0) || !(all > 0)) return sum;
+        const bool plain = !(sum.flat > 0) && sum.lean == Vec3(0);
+        if (plain || !(sum.all > 0)) return sum;
         LightTreeNode& node = tree_.nodes_[cluster.node];
-        const double spread = 1 - length(sum.axis) / sum.flat;
-        const double even = (sum.round + sum.flat * (flat_evenness + 0.5 * spread)) / all;
-        for (int axis = 0; axis < 3; ++axis)
-            node.axis[axis] = static_cast<std::int8_t>(std::lround(127 * sum.axis[axis] / all));
+        const double spread = sum.flat > 0 ? sum.flat - length(sum.axis) : 0;
+        const double even = (sum.even + 0.5 * spread) / sum.all;
+        node.axis = in_bytes(sum.axis / sum.all, 127);
+        node.lean = in_bytes(sum.lean / sum.all, 254);
         node.evenness = static_cast<std::uint8_t>(std::clamp(std::ceil(255 * even), 1.0, 255.0));
         return sum;
     }
@@ -279,7 +288,8 @@ Glow LightTree::glow(const LightCluster& c) const {
             static_cast<double>(strength(c)) * unit_ / radius,
             Vec3(n.axis[0], n.axis[1], n.axis[2]) / 127.0,
             n.evenness / 255.0,
-            0.5 * around.size() + rounding};
+            0.5 * around.size() + rounding,
+            Vec3(n.lean[0], n.lean[1], n.lean[2]) / 254.0};
 }
 
 std::uint64_t LightTree::strength_before(const LightCluster& c) const {

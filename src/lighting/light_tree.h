@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All luminaires in one compact hierarchy, with their strengths laid end to end: clusters of them
-// for the light octree's cuts, and the luminaires that a line pierces for the renderer. 80 bytes
+// for the light octree's cuts, and the luminaires that a line pierces for the renderer. 88 bytes
 // for each luminaire. Immutable once built.
 #pragma once
 
@@ -18,8 +18,9 @@ struct LightTreeNode {
         axis{};                    ///< mean axis of the flat ones, 127 long if all are parallel
     std::uint8_t evenness = 255;   ///< see Glow; in 255ths
     std::uint32_t first_half = 0;  ///< luminaires in the first half; 0: it is a single one
+    std::array<std::int8_t, 3> lean{};  ///< see Glow; 254 long for 1
 };
-static_assert(sizeof(LightTreeNode) == 32);
+static_assert(sizeof(LightTreeNode) == 36);
 
 /// A node with the luminaires below it, which stand side by side in the tree's order.
 struct LightCluster {

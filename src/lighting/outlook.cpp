@@ -48,28 +48,38 @@ const Compass& compass() {
 
 /// A ring's directions are along + across (cosine x + sine y) of the sectors.
 struct RingView {
-    float along, x, y, margin;
+    float along, x, y;
 };
+using RingViews = std::array<RingView, rings>;
 
-CANDELABRA_EVERY_MACHINE
-void weigh_ring(const float* light, const Compass& c, const RingView& view, bool both_sides,
-                float* out) {
+/// Weights of a ring's bins by their light and their height above the horizon. Returns their sum.
+[[gnu::always_inline]] inline double weigh_ring(const float* light, const Compass& c,
+                                                const RingView& view, float margin, bool both_sides,
+                                                float* out) {
+    std::array<float, sectors> weights;
     for (std::size_t i = 0; i < sectors; ++i) {
         const float signed_height = view.along + (view.x * c.cosine[i] + view.y * c.sine[i]);
         const float height = both_sides ? std::abs(signed_height) : signed_height;
-        const float lifted = height + view.margin;
-        out[i] = light[i] * (lifted > 0 ? lifted : 0);
+        const float lifted = height + margin;
+        weights[i] = light[i] * (lifted > 0 ? lifted : 0);
     }
-}
-
-CANDELABRA_EVERY_MACHINE
-double sum_ring(const float* weights) {
+    std::ranges::copy(weights, out);
     std::array<double, 8> strand{};
     for (std::size_t i = 0; i < sectors; i += 8)
         for (std::size_t j = 0; j < 8; ++j) strand[j] += static_cast<double>(weights[i + j]);
     for (std::size_t half = 4; half > 0; half /= 2)
         for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
     return strand[0];
+}
+
+CANDELABRA_EVERY_MACHINE
+void weigh_rings(const float* light, const Compass& c, const RingViews& views, float margin,
+                 bool both_sides, Outlook::Weights& result) {
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const std::size_t first = ring * sectors;
+        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, both_sides,
+                                       result.weight.data() + first);
+    }
 }
 
 /// The index at which the running sum passes the target, which becomes what is left, as a share.
@@ -271,18 +281,18 @@ void Outlook::weigh(const ShadingPoint& point, Weights& result) const {
     if (!(widest > 0)) return;
     const double along = dot(result.cone.middle, point.normal),
                  x = dot(result.cone.x, point.normal), y = dot(result.cone.y, point.normal);
-    // Bins that the horizon cuts get something as well.
-    const double margin = 0.12 * std::sqrt(widest / 2);
+    RingViews views;
     for (std::size_t ring = 0; ring < rings; ++ring) {
         const double versine = (static_cast<double>(ring) + 0.5) / rings * widest;
         const double sine = std::sqrt(versine * (2 - versine));
-        const RingView view{static_cast<float>((1 - versine) * along), static_cast<float>(sine * x),
-                            static_cast<float>(sine * y), static_cast<float>(margin)};
-        float* weights = result.weight.data() + ring * sectors;
-        weigh_ring(light_.data() + ring * sectors, compass(), view, point.both_sides, weights);
-        result.ring[ring] = sum_ring(weights);
-        result.total += result.ring[ring];
+        views[ring] = {static_cast<float>((1 - versine) * along), static_cast<float>(sine * x),
+                       static_cast<float>(sine * y)};
     }
+    // Bins that the horizon cuts get something as well.
+    const double margin = 0.12 * std::sqrt(widest / 2);
+    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin), point.both_sides,
+                result);
+    for (const double ring : result.ring) result.total += ring;
 }
 
 Outlook::Drawn Outlook::draw(const Weights& weights, const Vec2& u) {

@@ -16,6 +16,7 @@ struct Glow {
     double evenness = 1;      ///< share of the intensity that goes in all directions
     Vec3 half = Vec3(1e300);  ///< of a box around it, from the centre: some are thinner than the
                               ///< sphere
+    Vec3 lean = Vec3(0);      ///< see leaning()
 };
 
 /// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
@@ -32,6 +33,20 @@ inline Glow glow(const LightBounds& b) {
             flat ? flat_evenness + b.evenness : 1,
             glm::max(b.box.high - b.centre, b.centre - b.box.low)};
 }
+
+/// The same with what it is set into taken into account: towards a unit vector d it has the
+/// strength that it had times (1 - |lean|), and dot(lean, d) of the strength face on.
+inline Glow leaning(Glow g, const Vec3& lean) {
+    const double rest = 1 - length(lean);
+    g.axis *= rest;
+    g.evenness *= rest;
+    g.lean = lean;
+    return g;
+}
+
+/// What one that leans keeps in any case, as a share of its lean: rays that were tried when the
+/// scene was made do not tell all, and from nearby not all of it is seen in the same direction.
+inline constexpr double least_leaning = 0.1;
 
 /// Radius over distance at which rounding may still lift a luminaire over the horizon.
 inline constexpr double horizon_slack = 1e-14;
@@ -94,6 +109,13 @@ template <bool both_sides>
     return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
 }
 
+/// The factor for the direction in which something is seen that may lean.
+inline double turned(const Glow& g, const Vec3& v, double radius) {
+    const double distance = std::sqrt(std::fmax(dot(v, v), radius * radius));
+    const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.lean, v)) / distance;
+    return std::fmax(seen, length(g.lean) * (least_leaning + radius / distance));
+}
+
 /// Estimate of the irradiance of one luminaire; see unoccluded().
 inline double irradiance(const Glow& g, const ShadingPoint& point) {
     const Vec3 v = g.centre - point.position;
@@ -101,5 +123,6 @@ inline double irradiance(const Glow& g, const ShadingPoint& point) {
     const double even = point.both_sides
                             ? irradiance<true>(v, point.normal, g.radius, g.strength, reach)
                             : irradiance<false>(v, point.normal, g.radius, g.strength, reach);
+    if (g.lean != Vec3(0)) return even * turned(g, v, g.radius);
     return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
 }

@@ -82,6 +82,10 @@ struct Luminaire {
     bool varying = false;  ///< whether the radiance changes over the surface
     Handle<Brightness> brightness = nullptr;  ///< where it is bright; null: not known
     std::uint32_t primitive;  ///< the world's primitive that it is; of sources: its light
+    /// Where its light gets out of what it is set into (a window's not into its own house):
+    /// towards this, with all its strength, and the other way by twice its length less. Length 0:
+    /// all around. At most half.
+    Vec3 lean = Vec3(0);
 };
 
 /// Where a luminaire (or a cluster of them) is, where it shines, and how much: enough to estimate
@@ -97,6 +101,7 @@ struct LightBounds {
     double luminance = 0;  ///< of its brightest point
     double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
                            ///< share of its intensity
+    Vec3 lean = Vec3(0);   ///< see Luminaire
 };
 
 /// Luminance that steers the choice of luminaires: grey(), but never 0 where any channel is above

@@ -7,6 +7,7 @@
 #include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"
+#include "world/leans.h"
 
 namespace {
 
@@ -202,6 +203,8 @@ void build_indices(World& world, const CompileOptions& options) {
     LightScene lit{world.luminaires, boxes, planes};
     lit.pixel = pixel_angle(world.camera, options);
     if (!world.camera.parallel) lit.eye = world.camera.location;
+    const auto* octree = std::get_if<LightOctree>(&world.settings.light_sampler);
+    if (octree && !octree->paper) find_leans(world, lit.eye, options.threads);
     world.sampler = build(world.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.light_reach) group_of.push_back(reach.group);

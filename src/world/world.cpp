@@ -316,6 +316,8 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
     if (primitive < spheres.size())
         return length(point - spheres[primitive].centre) < spheres[primitive].radius;
     if (primitive < spheres.size() + triangles.size()) return false;
+    if (primitive >= leaves_begin())
+        return composites[composite_of[primitive - leaves_begin()]].composite->inside(point);
     const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
     return inside(placed.shape, placed.transform ? placed.transform->inverse_point(point) : point);
 }

@@ -140,6 +140,8 @@ public:
     /// from leaves_begin() on.
     bool is_clear_solid(std::uint32_t item) const;
 
+    /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
+    bool contains_point(PrimitiveIndex, const Vec3&) const;
     /// The transparent primitives that the point lies inside of.
     std::vector<PrimitiveIndex> containing(const Vec3&) const;
 
@@ -304,5 +306,4 @@ private:
     Vec3 dimmed(std::vector<Passage>&) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
-    bool contains_point(PrimitiveIndex, const Vec3&) const;
 };

@@ -79,6 +79,36 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     }
 }
 
+TEST_CASE("an entry that leans weighs less behind itself, but something everywhere", "[lighting]") {
+    for (const int kind : {0, 3}) {
+        Draw draw(4);
+        std::vector<Luminaire> luminaires;
+        // Twenty in a heap that lean in one way, and one far away that does not.
+        for (int i = 0; i < 20; ++i) {
+            luminaires.push_back(
+                glowing(emitter(kind, Vec3(0, 0, 10) + draw.point(0.1), 0.1, draw)));
+            luminaires.back().lean = Vec3(0, 0, -0.48);
+        }
+        luminaires.push_back(glowing(SphereEmitter{Vec3(500, 0, 10), 1}));
+        const LightTree tree(luminaires);
+        for (const int most : {2, 64}) {
+            const LightCut cut(tree, luminaires, cell, {1e-9, most}, 10);
+            const auto seen_from = [&](double z) {
+                CutWeights weights;
+                cut.weigh({Vec3(0, 0, z), Vec3(0, 0, z < 10 ? 1 : -1)}, weights);
+                double sum = 0;
+                for (std::size_t i = 0; i < cut.entries(); ++i) {
+                    CHECK(weights.weight[i] > 0);
+                    const LightIndex light = tree.light(cut.cluster(i).first);
+                    if (light < 20) sum += weights.weight[i];
+                }
+                return sum;
+            };
+            CHECK(seen_from(0) > 4 * seen_from(20));
+        }
+    }
+}
+
 TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim-28]") {
     std::vector<Luminaire> luminaires;
     Draw draw(3);

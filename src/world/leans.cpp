@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/leans.h"
+
+#include "base/parallel.h"
+
+#include <numbers>
+
+namespace {
+
+/// Rays of all luminaires together, and of one: pairs in opposite directions.
+constexpr std::size_t most_rays = std::size_t{1} << 18;
+constexpr std::size_t most_pairs = 4;
+/// Rays start at points that are seen from so many radii around the middle.
+constexpr double around = 3;
+/// What a flat luminaire is nearer to than this share of its radius, it is mounted on.
+constexpr double mounted = 0.5;
+/// Ends of rays are moved by this share of the luminaire's radius, and of the distance from the
+/// origin.
+constexpr double apart = 1e-4, rounding = 1e-9;
+/// Clear surfaces in a row that are looked through.
+constexpr int most_passed = 16;
+/// Luminaires that are done at once.
+constexpr std::size_t chunk = 256;
+/// Rays that count as having got away, because the ones that were tried are few: of a side of a
+/// flat luminaire, and of a round one.
+constexpr double flat_doubt = 0.25, round_doubt = 1;
+/// The greatest lean.
+constexpr double most_lean = 0.48;
+
+double number(std::size_t light, std::size_t ray, std::uint32_t which) {
+    return uniform(Key{light, static_cast<std::uint32_t>(ray), which, 2},
+                   Purpose::light_representative);
+}
+
+/// Whether what leaves the point gets so far, and is not inside of anything.
+bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ray, double start,
+               double far) {
+    Hit hit;
+    for (int passed = 0; passed < most_passed; ++passed) {
+        if (!world.first_hit(ray, start, RayKind::light, hit)) return true;
+        const double distance = dot(hit.position - ray.origin, ray.direction);
+        const Material& material = world.material(hit.primitive);
+        if (!material.transparent && !material.no_shadow) {
+            if (distance < far) return false;
+            const bool with_eye = eye && world.contains_point(hit.primitive, *eye);
+            return with_eye ||
+                   !world.contains_point(hit.primitive, ray.at(0.5 * (start + distance)));
+        }
+        start = distance + hit.tolerance;
+    }
+    return true;
+}
+
+/// Rays of a luminaire that were tried, and the sums over those that got away.
+struct Tried {
+    double to_axis = 0, from_axis = 0, away_to_axis = 0, away_from_axis = 0;
+    Vec3 directions = Vec3(0);
+
+    double all() const { return to_axis + from_axis; }
+    double away() const { return away_to_axis + away_from_axis; }
+};
+
+Vec3 lean_of_flat(const Tried& tried, const Vec3& axis) {
+    const double front = (tried.away_to_axis + flat_doubt) / (tried.to_axis + flat_doubt),
+                 back = (tried.away_from_axis + flat_doubt) / (tried.from_axis + flat_doubt);
+    const double lean = 0.5 * (front - back) / std::fmax(front, back);
+    return std::clamp(lean, -most_lean, most_lean) * axis;
+}
+
+/// As if what gets away were open + dot(lean, direction) of all.
+Vec3 lean_of_round(const Tried& tried) {
+    const double all = tried.all() + round_doubt;
+    const double open = (tried.away() + round_doubt) / all;
+    const Vec3 lean = 3 / all * tried.directions;
+    const double size = length(lean);
+    if (!(size > 0)) return Vec3(0);
+    return std::fmin(1 / (open + size), most_lean / size) * lean;
+}
+
+Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
+             std::size_t pairs) {
+    const Luminaire& luminaire = world.luminaires[light];
+    const LightBounds b = bounds(luminaire);
+    const bool flat = b.axis != Vec3(0);
+    const Vec3 pole = flat ? b.axis : Vec3(0, 0, 1);
+    const Vec3 side = unit(cross(pole, std::abs(pole.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0))),
+               other = cross(pole, side);
+    const double start = apart * b.radius + rounding * max_abs_component(b.centre),
+                 near = flat ? mounted * b.radius : 0;
+    Tried tried;
+    for (std::size_t i = 0; i < 2 * pairs; ++i) {
+        const std::size_t pair = i / 2;
+        const double height =
+            (static_cast<double>(pair) + number(light, pair, 0)) / static_cast<double>(pairs);
+        const double angle = 2 * std::numbers::pi * number(light, pair, 1),
+                     across = std::sqrt(1 - height * height);
+        const Vec3 up = height * pole + across * (std::cos(angle) * side + std::sin(angle) * other);
+        const Vec3 direction = i % 2 == 0 ? up : -up;
+        const Vec3 from = b.centre + around * b.radius * direction;
+        const auto point = sample(luminaire, from, {number(light, i, 2), number(light, i, 3)});
+        if (!point) continue;
+        const bool away = gets_away(world, eye, {point->position, -point->direction}, start, near);
+        const bool to_axis = i % 2 == 0;
+        (to_axis ? tried.to_axis : tried.from_axis) += 1;
+        if (!away) continue;
+        (to_axis ? tried.away_to_axis : tried.away_from_axis) += 1;
+        tried.directions += direction;
+    }
+    if (tried.away() == 0) return Vec3(0);
+    return flat ? lean_of_flat(tried, b.axis) : lean_of_round(tried);
+}
+
+}  // namespace
+
+void find_leans(World& world, const std::optional<Vec3>& eye, int threads) {
+    const std::size_t count = world.luminaires.size();
+    if (count < 2) return;
+    const std::size_t pairs = std::min(most_pairs, most_rays / (2 * count));
+    if (pairs == 0) return;
+    run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
+        for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
+            world.luminaires[light].lean = lean_of(world, light, eye, pairs);
+    });
+}

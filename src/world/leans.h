@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the light of each luminaire gets out of what it is set into: a window shines into the
+// street and not into its own house, a stone half in a box out of it. Called by compile(); the
+// light octree chooses by it. The same for any number of threads.
+#pragma once
+
+#include "world/world.h"
+
+/// Fills in the leans of the luminaires by rays from their surfaces: those that leave a solid that
+/// the eye is not in do not get away, nor do those of flat luminaires into what they are mounted
+/// on. (Whatever else is near may be what a luminaire is there to light.) More than 2^17 luminaires
+/// are left as they are.
+void find_leans(World&, const std::optional<Vec3>& eye, int threads);
