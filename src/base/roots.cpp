@@ -35,14 +35,20 @@ template <std::size_t size>
 double root_between(std::span<const double, size> c, double low, double high,
                     bool negative_at_low) {
     double x = 0.5 * (low + high);
+    double before = 0;  // how far Newton's last step went
     for (int step = 0; step < 200; ++step) {
         const auto [value, slope] = evaluate(c, x);
         ((value < 0) == negative_at_low ? low : high) = x;
         double next = x - value / slope;
-        if (!(next > low && next < high)) next = 0.5 * (low + high);
+        const bool halves = !(next > low && next < high);
+        if (halves) next = 0.5 * (low + high);
         const double moved = std::abs(next - x);
         x = next;
-        if (moved <= 0x1p-52 * std::abs(x) || !(low < x && x < high)) break;
+        // Near a root each step is the square of the one before, times what two of them tell.
+        const double rounding = 0x1p-53 * std::abs(x);
+        const bool is_last = !halves && moved * moved * moved <= 0.1 * rounding * before * before;
+        if (moved <= 2 * rounding || is_last || !(low < x && x < high)) break;
+        before = halves ? 0 : moved;
     }
     return x;
 }

@@ -143,7 +143,8 @@ void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
 
     const auto crossing = [&](double t, bool at_end, bool entering) -> Crossing {
         if (at_end) return {start + t, entering == (rise > 0) ? -axis.up : axis.up, entering};
-        return {start + t, unit(unit(line.radial + t * line.radial_step) - axis.slope * axis.up),
+        const Vec3 outward = unit(line.radial + t * line.radial_step);
+        return {start + t, axis.slope == 0 ? outward : unit(outward - axis.slope * axis.up),
                 entering};
     };
     const bool first_at_end = slab.min >= side.min, last_at_end = slab.max <= side.max;
