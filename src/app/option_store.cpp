@@ -87,7 +87,10 @@ void store::field(std::string_view name, Options& options, const Given& given,
                            : static_cast<void*>(&options.animation);
     if (info.type == FieldType::boolean)
         return setting.item->set(item, setting.field, given.on ? 1.0 : 0.0);
-    const std::optional<double> value = number(given.value.value_or(""));
+    std::optional<double> value = number(given.value.value_or(""));
+    // Programs write computed sizes into INI files.
+    if (value && info.type == FieldType::integer && !given.where.empty())
+        value = std::trunc(*value);
     const bool whole = info.type != FieldType::integer || (value && std::floor(*value) == *value);
     if (value && whole && info.range.contains(*value))
         return setting.item->set(item, setting.field, *value);

@@ -12,7 +12,7 @@ const ItemInfo Fog::vocabulary = described<Fog>([] {
         "fog", "Fog in the open, not inside of solids.",
         maybe(F{"colour", &Fog::colour, positional,
                 "its colour; filter tints what is behind, transmit is seen through any fog"}),
-        maybe(F{"distance", &Fog::distance, positional, "the distance, as old scenes write it",
+        maybe(F{"away", &Fog::distance, positional, "the distance, as old scenes write it",
                 at_least(0)}),
         F{"fog_type", &Fog::fog_type, item, "1: the same everywhere, 2: thins out upwards",
           between(1, 2)},

@@ -133,20 +133,30 @@ bool takes_braces(NameId word) {
     return makes_object(word) || std::ranges::find(others, word) != others.end();
 }
 
-/// `rotate y 45`: how a movement along an axis is written, when the value follows one; empty when
-/// not.
+/// `rotate y 45` and `rotate 45 y`: how a movement along an axis is written, when the value is the
+/// second of the two; empty when not.
 std::string moved_without_times(const Element& element, const Names& names) {
     const auto& [tree, node] = element.origin;
-    const Numbers* number = element.value.numbers();
-    if (!tree || !number || number->count != 1) return {};
-    const NodeId axis = previous(*tree, node);
-    const auto* constant = tree->get_if<node::Constant>(axis);
-    const NodeId move = constant ? previous(*tree, axis) : no_node;
-    const auto* word = tree->get_if<node::Word>(move);
+    if (!tree || node == no_node || !element.value.numbers()) return {};
+    const NodeId first = previous(*tree, node);
+    if (first == no_node) return {};
+    const auto* axis = tree->get_if<node::Constant>(node);
+    const auto* number = tree->get_if<node::Number>(axis ? first : node);
+    if (!axis) axis = tree->get_if<node::Constant>(first);
+    const NodeId move = axis && number ? previous(*tree, first) : no_node;
+    const auto* word = move == no_node ? nullptr : tree->get_if<node::Word>(move);
     const bool moves = word && (word->word == "translate"_word || word->word == "rotate"_word);
     if (!moves) return {};
-    return message(names.spelling(word->word), ' ', names.spelling(constant->word), '*',
-                   number->at[0]);
+    return message(names.spelling(word->word), ' ', names.spelling(axis->word), '*',
+                   tree->numbers[number->number]);
+}
+
+/// The name that stands right behind a word, or dots.
+std::string_view named_behind(const Element& word, const Names& names) {
+    const auto& [tree, node] = word.origin;
+    const NodeId next = tree && node != no_node ? (*tree)[node].next : no_node;
+    const auto* name = next == no_node ? nullptr : tree->get_if<node::Name>(next);
+    return name ? names.spelling(name->name) : "...";
 }
 
 /// Whether the value stands behind a #debug or a relative of it, or behind another string.
@@ -242,7 +252,8 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         if (!told_unavailable_)
             report(error(Fault::missing, element.word_span,
                          message("what belongs to `", word, "` stands in braces"))
-                       .with_help(message("write `", word, " { ... }`")));
+                       .with_help(message("write `", word, " { ",
+                                          named_behind(element, binder.evaluator.names()), " }`")));
         told_unavailable_ = !name.empty();
         return false;
     }
@@ -332,7 +343,7 @@ void OpenBlock::reject_value(const Element& element) {
     if (const auto bare = bare_vector(element, binder.evaluator.names())) return report(*bare);
     if (const std::string meant = moved_without_times(element, binder.evaluator.names());
         !meant.empty()) {
-        report(error(Fault::misplaced, element.span, "this number belongs to nothing")
+        report(error(Fault::misplaced, element.span, "this value belongs to nothing")
                    .with_help(message("write `", meant, "`")));
         return;
     }

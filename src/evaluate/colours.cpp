@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours in expressions, and the parts of vectors and colours.
 #include "evaluate/state.h"
+#include "picture/gamma.h"
 #include "text/message.h"
 
 int component_of(std::string_view member) {
@@ -69,7 +70,8 @@ Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, N
     result.count = 5;
     if (form == "t" && given->count <= 4) std::swap(result.at[3], result.at[4]);
     if (prefix.starts_with("s"))
-        for (std::size_t i = 0; i < 3; ++i) result.at[i] = srgb_decode(result.at[i]);
+        for (std::size_t i = 0; i < 3; ++i)
+            result.at[i] = from_linear(srgb_decode(result.at[i]), working_gamma);
     return result;
 }
 

@@ -123,6 +123,8 @@ public:
 
     /// The value of `#version`.
     double version() const;
+    /// What assumed_gamma has said: colours by srgb are converted to it from here on.
+    void set_working_gamma(double);
     /// Whether `#version` has occurred.
     bool version_given() const;
     /// Lives on in the functions that use it.

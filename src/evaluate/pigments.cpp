@@ -9,6 +9,8 @@
 #include "surface/pigment_map.h"
 #include "text/message.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace {
@@ -93,11 +95,29 @@ private:
             });
             return true;
         }
+        if (coloured_ && set_channel(element)) return true;
         if (already_coloured(element)) return true;
         coloured_ = true;
         draft_.clear();
         if (const std::optional<Colour> colour = plain_colour(block_, element))
             draft_.colour = *colour;
+        return true;
+    }
+
+    /// `rgb 1 #if (A) filter 0.5 #end`: the colour goes on in a directive.
+    bool set_channel(const Element& element) {
+        const auto& [tree, node] = element.origin;
+        const auto* channel = tree && node != no_node ? tree->get_if<node::Channel>(node) : nullptr;
+        if (!channel) return false;
+        Colour& colour = draft_.colour;
+        const std::array<double*, 5> amounts = {&colour.rgb.x, &colour.rgb.y, &colour.rgb.z,
+                                                &colour.filter, &colour.transmit};
+        constexpr auto words =
+            std::array{"red"_word, "green"_word, "blue"_word, "filter"_word, "transmit"_word};
+        const auto word = std::ranges::find(words, channel->channel);
+        if (word == words.end()) return false;
+        const auto component = static_cast<std::size_t>(word - words.begin());
+        *amounts[component] = element.value.numbers()->at[component];
         return true;
     }
 

@@ -223,6 +223,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     }
     before.gamma = true;
     binder.working_gamma = settings.assumed_gamma;
+    binder.evaluator.set_working_gamma(settings.assumed_gamma);
 }
 
 void read_background(Binder& binder, const Element& element, Background& background) {

@@ -299,6 +299,7 @@ struct Evaluator::State {
     std::size_t include_depth = 0;
     /// The innermost last. When evaluation ends early they are left here: a report names one.
     std::vector<OpenLoop> loops;
+    double working_gamma = 1;  ///< of colours, as assumed_gamma says
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;  ///< objects in the scene with all their parts

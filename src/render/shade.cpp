@@ -81,7 +81,7 @@ Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
 bool answers_light(const Shading& s) {
     return s.finish->microfacet.on ||
            ((s.finish->diffuse != 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
-           s.finish->phong != 0 || s.finish->specular != 0;
+           s.finish->phong > 0 || s.finish->specular != 0;
 }
 
 Vec3 own_radiance(const World& world, const Shading& s, bool glowing) {
@@ -102,11 +102,11 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
     const bool back = behind && f.diffuse_back != 0;
     const double diffuse = s.only_shine ? 0 : back ? f.diffuse_back : f.diffuse;
     Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
-    if (back || !highlights || (f.phong == 0 && f.specular == 0)) return result;
+    if (back || !highlights || (f.phong <= 0 && f.specular == 0)) return result;
 
     const Vec3 tint =
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
-    if (f.phong != 0) {
+    if (f.phong > 0) {
         const Vec3 mirrored = s.view - 2 * dot(s.view, s.normal) * s.normal;
         const double alignment = dot(mirrored, to_light);
         if (alignment > 0) result += f.phong * std::pow(alignment, f.phong_size) * tint;

@@ -26,6 +26,10 @@ Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tr
     if (sources.text(source).starts_with("\xEF\xBB\xBF")) cursor_ += 3;
 }
 
+void Lexer::report(Diagnostic diagnostic) {
+    if (!quiet_) diagnostics_.add(std::move(diagnostic));
+}
+
 Token Lexer::next() {
     const Token result = scan();
     before_previous_ = previous_;
@@ -165,16 +169,16 @@ Token Lexer::read_word(const char* first) {
         if (spelling == "deprecated") kind = TokenKind::deprecated;
         if (spelling == "once") kind = TokenKind::once;
         if (const auto* directive = without_hash(spelling)) {
-            diagnostics_.add(error(Fault::syntax, span(first, cursor_),
-                                   message("`", spelling, "` needs a # before it"))
-                                 .with_help(message("write `#", spelling, "`")));
+            report(error(Fault::syntax, span(first, cursor_),
+                         message("`", spelling, "` needs a # before it"))
+                       .with_help(message("write `#", spelling, "`")));
             return token(directive->kind, first, directive->value);
         }
         // The oldest scenes leave out the #.
         if (spelling == "declare" || spelling == "include" || spelling == "default") {
-            diagnostics_.add(warning(Fault::deprecated, span(first, cursor_),
-                                     message("`", spelling, "` should have a # before it"))
-                                 .with_help(message("write `#", spelling, "`")));
+            report(warning(Fault::deprecated, span(first, cursor_),
+                           message("`", spelling, "` should have a # before it"))
+                       .with_help(message("write `#", spelling, "`")));
             kind = std::ranges::find(directive_words, spelling, &DirectiveWord::spelling)->kind;
             value = 0;
         }
@@ -182,6 +186,7 @@ Token Lexer::read_word(const char* first) {
     if (previous_ == TokenKind::hash_version && spelling == "unofficial")
         kind = TokenKind::unofficial;
     if (id == "xyz"_word) kind = TokenKind::powers;
+    if (kind == TokenKind::colour && previous_ == kind) return scan();  // `color color Red`
     return token(kind, first, value);
 }
 
@@ -197,8 +202,8 @@ Token Lexer::read_directive(const char* hash) {
 
     if (spelling.empty()) {
         cursor_ = hash + 1;
-        diagnostics_.add(warning(Fault::syntax, span(hash, cursor_),
-                                 "this `#` has no effect, for no word follows it"));
+        report(warning(Fault::syntax, span(hash, cursor_),
+                       "this `#` has no effect, for no word follows it"));
         return scan();
     }
     // A setting that the oldest scenes write so.
@@ -213,7 +218,7 @@ Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling)
     Diagnostic problem = error(Fault::unknown_word, span(hash, cursor_),
                                message("there is no directive `#", word, "`"));
     if (const std::string colour = hexadecimal_colour(word); !colour.empty()) {
-        diagnostics_.add(problem.with_help(message("as a colour, write ", colour)));
+        report(problem.with_help(message("as a colour, write ", colour)));
         return scan();
     }
     std::vector<std::string_view> known;
@@ -222,11 +227,11 @@ Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling)
     if (guess.empty()) guess = nearest(spelling, known);
     if (!guess.empty()) {
         problem.with_help(message("did you mean `#", guess, "`?"));
-        diagnostics_.add(problem);
+        report(problem);
         for (const DirectiveWord& directive : directive_words)
             if (directive.spelling == guess) return token(directive.kind, hash, directive.value);
     }
-    diagnostics_.add(problem);
+    report(problem);
     return scan();
 }
 
@@ -265,8 +270,8 @@ void Lexer::skip_comment(const char* first) {
         }
     }
     cursor_ = limit_;
-    diagnostics_.add(error(Fault::unterminated, span(first, first + 2), "this comment has no end")
-                         .with_help("comments nest: each `/*` needs its own `*/`"));
+    report(error(Fault::unterminated, span(first, first + 2), "this comment has no end")
+               .with_help("comments nest: each `/*` needs its own `*/`"));
 }
 
 Token Lexer::read_number(const char* first) {
@@ -275,9 +280,8 @@ Token Lexer::read_number(const char* first) {
     if (hexadecimal) {
         unsigned long value = 0;
         cursor_ = std::from_chars(first + 2, limit_, value, 16).ptr;
-        diagnostics_.add(
-            error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
-                .with_help(message("write ", value)));
+        report(error(Fault::syntax, span(first, cursor_), "numbers are written in decimal digits")
+                   .with_help(message("write ", value)));
     }
     const char* p = first;
     tree_.numbers.push_back(convert(p, cursor_));
@@ -315,7 +319,7 @@ Token Lexer::read_text(const char* first) {
             error(Fault::unterminated, span(first, first + 1), "this string has no end");
         if (long_string_)
             problem.pointing(*long_string_, "or this one, which goes on over the end of its line");
-        diagnostics_.add(problem.with_help("a string ends at the next `\"`"));
+        report(problem.with_help("a string ends at the next `\"`"));
     } else {
         ++cursor_;
         if (!long_string_ && raw.find('\n') != std::string_view::npos)
@@ -344,19 +348,18 @@ std::optional<Token> Lexer::stray(const char* first) {
         problem.with_help("the remainder of a division is mod(a, b), its whole part div(a, b)");
     if (*first == '^') problem.with_help("a power is pow(base, exponent)");
     if (*first == '\'') problem.with_help("strings are written in double quotes");
-    diagnostics_.add(problem);
+    report(problem);
     // Between two values it goes on as a sign that there is.
     if ((*first == '^' || *first == '%') && between_values()) return token(TokenKind::times, first);
     return std::nullopt;
 }
 
 void Lexer::second_point(const char* first) {
-    diagnostics_.add(error(Fault::syntax, span(first, cursor_), "a number has only one point"));
+    report(error(Fault::syntax, span(first, cursor_), "a number has only one point"));
 }
 
 void Lexer::double_sign(const char* first, std::string_view instead) {
-    diagnostics_.add(
-        error(Fault::syntax, span(first, cursor_),
-              message("this language writes `", instead, "`, not `", instead, instead, "`"))
-            .with_help(message("write `", instead, "`")));
+    report(error(Fault::syntax, span(first, cursor_),
+                 message("this language writes `", instead, "`, not `", instead, instead, "`"))
+               .with_help(message("write `", instead, "`")));
 }

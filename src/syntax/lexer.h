@@ -19,12 +19,15 @@ public:
     Lexer(SourceId, const SourceStore&, Names&, Tree&, Diagnostics&);
 
     Token next();
+    /// Whether nothing is reported: for text that is passed over.
+    void be_quiet(bool on) { quiet_ = on; }
     /// What a token of a number says.
     double number(const Token& token) const { return tree_.numbers[token.value]; }
 
 private:
     Token token(TokenKind, const char* first, std::uint32_t value = 0);
     Token scan();
+    void report(Diagnostic);
     Token read_word(const char* first);
     Token read_directive(const char* hash);
     Token read_unknown_directive(const char* hash, std::string_view spelling);
@@ -62,6 +65,7 @@ private:
     Names& names_;
     Tree& tree_;
     Diagnostics& diagnostics_;
+    bool quiet_ = false;
     std::optional<Span> long_string_;  ///< the first string that has a line end in it
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;

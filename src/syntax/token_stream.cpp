@@ -51,7 +51,8 @@ Token TokenStream::next() {
         const Token token = fetch();
         if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
         names_version_ = token.kind == TokenKind::hash_version;
-        if (token.kind != TokenKind::hash_if || !choose_branch()) return token;
+        if (token.kind != TokenKind::hash_if || drop_false_branch() || !choose_branch())
+            return token;
     }
 }
 
@@ -69,6 +70,30 @@ Token TokenStream::take(Tokens& taken) {
 
 void TokenStream::give_back(const Tokens& taken) {
     ahead_.insert(ahead_.begin(), taken.begin(), taken.end());
+}
+
+bool TokenStream::drop_false_branch() {
+    Tokens taken;
+    const TokenKind opener = take(taken).kind;
+    const Token value = take(taken);
+    const bool never = (value.kind == TokenKind::number && lexer_.number(value) == 0) ||
+                       (value.kind == TokenKind::constant &&
+                        (NameId(value.value) == "false"_word || NameId(value.value) == "no"_word ||
+                         NameId(value.value) == "off"_word));
+    if (opener != TokenKind::open_parenthesis || !never) return give_back(taken), false;
+    if (take(taken).kind != TokenKind::close_parenthesis) return give_back(taken), false;
+    lexer_.be_quiet(true);
+    Token token = fetch();
+    for (std::size_t open = 0; token.kind != TokenKind::end_of_file; token = fetch()) {
+        const bool ends = token.kind == TokenKind::hash_end;
+        if (open == 0 && (ends || divides_directive(token.kind))) break;
+        if (opens_directive(token.kind)) ++open;
+        if (ends) --open;
+    }
+    lexer_.be_quiet(false);
+    taken.push_back(token);
+    give_back(taken);
+    return true;
 }
 
 /// `(version >= 3.1)`

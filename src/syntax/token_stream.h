@@ -9,7 +9,8 @@
 //
 //     #if (version >= 3.1) material { #end A #if (version >= 3.1) } #end
 //
-// as if only the branches for the language's version were there.
+// as if only the branches for the language's version were there. What stands behind #if (0) and
+// #if (false) may be anything.
 #pragma once
 
 #include "syntax/lexer.h"
@@ -46,6 +47,8 @@ private:
     /// the condition is about the version. Otherwise nothing changes, and it is false.
     bool choose_branch();
     std::optional<bool> version_condition(Tokens& taken);
+    /// Behind #if: takes the tokens of a first branch away that is never read.
+    bool drop_false_branch();
 
     Lexer& lexer_;
     double version_;

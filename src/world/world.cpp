@@ -330,10 +330,8 @@ bool World::is_clear_solid(std::uint32_t item) const {
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point,
                           std::vector<PrimitiveIndex>& found) const {
-    if (item < leaves_begin()) {
-        if (contains_point(item, point)) found.push_back(item);
-        return;
-    }
+    if (item < leaves_begin() && contains_point(item, point)) found.push_back(item);
+    if (item < leaves_begin()) return;
     const PlacedComposite& placed = composites[item - leaves_begin()];
     if (!placed.composite->inside(point)) return;
     // What is in the solid is what is behind its first transparent leaf.
@@ -351,8 +349,7 @@ std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
         });
         return found;
     }
-    const std::size_t items = leaves_begin() + composites.size();
-    for (std::uint32_t item = 0; item < items; ++item)
+    for (std::uint32_t item = 0; item < leaves_begin() + composites.size(); ++item)
         if (is_clear_solid(item)) add_if_inside(item, point, found);
     return found;
 }

@@ -40,6 +40,29 @@ TEST_CASE("the version decides about gamma", "[evaluate]") {
     CHECK(run("global_settings { assumed_gamma 1 }").scene.gamma_handling);
 }
 
+TEST_CASE("what programs of the LDraw family, PyMOL and ASE write is read", "[evaluate]") {
+    const Script done = run(R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+#declare QUAL = 2;
+camera { orthographic angle 0 location <0, 0, -4> look_at 0 }
+light_source { <2, 4, -9> rgb 1 }
+fog { fog_type 1 distance 250.0000 color color rgb 1 }
+#declare C = #if (version >= 3.1) material { #end
+    texture { pigment { rgb <1, 0.2, 0.2> #if (QUAL > 1) filter 0.85 #end } }
+#if (version >= 3.1) } #end
+object { sphere { 0, 1 } #if (version >= 3.1) material #else texture #end { C } }
+#if (QUAL > 1) merge #else union #end { sphere { x, 0.5 } sphere { -x, 0.5 } pigment { rgb 1 } }
+#if (0) this is ' garbage } ) < that #if (1) isn't read ] #end
+#else sphere { y, 0.1 pigment { rgb 1 } } #end
+#if (false) { ~ #end
+sphere { -y, 0.1 pigment { rgb 1 } finish { phong -1.000 phong_size 13.750000 } }
+)");
+    CHECK(done.text.empty());
+    CHECK(done.scene.objects.size() == 4);
+    CHECK(done.texture().pigment.colour.filter == 0.85);
+    CHECK(std::get<Union>(done.object(1).form).csg == Csg::merge);
+}
+
 TEST_CASE("every part of a scene can be declared and used", "[evaluate]") {
     const Script done =
         run("#version 3.7; #declare C = rgb 1; #declare P = pigment { C } #declare F = finish { "
