@@ -156,7 +156,13 @@ Bounds operator-(const Bounds& a, const Bounds& b) {
     return bounds(a.low - b.high, a.high - b.low);
 }
 
+// Only where something is infinite a product with 0 must be told from others.
 Bounds operator*(const Bounds& a, const Bounds& b) {
+    const double ll = a.low * b.low, lh = a.low * b.high, hl = a.high * b.low, hh = a.high * b.high;
+    const double sum = (ll + lh) + (hl + hh);
+    if (!std::isnan(sum))
+        return {std::min(std::min(ll, lh), std::min(hl, hh)),
+                std::max(std::max(ll, lh), std::max(hl, hh))};
     const double p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
                  s = product(a.high, b.high);
     return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};

@@ -16,19 +16,74 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
 
 namespace {
 
-/// A cylinder is the cone whose radius stays the same.
-Cone as_cone(const Cylinder& c) { return {c.base, c.radius, c.cap, c.radius, c.open}; }
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where a + t * b lies between 0 and 1.
+Interval between_ends(double a, double b) {
+    if (b == 0) return a >= 0 && a <= 1 ? Interval{-infinity, infinity} : Interval{1, 0};
+    const double first = -a / b, last = (1 - a) / b;
+    return b > 0 ? Interval{first, last} : Interval{last, first};
+}
 
 }  // namespace
 
-Box bounds(const Cylinder& cylinder) { return bounds(as_cone(cylinder)); }
+Box bounds(const Cylinder& c) { return bounds(Cone{c.base, c.radius, c.cap, c.radius, c.open}); }
 
 void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
-    crossings(as_cone(cylinder), ray, found);
+    // All is computed from the point of the ray nearest to the middle, so that a far origin costs
+    // no digits.
+    const Vec3& direction = ray.direction;
+    const double radius2 = cylinder.radius * cylinder.radius, speed2 = dot(direction, direction);
+    const Vec3 middle = 0.5 * (cylinder.base + cylinder.cap), half = cylinder.cap - middle;
+    const double start = dot(middle - ray.origin, direction) / speed2;
+    const Vec3 near = ray.at(start), off = near - middle;
+    if (!(dot(off, off) <= (radius2 + dot(half, half)) * (1 + 1e-9))) return;
+
+    // Along the axis in its lengths, and away from it: each at t = 0 and per t.
+    const Vec3 axis = cylinder.cap - cylinder.base, from = near - cylinder.base;
+    const double per_length2 = 1 / dot(axis, axis);
+    const double height = dot(from, axis) * per_length2, rise = dot(direction, axis) * per_length2;
+    const Vec3 away = from - height * axis, step = direction - rise * axis;
+    const Interval ends = between_ends(height, rise);
+    // Around where the ray is deepest.
+    const double step2 = dot(step, step);
+    Interval side{-infinity, infinity};
+    if (step2 > 1e-30 * speed2) {
+        const double deepest = -dot(away, step) / step2;
+        const Vec3 least = away + deepest * step;
+        const double reach2 = (radius2 - dot(least, least)) / step2;
+        if (!(reach2 > 0)) return;
+        side = {deepest - std::sqrt(reach2), deepest + std::sqrt(reach2)};
+    } else if (!(dot(away, away) < radius2)) {
+        return;
+    }
+    const bool first_at_end = ends.min >= side.min, last_at_end = ends.max <= side.max;
+    const double first = first_at_end ? ends.min : side.min,
+                 last = last_at_end ? ends.max : side.max;
+    if (!(first < last)) return;
+    const Vec3 up = first_at_end || last_at_end ? axis * std::sqrt(per_length2) : axis;
+    const auto add = [&](double t, bool at_end, bool entering) {
+        const Vec3 outward = at_end ? (entering == (rise > 0) ? -up : up) : unit(away + t * step);
+        found.add({start + t, outward, entering});
+    };
+    // The ray only touches a side that it does not pass.
+    const auto passes = [&](double t, bool at_end, bool entering) {
+        const double along = dot(step, away + t * step);
+        return at_end || (entering ? along < 0 : along > 0);
+    };
+    if (!passes(first, first_at_end, true) || !passes(last, last_at_end, false)) return;
+    if (!(cylinder.open && first_at_end)) add(first, first_at_end, true);
+    if (!(cylinder.open && last_at_end)) add(last, last_at_end, false);
 }
 
 bool inside(const Cylinder& cylinder, const Vec3& point) {
-    return inside(as_cone(cylinder), point);
+    const Vec3 axis = cylinder.cap - cylinder.base, from = point - cylinder.base;
+    const double height = dot(from, axis) / dot(axis, axis);
+    const Vec3 away = from - height * axis;
+    const double distance2 = dot(away, away), radius2 = cylinder.radius * cylinder.radius;
+    // As in POV-Ray 3.7, the surface belongs to the inside only when the ends are open.
+    if (cylinder.open) return height >= 0 && height <= 1 && distance2 <= radius2;
+    return height > 0 && height < 1 && distance2 < radius2;
 }
 
 std::string problem(const Cylinder& cylinder) {
