@@ -52,6 +52,7 @@ constexpr auto structure = std::array{
     Structure{"finish", "texture"},
     Structure{"interior", "object"},
     Structure{"reflection", "finish"},
+    Structure{"reflection_exponent", "finish"},
     Structure{"transform", "object"},
     Structure{"translate", "object"},
     Structure{"rotate", "object"},

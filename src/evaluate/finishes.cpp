@@ -16,10 +16,19 @@ public:
     ReflectionReader(OpenBlock& block, Reflection& reflection)
         : block_(block), reflection_(reflection) {}
 
-    bool waiting() const { return waiting_; }
-    bool wants() const { return waiting_; }
+    bool waiting() const { return waiting_ || awaits_exponent_; }
+    bool wants() const { return waiting(); }
 
     bool take(const Element& element) {
+        if (element.kind == Element::Kind::value && awaits_exponent_) {
+            awaits_exponent_ = false;
+            const auto value =
+                converted(block_, element, FieldType::number,
+                          {[] { return std::string("`reflection_exponent` of `finish`"); },
+                           [] { return std::string("reflection_exponent 1"); }});
+            if (value) exponent_ = std::get<double>(*value);
+            return true;
+        }
         if (element.kind == Element::Kind::value && waiting_) {
             waiting_ = false;
             const auto value = converted(block_, element, FieldType::rgb,
@@ -33,7 +42,11 @@ public:
             element.word == "reflection"_word;
         const bool unknown = element.kind == Element::Kind::word &&
                              !block_.binder.evaluator.names().reserved(element.word);
-        if (waiting_ && !unknown) finish();
+        if (waiting() && !unknown) finish();
+        if (element.kind == Element::Kind::word && element.word == "reflection_exponent"_word) {
+            span_ = element.word_span;
+            return awaits_exponent_ = true;
+        }
         if (!named) return false;
         span_ = element.word_span;
         if (element.kind == Element::Kind::block)
@@ -44,13 +57,19 @@ public:
     }
 
     void finish() {
+        if (exponent_ && *exponent_ > 0) reflection_.exponent = *exponent_;
+        if (std::exchange(awaits_exponent_, false))
+            block_.report(error(Fault::missing, span_, "`reflection_exponent` needs a number")
+                              .with_help("reflection_exponent 1"));
         if (!std::exchange(waiting_, false)) return;
         block_.report(
             error(Fault::missing, span_, "`reflection` of `finish` needs a colour or a block")
                 .with_help(usage(Reflection::vocabulary)));
     }
 
-    void add_words(WordList& words) const { words.push_back("reflection"); }
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"reflection", "reflection_exponent"});
+    }
 
 private:
     void read(const Element& element) {
@@ -70,7 +89,8 @@ private:
 
     OpenBlock& block_;
     Reflection& reflection_;
-    bool waiting_ = false;
+    bool waiting_ = false, awaits_exponent_ = false;
+    std::optional<double> exponent_;
     Span span_;
 };
 

@@ -74,6 +74,7 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
             Element element;
             element.word = std::get_if<node::Word>(&content)->word;
             element.span = element.word_span = tree.span(id);
+            element.origin = {&tree, id};
             take(element);
             return Flow::end;
         }

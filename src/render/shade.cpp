@@ -80,8 +80,8 @@ Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
 
 bool answers_light(const Shading& s) {
     return s.finish->microfacet.on ||
-           ((s.finish->diffuse != 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
-           s.finish->phong > 0 || s.finish->specular != 0;
+           ((s.finish->diffuse > 0 || s.finish->diffuse_back != 0) && s.colour.rgb != Vec3(0)) ||
+           s.finish->phong > 0 || s.finish->specular > 0;
 }
 
 Vec3 own_radiance(const World& world, const Shading& s, bool glowing) {
@@ -98,11 +98,12 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
         return Vec3(behind ? 0 : signed_cosine * (1 - fresnel(signed_cosine, s.entering)));
     if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
     const double cosine = std::abs(signed_cosine);
-    const double falloff = f.brilliance == 1 ? cosine : std::pow(cosine, f.brilliance);
+    const double falloff =
+        f.brilliance == 1 ? cosine : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
     const bool back = behind && f.diffuse_back != 0;
-    const double diffuse = s.only_shine ? 0 : back ? f.diffuse_back : f.diffuse;
+    const double diffuse = s.only_shine ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
     Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
-    if (back || !highlights || (f.phong <= 0 && f.specular == 0)) return result;
+    if (back || !highlights || (f.phong <= 0 && f.specular <= 0)) return result;
 
     const Vec3 tint =
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
@@ -111,7 +112,7 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
         const double alignment = dot(mirrored, to_light);
         if (alignment > 0) result += f.phong * std::pow(alignment, f.phong_size) * tint;
     }
-    if (f.specular != 0) {
+    if (f.specular > 0) {
         const double alignment = dot(s.normal, unit(to_light - s.view));
         if (alignment > 0) result += f.specular * std::pow(alignment, 1 / f.roughness) * tint;
     }
