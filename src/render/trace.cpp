@@ -115,7 +115,7 @@ const Interior& Tracer::interior(const Solids& solids) const {
 }
 
 Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitive) const {
-    Interface result{1, path.solids};
+    Interface result{1, 1, path.solids};
     Solids& behind = result.behind;
     const auto inside = std::ranges::find(behind, world_.solid(primitive),
                                           [&](PrimitiveIndex p) { return world_.solid(p); });
@@ -127,7 +127,7 @@ Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitiv
         if (!innermost) return result;  // leaving one of two that overlap bends nothing
     }
     const Interior &here = interior(path.solids), &there = interior(behind);
-    result.ratio = here.ior / there.ior;
+    result.plain = result.ratio = here.ior / there.ior;
     result.dispersion = here.dispersion / there.dispersion;
     if (result.dispersion == 1) return result;
     if (path.band)
@@ -218,11 +218,11 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
                           return layer.finish->reflection.fresnel;
                       });
-    const Interface surface = asks ? interface_at(path, hit.primitive) : Interface{1, {}};
+    const Interface surface = asks ? interface_at(path, hit.primitive) : Interface{1, 1, {}};
     const auto kept = [&](const Shading& s) {
         const Vec3 clear = s.colour.passing();
         return s.finish->conserve_energy
-                   ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.ratio), Vec3(0), Vec3(1))
+                   ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.plain), Vec3(0), Vec3(1))
                    : clear;
     };
     Vec3 behind(transparent ? 1 : 0);
@@ -242,7 +242,7 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         if (share <= bailout) break;
         const Shading s = first ? top : with_layer(world_, common, layer);
         result += through * lit(path, hit, s, through, !counted);
-        const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.ratio);
+        const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.plain);
         if (amount != Vec3(0))
             result += reflected(path, s, amount, share, s.finish->reflection.exponent);
         if (s.finish->microfacet.on && world_.quality >= quality_reflection)

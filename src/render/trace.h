@@ -64,6 +64,7 @@ private:
     };
     struct Interface {
         double ratio;  ///< index of refraction in front of the surface over the one behind it
+        double plain = ratio;  ///< the same of white light, which tells what is reflected
         Solids behind;
         double dispersion = 1;  ///< the same ratio of dispersions
         int bands = 0;          ///< into which white light is split; 0: it is not

@@ -103,10 +103,11 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
         found = ::uv(Sphere{s.centre, s.radius}, point, part);
     } else if (primitive < first_shape) {
         const auto number = static_cast<std::uint32_t>(primitive - spheres.size());
-        if (number >= uvs_of.size() || uvs_of[number] == no_primitive) return Vec2(0);
-        const Vec3 w = corner_weights(corners(triangles[number]), point);
-        const std::array<Vec2, 3>& at = uvs[uvs_of[number]];
-        return w.x * at[0] + w.y * at[1] + w.z * at[2];
+        if (number < uvs_of.size() && uvs_of[number] != no_primitive) {
+            const Vec3 w = corner_weights(corners(triangles[number]), point);
+            const std::array<Vec2, 3>& at = uvs[uvs_of[number]];
+            return w.x * at[0] + w.y * at[1] + w.z * at[2];
+        }
     } else if (primitive < leaves_begin()) {
         const PlacedShape& placed = shapes[primitive - first_shape];
         found = ::uv(placed.shape, local(placed.transform, point), part);

@@ -34,6 +34,14 @@ bool close(const Vec3& a, const Vec3& b) { return max_abs_component(a - b) < 1e-
 
 }  // namespace
 
+TEST_CASE("a triangle of its own has u and v of its place, as in POV-Ray", "[world]") {
+    for (const char* kind : {"triangle { 0, x, y ", "smooth_triangle { 0, -z, x, -z, y, -z "}) {
+        const World world = world_of(std::string("#version 3.7; ") + kind +
+                                     "uv_mapping pigment { gradient x } translate <4, 2, 0> }");
+        CHECK(close(seen(world, 4.25, 2.125), Vec3(0.25)));
+    }
+}
+
 TEST_CASE("the textures of a face's corners are mixed", "[world]") {
     const World world = world_of(std::string(mesh) + "object { M }");
     CHECK(close(seen(world, 0.2, 0.3), Vec3(0.5, 0.2, 0.3)));
