@@ -127,6 +127,7 @@ bool Brackets::accept_closer(const Token& closer) {
         --depth;
     }
     if (depth > 0) {
+        if (closer.kind == TokenKind::hash_end && goes_on_unbraced(depth, closer)) return false;
         close_until(depth, closer);
         open_.pop_back();
         return true;
@@ -183,6 +184,19 @@ bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
         return false;
     opener.divided = true;
     return tokens_.copy_rest_into_branches(divider, static_cast<int>(open_.end() - above));
+}
+
+/// Where a condition without #else leaves braces open that another one like it closes.
+bool Brackets::goes_on_unbraced(std::size_t depth, const Token& end) {
+    const Open& opener = open_[depth - 1];
+    const auto above = open_.begin() + static_cast<std::ptrdiff_t>(depth);
+    if (opener.token.kind != TokenKind::hash_if || opener.divided || above == open_.end() ||
+        !std::all_of(above, open_.end(), [](const Open& o) {
+            return o.token.kind == TokenKind::open_brace && !o.blamed;
+        }))
+        return false;
+    return tokens_.repeat_without_braces(opener.token, end, text_,
+                                         static_cast<int>(open_.end() - above));
 }
 
 /// Closes what is open above the given depth, in front of the closer.

@@ -54,6 +54,7 @@ private:
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
     bool continue_in_branches(std::size_t depth, const Token& divider);
+    bool goes_on_unbraced(std::size_t depth, const Token& end);
     bool close_until(std::size_t depth, const Token& closer);
     void end_of_file(const Token&);
     void report_unclosed(const Token& closer, std::size_t depth);

@@ -44,6 +44,19 @@ private:
     std::vector<Directive> open_;
 };
 
+/// The text from one pair of parentheses to its end, without blanks.
+std::string in_parentheses(std::string_view text) {
+    std::string result;
+    int open = 0;
+    for (const char c : text) {
+        if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+        result += c;
+        open += c == '(' ? 1 : c == ')' ? -1 : 0;
+        if (open == 0) break;
+    }
+    return result;
+}
+
 }  // namespace
 
 Token TokenStream::next() {
@@ -224,4 +237,50 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
     result.push_back(end);
     give_back(result);
     return true;
+}
+
+std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
+    const Token first = take(taken);
+    int open = first.kind == TokenKind::open_parenthesis;
+    while (open > 0 && taken.size() <= most_ahead && taken.back().kind != TokenKind::end_of_file) {
+        const TokenKind kind = take(taken).kind;
+        open += kind == TokenKind::open_parenthesis    ? 1
+                : kind == TokenKind::close_parenthesis ? -1
+                                                       : 0;
+    }
+    return in_parentheses(text.substr(first.first));
+}
+
+bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,
+                                        std::string_view text, int braces) {
+    const std::string condition = in_parentheses(text.substr(opener.last));
+    Tokens taken;
+    Balance balance;
+    for (;;) {
+        const std::size_t here = taken.size();
+        const Token token = take(taken);
+        const bool outside = balance.directives() == 0;
+        if (token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+            balance.braces < 0 ||
+            (outside && (divides_directive(token.kind) || token.kind == TokenKind::hash_end)))
+            return give_back(taken), false;
+        if (outside && balance.braces == 0 && token.kind == TokenKind::hash_if) {
+            const bool same = take_condition(taken, text) == condition;
+            std::vector<Tokens> branches;
+            if (same && take_branches(branches, taken, -braces) && branches.size() == 1) {
+                const auto rest = taken.begin() + static_cast<std::ptrdiff_t>(here);
+                Tokens result(taken.begin(), rest);
+                result.insert(result.end(), branches[0].begin(), branches[0].end());
+                result.push_back({TokenKind::hash_else, 0, end.first, end.last, 0});
+                result.insert(result.end(), taken.begin(), rest);
+                result.push_back(taken.back());
+                give_back(result);
+                return true;
+            }
+            // It is a part of what is between them.
+            for (std::size_t i = here; i < taken.size(); ++i) balance.add(taken[i].kind);
+        } else {
+            balance.add(token.kind);
+        }
+    }
 }

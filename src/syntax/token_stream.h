@@ -9,7 +9,8 @@
 //
 //     #if (version >= 3.1) material { #end A #if (version >= 3.1) } #end
 //
-// as if only the branches for the language's version were there. What stands behind #if (0) and
+// as if only the branches for the language's version were there, and with any other condition that
+// is written twice as `#if (A) merge { B } #else B #end`. What stands behind #if (0) and
 // #if (false) may be anything.
 #pragma once
 
@@ -17,6 +18,8 @@
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 class TokenStream {
@@ -33,6 +36,12 @@ public:
     /// then the divider. Otherwise nothing changes, and it is false.
     bool copy_rest_into_branches(const Token& divider, int braces);
 
+    /// To be called behind the #end of a condition without #else that leaves so many braces open.
+    /// When another condition of the same text closes them, what is between them comes next with
+    /// its braces, then as #else without them. Otherwise nothing changes, and it is false.
+    bool repeat_without_braces(const Token& opener, const Token& end, std::string_view text,
+                               int braces);
+
 private:
     using Tokens = std::vector<Token>;
 
@@ -40,6 +49,8 @@ private:
     /// #end.
     bool take_branches(std::vector<Tokens>& branches, Tokens& taken, int braces);
     std::optional<Tokens> take_rest(Tokens& taken, int braces);
+    /// Behind #if: the text of its condition in parentheses, without blanks.
+    std::string take_condition(Tokens& taken, std::string_view text);
     Token fetch();
     Token take(Tokens& taken);
     void give_back(const Tokens& taken);

@@ -63,6 +63,23 @@ TEST_CASE("of branches that are no whole elements only that for the version is r
     CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
 }
 
+TEST_CASE("what stands between two conditions of the same text may have braces by choice",
+          "[syntax]") {
+    const auto [text, meaning] = GENERATE(table<std::string, std::string>({
+        {"#if (a > 1) merge { #end b { c } #if ( a>1 ) } #end d",
+         "#if (a > 1) merge { b { c } } #else b { c } #end, d"},
+        {"#if (a) merge { union { #end b #if (c) d #end #if (a) e } } #end",
+         "#if (a) merge { union { b #if (c) d #end, e } } #else b #if (c) d #end #end"},
+        {"#if (a) merge { #end #if (b) union { #end c #if (b) } #end #if (a) } #end",
+         "#if (a) merge { #if (b) union { c } #else c #end } #else #if (b) union { c } #else c "
+         "#end #end"},
+    }));
+    INFO(text);
+    const Parsed parsed(text);
+    CHECK(parsed.messages() == "");
+    CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+}
+
 TEST_CASE("branches that do not open the same are an error", "[syntax]") {
     const std::string text = GENERATE(
         as<std::string>(), "#if (a) merge { #end b }", "#if (a) merge { #else #end b }",
@@ -71,7 +88,7 @@ TEST_CASE("branches that do not open the same are an error", "[syntax]") {
         "#switch (a) #case (1) merge { #else "
         "union { #end }",
         "#if (a) merge { #else b }", "#if (version > 3) merge { #end b",
-        "#if (version > x) merge { #end b #if (version > x) } #end");
+        "#if (a) merge { #end b #if (c) } #end", "#if (a) merge { #end b #if (a) } } #end");
     INFO(text);
     CHECK(Parsed(text).messages() != "");
 }
