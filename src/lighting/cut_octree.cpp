@@ -56,6 +56,14 @@ double estimate(const LightTree& tree, const LightCluster& c, const ShadingPoint
                    : square;
 }
 
+/// Entries on top for those that face away from a cell: as many again where all luminaires lean.
+int entries_for(int cut, std::span<const Luminaire> luminaires) {
+    double leaning = 0;
+    for (const Luminaire& luminaire : luminaires) leaning += 2 * length(luminaire.lean);
+    const double share = luminaires.empty() ? 0 : leaning / static_cast<double>(luminaires.size());
+    return static_cast<int>(std::lround(cut * (1 + share)));
+}
+
 struct Halves {
     LightCluster first, second;
     double share;  ///< probability of the first
@@ -123,7 +131,7 @@ BuiltCutOctree::~BuiltCutOctree() = default;
 
 BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene)
     : state_(std::make_unique<State>()) {
-    state_->rule = {settings.eta, settings.cut};
+    state_->rule = {settings.eta, entries_for(settings.cut, scene.luminaires)};
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;

@@ -33,7 +33,10 @@ const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
         "Chooses from a short partition of all luminaires that each cell of space has.",
         F{"eta", &LightOctree::eta, item,
           "variance over squared mean that the choice may have where nothing is between", above(0)},
-        F{"cut", &LightOctree::cut, item, "most entries of a cell's partition", between(1, 256)},
+        F{"cut", &LightOctree::cut, item,
+          "most entries of a cell's partition; up to twice as many where luminaires shine to one "
+          "side only",
+          between(1, 256)},
         F{"outlook", &LightOctree::outlook, item,
           "greatest share of the shadow rays whose direction is drawn from what a cell sees",
           between(0.5, 0.95)},

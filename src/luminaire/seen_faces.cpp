@@ -70,15 +70,19 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, con
         const Vec3 offset = f.corner + 0.5 * (f.side1 + f.side2) - from;
         const double distance2 = dot(offset, offset), distance = std::sqrt(distance2);
         const double side2 = dot(f.side1, f.side1) + dot(f.side2, f.side2);
+        const bool is_large = side2 > large * distance2;
         share_[axis] = std::abs(dot(cross(f.side1, f.side2), offset)) / (distance2 * distance);
-        if (side2 > large * distance2 && std::abs(dot(f.side1, f.side2)) < 1e-12 * side2) {
+        if (is_large && std::abs(dot(f.side1, f.side2)) < 1e-12 * side2) {
             const SphericalRectangle near(from, f.corner, f.side1, f.side2);
             if (near.solid_angle() > 1e-3) {
                 share_[axis] = near.solid_angle();
                 f.near = near;
             }
         }
-        if (normal) share_[axis] *= least_height + f.height(from, *normal);
+        if (normal)
+            share_[axis] *=
+                least_height + (is_large ? f.height(from, *normal)
+                                         : std::fmax(dot(*normal, offset) / distance, 0));
         sum += share_[axis];
     }
     for (double& share : share_) share = sum > 0 ? share / sum : 0;

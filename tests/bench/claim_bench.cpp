@@ -55,13 +55,16 @@ void choices() {
             }
             const Box surface{Vec3(-100), Vec3(100)};
             const auto built = build(strategy.sampler, LightScene{luminaires, {&surface, 1}}, 1);
-            const int tries = linear ? 2000000 / count : 100000;
+            // So many points as a picture has cells, asked again and again.
+            constexpr int places = 1000;
+            const int tries = linear ? 2000000 / count : 100 * places;
             LightPicks picks;
             double seconds = 0;
             for (const bool again : {false, true}) {
                 Draw where(2);
                 const double start = cpu_seconds();
-                for (int i = 0; i < tries; ++i) {
+                for (int i = 0; i < (again ? tries : std::min(tries, places)); ++i) {
+                    if (i % places == 0) where = Draw(2);
                     picks.clear();
                     const ShadingPoint point{where.point(30), where.direction(), false};
                     std::visit(
@@ -76,6 +79,7 @@ void choices() {
             if (first == 0) first = last;
             std::printf("%-16s %8d luminaires: %10.0f ns a choice\n", strategy.name.c_str(), count,
                         last);
+            std::fflush(stdout);
         }
         std::printf("%-16s grows with the power %.2f\n", strategy.name.c_str(),
                     std::log(last / first) / std::log(most / 100));
