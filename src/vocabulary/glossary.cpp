@@ -72,8 +72,6 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "parts without textures show those of what they cut through"},
     {"camera", "camera { type location v look_at v angle n ... }",
      "the type is the first word, and perspective when there is none: --help cameras"},
-    {"light_sources", "light_source { location, colour ... }",
-     "a light without size; what has size and glows is any object with finish { emission n }"},
     // looks
     {"texture", "texture { pigment { ... } normal { ... } finish { ... } transformations }",
      "how a surface looks; several one after the other are layers, the last on top, and a pattern "
@@ -114,8 +112,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "image_width image_height",
      "frame_number, image_width ...", "facts about the animation and the picture"},
     // what this version lacks
-    {"media scattering absorption density samples intervals confidence variance ratio",
-     "interior { media { ... } }", "not available in this version, which is an error that says so"},
+    {"media scattering absorption density intervals ratio", "interior { media { ... } }",
+     "not available in this version, which is an error that says so"},
     {"photons gather pass_through", "photons { ... }",
      "without effect in this version; `caustics` in an interior has one"},
     {"radiosity", "global_settings { radiosity { ... } }",
