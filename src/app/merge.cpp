@@ -26,7 +26,7 @@ class Joiner {
 public:
     Joiner(Gaps gaps, Diagnostics& diagnostics) : gaps_(gaps), diagnostics_(diagnostics) {}
 
-    void add(const std::string& name, Checkpoint state) {
+    void add(const std::string& name, const Checkpoint& state) {
         parts_.push_back({name, state.state.share, state.state.rounds, state.samples});
         if (parts_.size() == 1)
             begin(state);
@@ -256,7 +256,7 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
     for (const std::string& file : request.files) {
         auto state = read_checkpoint(file, diagnostics);
         if (!state) return end(exit_status::file);
-        joiner.add(file, std::move(*state));
+        joiner.add(file, *state);
     }
     const auto result = joiner.finish();
     if (!result) return end(exit_status::usage);

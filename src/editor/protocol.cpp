@@ -81,14 +81,10 @@ std::uint32_t offset_of(std::string_view text, const Json& position) {
 }
 
 Json position_of(std::string_view text, std::uint32_t offset) {
-    const std::string_view before = text.substr(0, std::min<std::size_t>(offset, text.size()));
-    return {{"line", std::ranges::count(before, '\n')},
-            {"character", column(before.substr(before.rfind('\n') + 1))}};
+    return LineTable(text).position_of(offset);
 }
 
-Json range_of(std::string_view text, Part part) {
-    return {{"start", position_of(text, part.first)}, {"end", position_of(text, part.last)}};
-}
+Json range_of(std::string_view text, Part part) { return LineTable(text).range_of(part); }
 
 LineTable::LineTable(std::string_view text) : text_(text), starts_{0} {
     for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))

@@ -26,11 +26,10 @@ Json range_of(std::string_view text, Part);
 class LineTable {
 public:
     explicit LineTable(std::string_view text);
+    Json position_of(std::uint32_t offset) const;
     Json range_of(Part) const;
 
 private:
-    Json position_of(std::uint32_t offset) const;
-
     std::string_view text_;
     std::vector<std::uint32_t> starts_;
 };

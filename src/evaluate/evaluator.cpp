@@ -5,6 +5,7 @@
 #include "evaluate/splines.h"
 #include "evaluate/state.h"
 #include "font/system_font.h"
+#include "syntax/foreign.h"
 #include "syntax/lint.h"
 #include "syntax/parser.h"
 #include "text/message.h"
@@ -20,25 +21,6 @@ Evaluator::Evaluator(SourceStore& sources, const Loader& loader, Names& names,
     : state_(std::make_unique<State>(*this, sources, loader, names, diagnostics, facts)) {}
 
 Evaluator::~Evaluator() = default;
-
-namespace {
-
-/// What a name of other languages is here; empty: none.
-std::string_view of_other_languages(std::string_view name) {
-    struct Habit {
-        std::string_view name, way_out;
-    };
-    constexpr auto habits = std::array{
-        Habit{"return", "a macro needs no `return`: it gives what stands in it"},
-        Habit{"rgba", "write `rgbt <red, green, blue, transmit>`, with 1 - alpha as transmit"},
-        Habit{"null", "a name that is not declared has no value: #ifdef (Name)"},
-        Habit{"this", "a macro gets what it works on as a parameter"},
-    };
-    const auto habit = std::ranges::find(habits, name, &Habit::name);
-    return habit == habits.end() ? std::string_view() : habit->way_out;
-}
-
-}  // namespace
 
 void Evaluator::set_meaning(Meaning meaning) {
     state_->meaning = std::move(meaning);
@@ -248,7 +230,7 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     if (rest.starts_with('('))
         for (const FunctionInfo& function : ::functions()) known.push_back(function.name);
     const std::string library = loader.library_file_declaring(names.spelling(name));
-    if (const std::string_view way_out = of_other_languages(names.spelling(name)); !way_out.empty())
+    if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
         problem.with_help(std::string(way_out));
     else if (!library.empty())
         problem.with_help(message("`", names.spelling(name), "` is declared in ", library,

@@ -170,33 +170,35 @@ bool Brackets::accept_else(const Token& divider) {
     return true;
 }
 
+/// Whether everything that is open above the given depth is a brace that nothing is said about yet.
+bool Brackets::only_braces_above(std::size_t depth) const {
+    return std::all_of(
+        open_.begin() + static_cast<std::ptrdiff_t>(depth), open_.end(),
+        [](const Open& o) { return o.token.kind == TokenKind::open_brace && !o.blamed; });
+}
+
 /// Where the first branch of a condition leaves braces open that are closed behind its #end, or
 /// ends in the word of a block that stands there.
 bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
     Open& opener = open_[depth - 1];
-    const auto above = open_.begin() + static_cast<std::ptrdiff_t>(depth);
+    const std::size_t above = open_.size() - depth;
     const bool conditional =
         opener.token.kind == TokenKind::hash_if || opener.token.kind == TokenKind::hash_ifdef;
-    if (!conditional || opener.divided || (above == open_.end() && !is_block_word(last_.kind)) ||
-        !std::all_of(above, open_.end(), [](const Open& o) {
-            return o.token.kind == TokenKind::open_brace && !o.blamed;
-        }))
+    if (!conditional || opener.divided || (above == 0 && !is_block_word(last_.kind)) ||
+        !only_braces_above(depth))
         return false;
     opener.divided = true;
-    return tokens_.copy_rest_into_branches(divider, static_cast<int>(open_.end() - above));
+    return tokens_.copy_rest_into_branches(divider, static_cast<int>(above));
 }
 
 /// Where a condition without #else leaves braces open that another one like it closes.
 bool Brackets::goes_on_unbraced(std::size_t depth, const Token& end) {
     const Open& opener = open_[depth - 1];
-    const auto above = open_.begin() + static_cast<std::ptrdiff_t>(depth);
-    if (opener.token.kind != TokenKind::hash_if || opener.divided || above == open_.end() ||
-        !std::all_of(above, open_.end(), [](const Open& o) {
-            return o.token.kind == TokenKind::open_brace && !o.blamed;
-        }))
+    const std::size_t above = open_.size() - depth;
+    if (opener.token.kind != TokenKind::hash_if || opener.divided || above == 0 ||
+        !only_braces_above(depth))
         return false;
-    return tokens_.repeat_without_braces(opener.token, end, text_,
-                                         static_cast<int>(open_.end() - above));
+    return tokens_.repeat_without_braces(opener.token, end, text_, static_cast<int>(above));
 }
 
 /// Closes what is open above the given depth, in front of the closer.

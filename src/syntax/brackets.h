@@ -53,6 +53,7 @@ private:
     Token match();
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
+    bool only_braces_above(std::size_t depth) const;
     bool continue_in_branches(std::size_t depth, const Token& divider);
     bool goes_on_unbraced(std::size_t depth, const Token& end);
     bool close_until(std::size_t depth, const Token& closer);

@@ -25,6 +25,17 @@ constexpr auto directives = std::array{
     ForeignDirective{"next", "end"},       ForeignDirective{"done", "end"},
 };
 
+struct ForeignName {
+    std::string_view name, way_out;
+};
+
+constexpr auto foreign_names = std::array{
+    ForeignName{"return", "a macro needs no `return`: it gives what stands in it"},
+    ForeignName{"rgba", "write `rgbt <red, green, blue, transmit>`, with 1 - alpha as transmit"},
+    ForeignName{"null", "a name that is not declared has no value: #ifdef (Name)"},
+    ForeignName{"this", "a macro gets what it works on as a parameter"},
+};
+
 constexpr auto signs = std::array{
     ForeignSign{"\u201C", "a typographic quote", "\""},
     ForeignSign{"\u201D", "a typographic quote", "\""},
@@ -64,6 +75,11 @@ std::string_view foreign_directive(std::string_view word) {
     for (const ForeignDirective& each : directives)
         if (each.word == word) return each.meant;
     return {};
+}
+
+std::string_view foreign_name(std::string_view name) {
+    const auto found = std::ranges::find(foreign_names, name, &ForeignName::name);
+    return found == foreign_names.end() ? std::string_view() : found->way_out;
 }
 
 std::string hexadecimal_colour(std::string_view word) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs and directives that the language does not have and that people type or paste nevertheless:
-// what a word processor, another language or another keyboard makes of those that it has. The lexer
-// reports them and reads what was meant.
+// Signs, directives and names that the language does not have and that people type or paste
+// nevertheless: what a word processor, another language or another keyboard makes of those that it
+// has. The lexer reports signs and directives and reads what was meant; names are for the
+// evaluator's report.
 #pragma once
 
 #include <string>
@@ -24,6 +25,9 @@ const ForeignSign* foreign_sign(std::string_view text);
 
 /// The directive, without #, that is called by this word in other languages; empty: none.
 std::string_view foreign_directive(std::string_view word);
+
+/// What to write for a name that means something in other languages; empty: none.
+std::string_view foreign_name(std::string_view name);
 
 /// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
 /// words.
