@@ -295,7 +295,7 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
+void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe, const Gloss& gloss,
                            Weights& weights) const {
     if (state_->luminaires.empty()) return;
     const Cell& cell = cell_at(point.position, &probe);
@@ -304,6 +304,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
     weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
+    if (gloss.count > 0) weights.cut->weigh_answers(point, gloss, weights);
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;

@@ -31,7 +31,7 @@ public:
     BuiltCutOctree& operator=(BuiltCutOctree&&) noexcept;
     ~BuiltCutOctree();
 
-    void weigh(const ShadingPoint&, const LightProbe&, Weights&) const;
+    void weigh(const ShadingPoint&, const LightProbe&, const Gloss&, Weights&) const;
     /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
     void weigh_choice(const ShadingPoint&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.

@@ -13,9 +13,11 @@ constexpr double least_strength = 1e-24;
 /// Radius over distance at which rounding in single precision may still lift an entry over the
 /// horizon.
 constexpr float slack = 1e-6f;
-/// Single luminaires that outshine all clusters so many times are left out when the noise of these
-/// is judged: they may turn out to be hidden.
-constexpr double outshining = 20;
+/// What a surface without a diffuse part is thought to answer at least: highlights are not quite
+/// what the formula says.
+constexpr double least_dull = 0.02;
+/// Of entries that are lower over the horizon, weights are not divided by the cosine, but by this.
+constexpr float least_cosine = 0.05f;
 
 struct Columns {
     const float *x, *y, *z, *radius, *strength;
@@ -164,91 +166,66 @@ void weigh_rows(const Columns& c, std::size_t count, const Place& place, const L
     }
 }
 
+struct Peak {
+    float x, y, z, peak, sharpness;
+};
+
+/// Adds to what each row of a block answers at least: of a highlight, spread over the entry's cone.
+[[gnu::always_inline]] inline void shine(const Columns& c, std::size_t first, const Place& p,
+                                         const Peak& peak, Rows& out) {
+    for (std::size_t i = 0; i < block; ++i) {
+        const std::size_t row = first + i;
+        const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
+        const float r2 = c.radius[row] * c.radius[row];
+        const float d2 = vx * vx + vy * vy + vz * vz;
+        const float inverse = 1 / std::sqrt(d2 > r2 ? d2 : r2);
+        const float off = 1 - (peak.x * vx + peak.y * vy + peak.z * vz) * inverse;
+        const float height = std::abs(p.nx * vx + p.ny * vy + p.nz * vz) * inverse;
+        const float size = c.radius[row] * inverse;
+        const float lowest = size > least_cosine ? size : least_cosine;
+        const float cosine = height > lowest ? height : lowest;
+        const float spread = 1 + 0.5f * peak.sharpness * size * size;
+        const float fallen = 1 + 0.5f * peak.sharpness * (off > 0 ? off : 0) / spread;
+        out[i] += peak.peak / (spread * cosine * fallen * fallen);
+    }
+}
+
+CANDELABRA_EVERY_MACHINE
+void weigh_answers_of_rows(const Columns& c, std::size_t count, const Place& place, float dull,
+                           std::span<const Peak> peaks, CutWeights& result) {
+    const Place p = place;
+    for (std::size_t first = 0; first < count; first += block) {
+        Rows answers;
+        answers.fill(dull);
+        for (const Peak& peak : peaks) shine(c, first, p, peak, answers);
+        Rows rows;
+        for (std::size_t i = 0; i < block; ++i) rows[i] = result.weight[first + i] * answers[i];
+        std::ranges::copy(rows, result.weight.begin() + first);
+        result.block_sum[first / block] = sum(rows);
+    }
+}
+
+double total(const CutWeights& weights, std::size_t rows) {
+    double sum = 0;
+    for (std::size_t i = 0; i < rows / block; ++i) sum += weights.block_sum[i];
+    return sum;
+}
+
 Glow exact_glow(const Luminaire& luminaire) {
     const LightBounds b = bounds(luminaire);
     return leaning(glow(b), b.lean);
 }
-
-/// A cluster as a point of the cell sees it, roughly.
-struct Entry {
-    LightCluster cluster;
-    double weight = 0;
-    double excess = 0;  ///< what it adds to the variance of the choice
-
-    bool operator<(const Entry& other) const {
-        return excess != other.excess ? excess < other.excess : cluster.first > other.cluster.first;
-    }
-};
-
-class Refinement {
-public:
-    Refinement(const LightTree& tree, const Box& cell)
-        : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
-
-    void refine(const CutRule& rule) {
-        const auto most = std::min(static_cast<std::size_t>(rule.most_entries), CutWeights::most);
-        add(tree_.root());
-        // A block of entries takes the same time whether it is full or not.
-        while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
-            std::pop_heap(heap_.begin(), heap_.end());
-            const Entry coarse = heap_.back();
-            if (coarse.excess <= 0) break;
-            heap_.pop_back();
-            const auto [first, second] = tree_.halves(coarse.cluster);
-            add(first);
-            add(second);
-        }
-        std::ranges::sort(heap_, {}, [](const Entry& e) { return e.cluster.first; });
-    }
-    const std::vector<Entry>& entries() const { return heap_; }
-    double noise() const {
-        double clusters = 0, singles = 0, excess = 0;
-        for (const Entry& e : heap_) {
-            if (e.cluster.count > 1) clusters += e.weight;
-            excess += e.excess;
-        }
-        for (const Entry& e : heap_)
-            if (e.cluster.count == 1 && e.weight < outshining * clusters) singles += e.weight;
-        return excess > 0 ? excess / (clusters + singles) : 0;
-    }
-
-private:
-    void add(const LightCluster& cluster) {
-        if (tree_.dark(cluster)) return;
-        const Glow g = tree_.glow(cluster);
-        const double d = length(g.centre - centre_);
-        Entry entry{cluster, 0, 0};
-        entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
-        if (g.lean != Vec3(0)) entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
-        if (const Falloff* falloff = tree_.falloff(cluster))
-            entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
-        if (cluster.count > 1) {
-            // From everywhere in the cell, distance and height of the members differ by about this
-            // share.
-            const double spread = g.radius / std::fmax(d - radius_, g.radius);
-            entry.excess = entry.weight * spread * spread;
-        }
-        heap_.push_back(entry);
-        std::push_heap(heap_.begin(), heap_.end());
-    }
-
-    const LightTree& tree_;
-    Vec3 centre_;
-    double radius_;
-    std::vector<Entry> heap_;
-};
 
 }  // namespace
 
 LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires, const Box& cell,
                    const CutRule& rule, double unit)
     : middle_(cell.centre()), scale_(1 / unit) {
-    Refinement refinement(tree, cell);
-    refinement.refine(rule);
-    noise_ = refinement.noise();
+    RefinedCut refined = refined_cut(tree, cell, rule);
+    noise_ = refined.noise;
+    clusters_ = std::move(refined.clusters);
     const Glow all = tree.glow(tree.root());
     const double whole = all.strength * all.radius;
-    for (const auto& entry : refinement.entries()) clusters_.push_back(entry.cluster);
     rows_ = (clusters_.size() + block - 1) / block * block;
     sources_ = tree.falloff(tree.root()) != nullptr;
     values_.assign((sources_ ? source_columns : columns) * rows_, 0);
@@ -305,24 +282,45 @@ std::size_t LightCut::entry_of(std::uint32_t place) const {
     return static_cast<std::size_t>(after - clusters_.begin()) - 1;
 }
 
-void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
+struct LightCut::Rough {
+    Place place;
+    Columns columns;
+};
+
+LightCut::Rough LightCut::rough(const ShadingPoint& point) const {
     const Vec3 p = (point.position - middle_) * scale_;
-    const Place place{static_cast<float>(p.x),
-                      static_cast<float>(p.y),
-                      static_cast<float>(p.z),
-                      static_cast<float>(point.normal.x),
-                      static_cast<float>(point.normal.y),
-                      static_cast<float>(point.normal.z)};
-    const Columns c{column(x),        column(y),      column(z),      column(radius),
-                    column(strength), column(axis_x), column(axis_y), column(axis_z),
-                    column(evenness), column(half_x), column(half_y), column(half_z),
-                    column(lean_x),   column(lean_y), column(lean_z), column(lean)};
+    return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
+             static_cast<float>(point.normal.x), static_cast<float>(point.normal.y),
+             static_cast<float>(point.normal.z)},
+            {column(x), column(y), column(z), column(radius), column(strength), column(axis_x),
+             column(axis_y), column(axis_z), column(evenness), column(half_x), column(half_y),
+             column(half_z), column(lean_x), column(lean_y), column(lean_z), column(lean)}};
+}
+
+void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
     SourceColumns s{};
     if (sources_)
         s = {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)};
-    weigh_rows(c, rows_, place, {point.both_sides, turned_, sources_ ? &s : nullptr}, result);
-    result.total = 0;
-    for (std::size_t i = 0; i < rows_ / CutWeights::block; ++i) result.total += result.block_sum[i];
+    const Rough all = rough(point);
+    weigh_rows(all.columns, rows_, all.place, {point.both_sides, turned_, sources_ ? &s : nullptr},
+               result);
+    result.total = total(result, rows_);
+}
+
+void LightCut::weigh_answers(const ShadingPoint& point, const Gloss& gloss,
+                             CutWeights& result) const {
+    std::array<Peak, 2> peaks;
+    for (std::size_t i = 0; i < gloss.count; ++i) {
+        const Highlight& h = gloss.highlights[i];
+        peaks[i] = {static_cast<float>(h.axis.x), static_cast<float>(h.axis.y),
+                    static_cast<float>(h.axis.z), static_cast<float>(h.peak),
+                    static_cast<float>(h.sharpness)};
+    }
+    const Rough all = rough(point);
+    weigh_answers_of_rows(all.columns, rows_, all.place,
+                          static_cast<float>(std::fmax(gloss.dull, least_dull)),
+                          std::span(peaks).first(gloss.count), result);
+    result.total = total(result, rows_);
 }
 
 void LightCut::scale(std::span<const float> factors) {

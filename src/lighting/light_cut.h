@@ -5,12 +5,21 @@
 // chance.
 #pragma once
 
-#include "lighting/light_tree.h"
+#include "lighting/refined_cut.h"
 
-/// How fine a cut is.
-struct CutRule {
-    double noise = 0.01;  ///< variance over squared mean that the choice alone may have, unoccluded
-    int most_entries = 64;
+/// Where a surface answers light more than elsewhere: by peak / (1 + sharpness (1 - cosine) / 2)^2
+/// of light of colour 1 that makes that cosine with the axis, as facets do (GGX) and others
+/// roughly. A white diffuse surface answers by the cosine to its normal.
+struct Highlight {
+    Vec3 axis = Vec3(0);  ///< unit
+    double peak = 0, sharpness = 0;
+};
+
+/// How a surface answers light.
+struct Gloss {
+    double dull = 1;  ///< albedo of the diffuse part
+    std::array<Highlight, 2> highlights = {};
+    std::size_t count = 0;  ///< of highlights
 };
 
 /// What the entries of a cut give at a point, as if nothing were between.
@@ -37,6 +46,8 @@ public:
     std::size_t entry_of(std::uint32_t place) const;
 
     void weigh(const ShadingPoint&, CutWeights&) const;
+    /// Makes of weights at a point those of what a surface that shines sends to the viewer.
+    void weigh_answers(const ShadingPoint&, const Gloss&, CutWeights&) const;
     /// Multiplies the weights of each entry by a number above 0.
     void scale(std::span<const float> factors);
     /// The entry at which the running sum of the weights passes target, which is in [0, total).
@@ -72,6 +83,8 @@ private:
         source_columns
     };
 
+    struct Rough;
+    Rough rough(const ShadingPoint&) const;
     void fill(std::size_t entry, const Glow&);
     void fill(std::size_t entry, const Falloff&);
     float* column(Column c) { return values_.data() + c * rows_; }

@@ -21,6 +21,9 @@ constexpr int most_passed = 1000;
 /// At one hit, when the number is not the same for all.
 constexpr int most_rays = 32;
 
+/// Share of the shadow rays that surfaces which are all gloss scatter.
+constexpr double most_by_surface = 0.5;
+
 ShadingPoint point_of(const Shading& s) {
     return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
 }
@@ -82,7 +85,7 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, con
     const auto past_clear = [&](const Ray& ray, double tolerance) {
         return sight_past_clear(ray, tolerance);
     };
-    if (cuts && !set.parallel) cuts->weigh(point, past_clear, weights);
+    if (cuts && !set.parallel) cuts->weigh(point, past_clear, {}, weights);
     if (cuts && set.parallel) cuts->weigh_choice(point, weights);
     Vec3 sum(0);
     for (int i = 0; i < shadow_rays_.usual; ++i) {
@@ -188,41 +191,45 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
     return sum;
 }
 
-/// A direction from the cell's outlook, in which whatever luminaire is seen counts, or a luminaire
-/// and a point on it: weighed by the density that both ways together have for a point of a
-/// luminaire (one-sample multiple importance sampling). So a luminaire that the outlook does not
-/// know keeps its chance, and no ray is lost where luminaires hide each other.
-Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights, const Shading& s,
-                            const Key& key, RayCounts& rays) {
-    if (weights.as_scattered) {
-        const Vec3 direction = scattered(s, place_on_light(key));
-        const Vec3 answer = answer_to(world_, s, direction, key);
-        const double density = scattered_density(s, direction);
-        if (answer == Vec3(0) || !(density > 0)) return Vec3(0);
-        return seen_towards(s, direction, rays,
-                            [&](const Met&) { return answer / (pi * density); });
-    }
+/// A direction from the cell's outlook, or as a glossy surface scatters light, in which whatever
+/// luminaire is seen counts, or a luminaire and a point on it: weighed by the density that all ways
+/// together have for a point of a luminaire (one-sample multiple importance sampling). So a
+/// luminaire that the outlook does not know keeps its chance, no ray is lost where luminaires hide
+/// each other, and none glares that only a highlight shows.
+Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights,
+                            const Scattering& scattering, const Shading& s, const Key& key,
+                            RayCounts& rays) {
     const ShadingPoint point = point_of(s);
-    const double u = uniform(key, Purpose::light_choice), by_direction = weights.by_direction;
+    const double by_surface =
+        weights.as_scattered ? 1 : most_by_surface * std::sqrt(scattering.gloss());
+    const double by_outlook = (1 - by_surface) * weights.by_direction;
+    const double by_direction = by_surface + by_outlook, by_choice = 1 - by_direction;
+    const auto density = [&](const Vec3& direction) {
+        return (by_surface > 0 ? by_surface * scattering.density(direction) : 0) +
+               (by_outlook > 0 ? by_outlook * Outlook::density(weights.outlook, direction) : 0);
+    };
+    const double u = uniform(key, Purpose::light_choice);
     if (u < by_direction) {
-        const auto drawn = Outlook::draw(weights.outlook, place_on_light(key));
-        const Vec3 answer = answer_to(world_, s, drawn.direction, key);
+        const auto direction =
+            u < by_surface
+                ? scattering.draw(place_on_light(key))
+                : std::optional(Outlook::draw(weights.outlook, place_on_light(key)).direction);
+        const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
         if (answer == Vec3(0)) return Vec3(0);
-        return seen_towards(s, drawn.direction, rays, [&](const Met& met) {
+        const double of_direction = density(*direction);
+        return seen_towards(s, *direction, rays, [&](const Met& met) {
             const double of_point =
-                octree.expected(point, weights, met.light) * met.meeting.density;
-            return answer / pi / (by_direction * drawn.density + (1 - by_direction) * of_point);
+                by_choice > 0 ? octree.expected(point, weights, met.light) * met.meeting.density
+                              : 0;
+            return answer / pi / (of_direction + by_choice * of_point);
         });
     }
     picks_.clear();
-    octree.choose(point, weights, key, (u - by_direction) / (1 - by_direction), picks_);
+    octree.choose(point, weights, key, (u - by_direction) / by_choice, picks_);
     if (picks_.empty()) return Vec3(0);
     const LightPick& pick = picks_.front();
     return from_luminaire(s, pick, key, rays, [&](const LightPoint& p) {
-        const double of_point = pick.expected * p.density;
-        if (by_direction == 0) return of_point;
-        return by_direction * Outlook::density(weights.outlook, p.direction) +
-               (1 - by_direction) * of_point;
+        return density(p.direction) + by_choice * pick.expected * p.density;
     });
 }
 
@@ -282,20 +289,22 @@ Vec3 DirectLight::from_cuts(const Octree& octree, const Shading& s, const Key& k
                             RayCounts& rays) {
     Octree::Weights weights;
     const ShadingPoint point = point_of(s);
+    const Scattering scattering(s);
     octree.weigh(
-        point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); }, weights);
-    rays_here_ = rays_at(weights, s, key, rays);
+        point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); },
+        scattering.answers(), weights);
+    rays_here_ = rays_at(weights, scattering, s, key, rays);
     Vec3 sum(0);
     for (int i = 0; i < rays_here_; ++i)
-        sum += from_cell(octree, weights, s, key.part(rays_here_, i), rays);
+        sum += from_cell(octree, weights, scattering, s, key.part(rays_here_, i), rays);
     return sum;
 }
 
 /// As many as the noise that is expected here asks for; powers of two, as Sobol points like it.
-int DirectLight::rays_at(const Octree::Weights& weights, const Shading& s, const Key& key,
-                         const RayCounts& rays) {
+int DirectLight::rays_at(const Octree::Weights& weights, const Scattering& scattering,
+                         const Shading& s, const Key& key, const RayCounts& rays) {
     if (weights.noise < 0) return shadow_rays_.usual;
-    const Vec3 straight = answer_to(world_, s, s.normal, key);
+    const Vec3 straight = answer_to(world_, s, s.normal, key) + Vec3(scattering.highlights());
     const double noise = weights.noise * std::abs(grey(rays.share * straight));
     noise_.sum += noise;
     noise_.squares += noise * noise;
@@ -310,24 +319,25 @@ int DirectLight::rays_at(const Octree::Weights& weights, const Shading& s, const
 /// balance heuristic (Veach).
 Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Shading& s, const Key& key,
                             RayCounts& rays) {
-    Vec3 sum = from_surface(bvh, s, key.with_branch(1), rays);
+    const Scattering scattering(s);
+    Vec3 sum = from_surface(bvh, scattering, s, key.with_branch(1), rays);
     picks_.clear();
     bvh.choose(point_of(s), key, picks_);
     if (picks_.empty()) return sum;
     const LightPick pick = picks_.front();
     return sum + from_luminaire(s, pick, key, rays, [&](const LightPoint& point) {
-               return point.density * pick.expected + scattered_density(s, point.direction);
+               return point.density * pick.expected + scattering.density(point.direction);
            });
 }
 
-Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Shading& s, const Key& key,
-                               RayCounts& rays) {
-    const Vec3 direction = scattered(s, place_on_light(key));
-    const Vec3 answer = answer_to(world_, s, direction, key);
-    const double own = scattered_density(s, direction);
-    if (answer == Vec3(0) || !(own > 0)) return Vec3(0);
-    meet_along(bvh.tree(), s, direction);
-    const Vec3 seen = seen_along(s, direction, rays, [&](const Met& met) {
+Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Scattering& scattering,
+                               const Shading& s, const Key& key, RayCounts& rays) {
+    const auto direction = scattering.draw(place_on_light(key));
+    const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
+    if (answer == Vec3(0)) return Vec3(0);
+    const double own = scattering.density(*direction);
+    meet_along(bvh.tree(), s, *direction);
+    const Vec3 seen = seen_along(s, *direction, rays, [&](const Met& met) {
         const double other = bvh.expected(point_of(s), key, met.light) * met.meeting.density;
         return answer / (pi * (own + other));
     });
@@ -360,14 +370,16 @@ Vec3 DirectLight::from_sky(const Shading& s, const Key& key, RayCounts& rays) co
     const SkyLight& sky = world_.sky_light;
     const double u = uniform(key, Purpose::sky_choice);
     const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
-    const Vec3 direction = u < 0.5 ? sky.draw(place).direction : scattered(s, place);
-    const Vec3 answer = answer_to(world_, s, direction, key);
+    const Scattering scattering(s);
+    const auto direction =
+        u < 0.5 ? std::optional(sky.draw(place).direction) : scattering.draw(place);
+    const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
     if (answer == Vec3(0)) return Vec3(0);
     ++rays.shadow;
-    const Vec3 passed = world_.transmittance({s.position, direction}, s.tolerance, far_away);
+    const Vec3 passed = world_.transmittance({s.position, *direction}, s.tolerance, far_away);
     if (passed == Vec3(0)) return Vec3(0);
-    const double density = 0.5 * (sky.density(direction) + scattered_density(s, direction));
-    return answer * passed * world_.sky_radiance(direction) / (pi * density);
+    const double density = 0.5 * (sky.density(*direction) + scattering.density(*direction));
+    return answer * passed * world_.sky_radiance(*direction) / (pi * density);
 }
 
 Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) {

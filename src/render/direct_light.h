@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "render/scattering.h"
 #include "render/shade.h"
 #include "render/statistics.h"
 
@@ -63,19 +64,22 @@ private:
     Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&,
                         const Density&) const;
     Vec3 from_cuts(const Octree&, const Shading&, const Key&, RayCounts&);
-    Vec3 from_cell(const Octree&, const Octree::Weights&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_cell(const Octree&, const Octree::Weights&, const Scattering&, const Shading&,
+                   const Key&, RayCounts&);
     std::optional<LightSight> sight(const Ray&, double tolerance) const;
     std::optional<LightSight> sight_past_clear(const Ray&, double tolerance) const;
     template <class Weight>
     Vec3 seen_towards(const Shading&, const Vec3& direction, RayCounts&, const Weight&);
     Vec3 from_pair(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
-    Vec3 from_surface(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_surface(const BuiltLightBvh&, const Scattering&, const Shading&, const Key&,
+                      RayCounts&);
     void meet_along(const LightTree&, const Shading&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const Shading&, const Vec3& direction, RayCounts&, const Weight&) const;
     Vec3 radiance(const Luminaire&, const Vec3& position) const;
 
-    int rays_at(const Octree::Weights&, const Shading&, const Key&, const RayCounts&);
+    int rays_at(const Octree::Weights&, const Scattering&, const Shading&, const Key&,
+                const RayCounts&);
 
     const World& world_;
     ShadowRays shadow_rays_;

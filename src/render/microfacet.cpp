@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/microfacet.h"
 
+#include "base/colour.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -47,6 +49,8 @@ double reflected(double width, const Geometry& g) {
            g.light;
 }
 
+double viewer_cosine(const Shading& s) { return std::max(-dot(s.normal, s.view), 1e-4); }
+
 /// What the layers of one surface are.
 struct Layers {
     explicit Layers(const Shading& s)
@@ -86,7 +90,7 @@ Vec3 facet_response(const Shading& s, const Vec3& to_light, Lobes lobes) {
     Geometry g;
     g.light = dot(s.normal, to_light);
     if (g.light <= 1e-10) return Vec3(0);
-    g.viewer = std::max(-dot(s.normal, s.view), 1e-4);
+    g.viewer = viewer_cosine(s);
     const Vec3 facet = unit(to_light - s.view);
     g.facet = std::clamp(dot(s.normal, facet), 0.0, 1.0);
     g.between = std::clamp(dot(to_light, facet), 0.0, 1.0);
@@ -104,24 +108,53 @@ Vec3 facet_response(const Shading& s, const Vec3& to_light, Lobes lobes) {
     return sum;
 }
 
+FacetLight facet_light(const Shading& s) {
+    const Layers layers(s);
+    const Microfacet& m = layers.material;
+    const double cosine = viewer_cosine(s), coat = layers.coat(cosine);
+    const auto lobe = [](double roughness, double amount) {
+        const double w = width(roughness);
+        return FacetLight::Lobe{w, w >= narrow ? amount : 0};
+    };
+    return {(1 - coat) * (1 - m.metallic) * grey(layers.base) * s.opacity,
+            {lobe(m.roughness, (1 - coat) * grey(layers.mirror(cosine))),
+             lobe(m.coat_roughness, coat)}};
+}
+
+std::optional<Vec3> draw_mirrored(const Shading& s, double width, Vec2 place) {
+    const auto [x, y] = perpendiculars(s.normal);
+    const Vec3 viewer(-dot(x, s.view), -dot(y, s.view), viewer_cosine(s));
+    const Vec3 facet = seen_facet(viewer, width, place);
+    const double between = dot(viewer, facet);
+    const Vec3 light = 2 * between * facet - viewer;
+    if (light.z <= 0 || between <= 0) return std::nullopt;
+    return unit(light.x * x + light.y * y + light.z * s.normal);
+}
+
+double mirrored_density(const Shading& s, double width, const Vec3& to_light) {
+    const double cosine = std::clamp(dot(s.normal, unit(to_light - s.view)), 0.0, 1.0);
+    return density(width, cosine) * unhidden(width, viewer_cosine(s)) / 2;
+}
+
+double mirrored_peak(const Shading& s, double width) {
+    const double cosine = viewer_cosine(s);
+    return reflected(width, {cosine, cosine, 1, cosine});
+}
+
 std::optional<Scattered> scatter(const Shading& s, double choice, Vec2 place) {
     const Layers layers(s);
-    const double cosine = std::max(-dot(s.normal, s.view), 1e-4);
+    const double cosine = viewer_cosine(s);
     const double coat = layers.coat(cosine);
     const double by_coat = coat / (coat + max_component(layers.mirror(cosine)) + 1e-9);
     const bool on_coat = choice < by_coat;
     const double w = width(on_coat ? layers.material.coat_roughness : layers.material.roughness);
-    const auto [x, y] = perpendiculars(s.normal);
-    const Vec3 viewer = Vec3(-dot(x, s.view), -dot(y, s.view), cosine);
-    const Vec3 facet = seen_facet(viewer, w, place);
-    const double between = dot(viewer, facet);
-    const Vec3 light = 2 * between * facet - viewer;
-    if (light.z <= 0 || between <= 0) return std::nullopt;
+    const auto direction = draw_mirrored(s, w, place);
+    if (!direction) return std::nullopt;
+    const double between = dot(*direction, unit(*direction - s.view));
     // Drawn as seen, what is left of the light is Fresnel's share and what facets hide of it.
-    const double unseen = 2 * light.z * unhidden(w, light.z);
+    const double up = std::max(dot(*direction, s.normal), 0.0), unseen = 2 * up * unhidden(w, up);
     const Vec3 share = on_coat
                            ? Vec3(layers.coat(between) / by_coat)
                            : layers.mirror(between) * ((1 - layers.coat(between)) / (1 - by_coat));
-    return Scattered{unit(light.x * x + light.y * y + light.z * s.normal), share * unseen,
-                     w < narrow};
+    return Scattered{*direction, share * unseen, w < narrow};
 }

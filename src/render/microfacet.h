@@ -6,6 +6,9 @@
 
 #include "render/shade.h"
 
+#include <array>
+#include <optional>
+
 /// What light is asked for.
 enum class Lobes {
     all,
@@ -15,6 +18,24 @@ enum class Lobes {
 /// Radiance towards the viewer by light of colour 1 from a unit direction, in the sense of
 /// response(). Precondition of all functions here: the finish has facets.
 Vec3 facet_response(const Shading&, const Vec3& to_light, Lobes);
+
+/// What goes to the viewer of light of colour 1 that comes from everywhere, roughly, as a share: by
+/// the diffuse base, and by the wide lobes (0: there is none).
+struct FacetLight {
+    struct Lobe {
+        double width, amount;
+    };
+    double base;
+    std::array<Lobe, 2> wide;
+};
+FacetLight facet_light(const Shading&);
+
+/// A direction from which facets of that width mirror light to the viewer, with the density per
+/// steradian that this has. Nothing when the facets reflect into the surface.
+std::optional<Vec3> draw_mirrored(const Shading&, double width, Vec2 place);
+double mirrored_density(const Shading&, double width, const Vec3& to_light);
+/// facet_response() by such facets for light from the mirrored view, if they reflect all of it.
+double mirrored_peak(const Shading&, double width);
 
 /// A direction from which light is reflected, and by what its radiance is multiplied.
 struct Scattered {

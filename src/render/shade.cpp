@@ -119,22 +119,6 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
     return result;
 }
 
-Vec3 scattered(const Shading& s, Vec2 u) {
-    Vec3 normal = s.normal;
-    if (s.both_sides) {
-        if (u.x >= 0.5) normal = -normal;
-        u.x = u.x < 0.5 ? 2 * u.x : 2 * u.x - 1;
-    }
-    const auto [x, y] = perpendiculars(normal);
-    const double across = std::sqrt(u.x), angle = 2 * pi * u.y;
-    return across * (std::cos(angle) * x + std::sin(angle) * y) + std::sqrt(1 - u.x) * normal;
-}
-
-double scattered_density(const Shading& s, const Vec3& direction) {
-    const double cosine = dot(s.normal, direction);
-    return s.both_sides ? std::abs(cosine) / (2 * pi) : std::fmax(cosine, 0) / pi;
-}
-
 Vec3 reflectivity(const Shading& s, double ior_ratio) {
     const Reflection& r = s.finish->reflection;
     if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);

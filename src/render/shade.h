@@ -63,12 +63,6 @@ Vec3 iridescence(const World&, const Shading&, const Vec3& direction);
 /// `grain` is a random number for `crand`, the same for all channels.
 Vec3 response(const Shading&, const Vec3& to_light, bool highlights, double grain = 0);
 
-/// A direction as a diffuse surface scatters it, in proportion to the cosine; u is in [0, 1)^2.
-Vec3 scattered(const Shading&, Vec2 u);
-
-/// Probability per steradian of that direction.
-double scattered_density(const Shading&, const Vec3& direction);
-
 /// Share of unpolarised light that a smooth surface reflects; n is the index of refraction behind
 /// it over the one in front.
 double fresnel(double cosine, double n);

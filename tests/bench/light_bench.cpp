@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What light costs: noise, CPU time and memory of the light samplers on scenes with few to a
 // million luminaires, all in one run. Run by hand; names of rows choose some:
-//   light_bench [flake] [city] [growth] [room] [sources] [sun] [horizon] [figure2] [figure5]
-//   [million]
+//   light_bench [flake] [city] [growth] [room] [glossy] [sources] [sun] [horizon] [figure2]
+//   [figure5] [million]
 // Noise is that of two pictures with different seeds against each other, so no converged picture is
 // needed: half of their mean squared difference is the variance of a pixel. Figures of a row are
 // comparable with each other; times are CPU seconds of rendering in one thread.
@@ -93,6 +93,23 @@ void growth() {
         windows.push_back({{"Blocks", 100.0}, {"Lit", lit}});
     row("city, more houses", houses);
     row("city, more windows lit", windows);
+}
+
+/// Luminaires beside surfaces that shine: a flake, and many small lamps.
+void glossy() {
+    const std::vector<Strategy> strategies = {{"light_bvh { mis }", pair()},
+                                              {"light_bvh { mis }, 4", pair(), 4, 4},
+                                              {"light_octree", octree()},
+                                              {"light_octree, as pays", octree(), 4, 0}};
+    const char* kinds[] = {"metal", "facets", "highlights", "highlights only"};
+    for (int kind = 0; kind < 4; ++kind) {
+        const Declares flake = {{"Kind", static_cast<double>(kind)}};
+        Declares lamps = flake;
+        lamps.emplace_back("Lamps", 3000.0);
+        compare(kinds[kind], "tests/bench/glossy.pov", flake, strategies, 200);
+        compare(kinds[kind] + std::string(", lamps"), "tests/bench/glossy.pov", lamps, strategies,
+                200);
+    }
 }
 
 /// 10,000 light sources, and as many glowing spheres in their places.
@@ -264,9 +281,9 @@ void million() {
 
 int main(int argc, char** argv) {
     const std::vector<std::pair<std::string, void (*)()>> rows = {
-        {"flake", flake},     {"city", city},      {"growth", growth},   {"room", room},
-        {"sources", sources}, {"sun", sun},        {"horizon", horizon}, {"figure2", figure2},
-        {"figure5", figure5}, {"million", million}};
+        {"flake", flake},     {"city", city},       {"growth", growth},  {"room", room},
+        {"glossy", glossy},   {"sources", sources}, {"sun", sun},        {"horizon", horizon},
+        {"figure2", figure2}, {"figure5", figure5}, {"million", million}};
     const std::vector<std::string> wanted(argv + 1, argv + argc);
     for (const auto& [name, run] : rows)
         if (wanted.empty() || std::ranges::find(wanted, name) != wanted.end()) run();

@@ -115,7 +115,7 @@ TEST_CASE("a cell that several threads survey at a time counts once", "[lighting
             Draw draw(5);
             for (int i = 0; i < 100; ++i) {
                 BuiltCutOctree::Weights weights;
-                built.weigh(street.point(draw), dark, weights);
+                built.weigh(street.point(draw), dark, {}, weights);
             }
         };
         std::vector<std::thread> asking;

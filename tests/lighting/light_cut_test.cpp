@@ -79,6 +79,41 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     }
 }
 
+TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
+    std::vector<Luminaire> luminaires;
+    Draw draw(6);
+    for (int i = 0; i < 60; ++i)
+        luminaires.push_back(glowing(SphereEmitter{draw.point(5), 0.01}, 1));
+    const LightTree tree(luminaires);
+    const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
+    REQUIRE(cut.entries() == 60);
+    for (int i = 0; i < 100; ++i) {
+        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        Gloss gloss{
+            0.3, {Highlight{draw.direction(), 0.5, 40}, Highlight{draw.direction(), 5, 900}}, 2};
+        CutWeights weights, plain;
+        cut.weigh(point, plain);
+        weights = plain;
+        cut.weigh_answers(point, gloss, weights);
+        double sum = 0;
+        for (std::size_t entry = 0; entry < 60; ++entry) {
+            const LightBounds b = bounds(luminaires[tree.light(cut.cluster(entry).first)]);
+            const Vec3 direction = unit(b.centre - point.position);
+            const double cosine = std::abs(dot(direction, point.normal));
+            double answer = gloss.dull;
+            for (const Highlight& h : gloss.highlights) {
+                const double fallen = 1 + h.sharpness * (1 - dot(h.axis, direction)) / 2;
+                answer += h.peak / (fallen * fallen * cosine);
+            }
+            sum += weights.weight[entry];
+            CHECK((weights.weight[entry] > 0) == (plain.weight[entry] > 0));
+            if (cosine > 0.1)
+                CHECK(weights.weight[entry] == Approx(answer * plain.weight[entry]).epsilon(0.02));
+        }
+        CHECK(weights.total == Approx(sum));
+    }
+}
+
 TEST_CASE("an entry that leans weighs less behind itself, but something everywhere", "[lighting]") {
     for (const int kind : {0, 3}) {
         Draw draw(4);

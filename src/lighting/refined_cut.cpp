@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/refined_cut.h"
+
+#include "lighting/light_cut.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Single luminaires that outshine all clusters so many times are left out when the noise of these
+/// is judged: they may turn out to be hidden.
+constexpr double outshining = 20;
+
+/// A cluster as a point of the cell sees it, roughly.
+struct Entry {
+    LightCluster cluster;
+    double weight = 0;
+    double excess = 0;  ///< what it adds to the variance of the choice
+
+    bool operator<(const Entry& other) const {
+        return excess != other.excess ? excess < other.excess : cluster.first > other.cluster.first;
+    }
+};
+
+class Refinement {
+public:
+    Refinement(const LightTree& tree, const Box& cell)
+        : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
+
+    void refine(const CutRule& rule) {
+        const auto most = std::min(static_cast<std::size_t>(rule.most_entries), CutWeights::most);
+        add(tree_.root());
+        // A block of entries takes the same time whether it is full or not.
+        while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
+            std::pop_heap(heap_.begin(), heap_.end());
+            const Entry coarse = heap_.back();
+            if (coarse.excess <= 0) break;
+            heap_.pop_back();
+            const auto [first, second] = tree_.halves(coarse.cluster);
+            add(first);
+            add(second);
+        }
+        std::ranges::sort(heap_, {}, [](const Entry& e) { return e.cluster.first; });
+    }
+    const std::vector<Entry>& entries() const { return heap_; }
+    double noise() const {
+        double clusters = 0, singles = 0, excess = 0;
+        for (const Entry& e : heap_) {
+            if (e.cluster.count > 1) clusters += e.weight;
+            excess += e.excess;
+        }
+        for (const Entry& e : heap_)
+            if (e.cluster.count == 1 && e.weight < outshining * clusters) singles += e.weight;
+        return excess > 0 ? excess / (clusters + singles) : 0;
+    }
+
+private:
+    void add(const LightCluster& cluster) {
+        if (tree_.dark(cluster)) return;
+        const Glow g = tree_.glow(cluster);
+        const double d = length(g.centre - centre_);
+        Entry entry{cluster, 0, 0};
+        entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
+        if (g.lean != Vec3(0)) entry.weight *= turned(g, g.centre - centre_, radius_ + g.radius);
+        if (const Falloff* falloff = tree_.falloff(cluster))
+            entry.weight *= against_square_law(*falloff, g.centre - centre_, radius_ + g.radius);
+        if (cluster.count > 1) {
+            // From everywhere in the cell, distance and height of the members differ by about this
+            // share.
+            const double spread = g.radius / std::fmax(d - radius_, g.radius);
+            entry.excess = entry.weight * spread * spread;
+        }
+        heap_.push_back(entry);
+        std::push_heap(heap_.begin(), heap_.end());
+    }
+
+    const LightTree& tree_;
+    Vec3 centre_;
+    double radius_;
+    std::vector<Entry> heap_;
+};
+
+}  // namespace
+
+RefinedCut refined_cut(const LightTree& tree, const Box& cell, const CutRule& rule) {
+    Refinement refinement(tree, cell);
+    refinement.refine(rule);
+    RefinedCut result{{}, refinement.noise()};
+    for (const Entry& entry : refinement.entries()) result.clusters.push_back(entry.cluster);
+    return result;
+}
