@@ -6,6 +6,7 @@
 #include "luminaire/guide.h"
 #include "shape/tessellation.h"
 
+#include <map>
 #include <numbers>
 
 namespace {
@@ -51,6 +52,10 @@ Vec3 in_cone(const Vec3& middle, double widest, const Vec2& u) {
 /// with it.
 constexpr double astray = 0.125, guided = 1 - astray;
 
+/// Of luminaires whose glow varies: triangles have no edge longer than this share of the size, and
+/// have so much of the luminance from those around them.
+constexpr double longest_edge = 1.0 / 12, neighbours = 0.25;
+
 /// Of a direction that meets the leaf, which is within the ball.
 double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
                const Vec3& direction) {
@@ -93,40 +98,136 @@ Mesh grown(Mesh mesh, double by) {
     return mesh;
 }
 
-/// Triangles that nearly all rays meet which meet the leaf, as coarse as can be. What they do not
-/// cover makes noise, what they cover beyond it costs rays.
-Handle<Guide> guide_to(const CompositeEmitter& e, const Around& ball, const Survey& survey) {
-    Handle<Guide> best;
+/// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
+/// with so many cells that does. What they do not cover makes noise, what they cover beyond it
+/// costs rays.
+void guide(CompositeEmitter& e, const Around& ball, const Survey& survey,
+           std::initializer_list<int> cell_numbers, FunctionRef<Guide(const Mesh&)> make) {
     double most = 0.9;
-    for (const int cells : {12, 24, 48}) {
+    for (const int cells : cell_numbers) {
         const Mesh mesh = seen_tessellation(*e.composite, e.leaf, cells);
         if (mesh.faces.empty()) continue;
-        Guide guide(grown(mesh, ball.radius / (6 * cells)));
-        const auto covered = std::ranges::count_if(survey.met, [&](const Ray& ray) {
-            return guide.density(ray.origin, ray.direction) > 0;
-        });
+        Guide made = make(grown(mesh, ball.radius / (6 * cells)));
+        const auto covered =
+            std::ranges::count_if(survey.met, [&](const Ray& ray) { return made.met_by(ray); });
         const double reached =
             static_cast<double>(covered) / static_cast<double>(survey.met.size());
         if (reached > most) {
             most = reached;
-            best = make_handle<Guide>(std::move(guide));
+            e.guide = make_handle<Guide>(std::move(made));
         }
         if (most >= 0.97) break;
     }
-    return best;
 }
+
+/// The mesh with its long triangles divided, so that no edge is longer.
+Mesh divided(const Mesh& mesh, double longest) {
+    Mesh result;
+    result.vertices = mesh.vertices;
+    std::vector<Face> left = mesh.faces;
+    std::map<std::pair<int, int>, int> middles;
+    while (!left.empty()) {
+        const Face f = left.back();
+        left.pop_back();
+        const auto length_from = [&](std::size_t i) {
+            return length(result.vertices[static_cast<std::size_t>(f[(i + 1) % 3])] -
+                          result.vertices[static_cast<std::size_t>(f[i])]);
+        };
+        const std::size_t at = length_from(0) > length_from(1)
+                                   ? (length_from(0) > length_from(2) ? 0 : 2)
+                                   : (length_from(1) > length_from(2) ? 1 : 2);
+        if (!(length_from(at) > longest)) {
+            result.faces.push_back(f);
+            continue;
+        }
+        const int first = f[at], second = f[(at + 1) % 3], other = f[(at + 2) % 3];
+        const auto [place, fresh] = middles.try_emplace(std::minmax(first, second),
+                                                        static_cast<int>(result.vertices.size()));
+        if (fresh)
+            result.vertices.push_back(0.5 * (result.vertices[static_cast<std::size_t>(first)] +
+                                             result.vertices[static_cast<std::size_t>(second)]));
+        left.push_back({first, place->second, other});
+        left.push_back({place->second, second, other});
+    }
+    return result;
+}
+
+/// What is found at some points of each face.
+struct Brightnesses {
+    std::vector<double> mean;    ///< luminance
+    std::vector<double> square;  ///< mean of its square, and some of what the neighbours have:
+                                 ///< bright spots reach into faces whose points miss them
+
+    Brightnesses(const Mesh& mesh, FunctionRef<double(const Vec3&)> luminance) {
+        const auto at = [](int i) { return static_cast<std::size_t>(i); };
+        std::vector<double> around(mesh.vertices.size(), 0), count(mesh.vertices.size(), 0);
+        for (const Face& f : mesh.faces) {
+            const Vec3 a = mesh.vertices[at(f[0])], b = mesh.vertices[at(f[1])],
+                       c = mesh.vertices[at(f[2])];
+            double sum = 0, squares = 0;
+            for (const Vec3& p : {(a + b + c) / 3.0, (4.0 * a + b + c) / 6.0,
+                                  (a + 4.0 * b + c) / 6.0, (a + b + 4.0 * c) / 6.0}) {
+                const double l = std::fmax(luminance(p), 0);
+                sum += l / 4;
+                squares += l * l / 4;
+            }
+            mean.push_back(sum);
+            square.push_back(squares);
+            for (const int corner : f) {
+                around[at(corner)] += squares;
+                count[at(corner)] += 1;
+            }
+        }
+        for (std::size_t i = 0; i < square.size(); ++i) {
+            double beside = 0;
+            for (const int corner : mesh.faces[i]) beside += around[at(corner)] / count[at(corner)];
+            square[i] = (1 - neighbours) * square[i] + neighbours * beside / 3;
+        }
+    }
+};
+
+/// An emitter without a guide yet, and the rays that it was measured by.
+struct Measured {
+    CompositeEmitter emitter;
+    Around ball;
+    Survey survey;
+
+    Measured(Handle<Composite> composite, std::uint32_t leaf)
+        : emitter{std::move(composite), leaf, 0}, ball(emitter), survey(emitter, ball) {
+        const auto met = static_cast<double>(survey.met.size());
+        emitter.seen_area = std::fmax(met, 0.5) / Survey::rays * pi * ball.radius * ball.radius;
+    }
+};
 
 }  // namespace
 
 CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t leaf, bool guided) {
-    CompositeEmitter e{std::move(composite), leaf, 0};
-    const Around ball(e);
-    const Survey survey(e, ball);
-    const auto met = static_cast<double>(survey.met.size());
-    e.seen_area = std::fmax(met, 0.5) / Survey::rays * pi * ball.radius * ball.radius;
+    Measured made(std::move(composite), leaf);
+    const auto met = static_cast<double>(made.survey.met.size());
     // What nearly fills the cone is found there soon enough.
-    if (guided && met > 0 && met < 0.75 * Survey::rays) e.guide = guide_to(e, ball, survey);
-    return e;
+    if (guided && met > 0 && met < 0.75 * Survey::rays)
+        guide(made.emitter, made.ball, made.survey, {12, 24, 48},
+              [](const Mesh& mesh) { return Guide(mesh); });
+    return made.emitter;
+}
+
+CompositeEmitter bright_composite_emitter(Handle<Composite> composite, std::uint32_t leaf,
+                                          FunctionRef<double(const Vec3&)> luminance) {
+    Measured made(std::move(composite), leaf);
+    if (made.survey.met.empty()) return made.emitter;
+    guide(made.emitter, made.ball, made.survey, {64, 32}, [&](const Mesh& coarse) {
+        const Mesh mesh = divided(coarse, longest_edge * made.ball.radius);
+        const Brightnesses found(mesh, luminance);
+        const double area = MeshArea(mesh).total(), sum = MeshArea(mesh, found.mean).total();
+        if (!(sum > 0)) return Guide(mesh);
+        made.emitter.mean = sum / area;
+        made.emitter.unevenness = MeshArea(mesh, found.square).total() * area / (sum * sum);
+        // What the least noise asks for where the luminance changes within a face.
+        std::vector<double> worth;
+        for (const double square : found.square) worth.push_back(std::sqrt(square));
+        return Guide(mesh, std::move(worth));
+    });
+    return made.emitter;
 }
 
 LightBounds bounds(const CompositeEmitter& e, double luminance) {

@@ -11,6 +11,11 @@
 /// milliseconds and some hundred kilobytes.
 CompositeEmitter composite_emitter(Handle<Composite>, std::uint32_t leaf, bool guided = true);
 
+/// Of a luminaire whose glow varies: the triangles are smaller, and looked at as much as they are
+/// bright. `luminance` is asked at points near the surface. Some megabytes.
+CompositeEmitter bright_composite_emitter(Handle<Composite>, std::uint32_t leaf,
+                                          FunctionRef<double(const Vec3&)> luminance);
+
 LightBounds bounds(const CompositeEmitter&, double luminance);
 double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);

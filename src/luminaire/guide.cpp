@@ -3,12 +3,21 @@
 
 #include "shape/area.h"
 
-Guide::Guide(const Mesh& mesh) : mesh_(build(mesh)), area_(mesh) {}
+Guide::Guide(const Mesh& mesh, std::vector<double> luminance)
+    : mesh_(build(mesh)), luminance_(std::move(luminance)), area_(mesh, luminance_) {}
 
 Vec3 Guide::point(const Vec2& u) const {
     const auto [number, part] = area_.at(u.x);
     const auto [a, b, c] = face(*mesh_.mesh, number).corners;
     return sample_area(Triangle{a, b, c}, {part, u.y}).position;
+}
+
+bool Guide::met_by(const Ray& ray) const {
+    Crossings met;
+    crossings(mesh_, ray, met);
+    for (std::size_t i = 0; i < met.size(); ++i)
+        if (met[i].t > 0) return true;
+    return false;
 }
 
 double Guide::density(const Vec3& from, const Vec3& direction) const {
@@ -17,7 +26,9 @@ double Guide::density(const Vec3& from, const Vec3& direction) const {
     double sum = 0;
     for (std::size_t i = 0; i < met.size(); ++i) {
         const double seen = std::abs(dot(met[i].normal, direction));
-        if (met[i].t > 0 && seen > 0) sum += met[i].t * met[i].t / seen;
+        if (!(met[i].t > 0 && seen > 0)) continue;
+        const double counts = luminance_.empty() ? 1 : luminance_[met[i].part];
+        sum += counts * met[i].t * met[i].t / seen;
     }
     return sum / area_.total();
 }

@@ -21,9 +21,10 @@ constexpr double least_mean = 1e-3;
 
 /// What the luminance of the brightest point must be multiplied by to have the mean.
 double mean_share(const Luminaire& luminaire) {
-    if (!luminaire.brightness) return 1;
-    return std::clamp(luminaire.brightness->mean() / luminance(luminaire.radiance), least_mean,
-                      1.0);
+    const auto* e = std::get_if<CompositeEmitter>(&luminaire.emitter);
+    if (!luminaire.brightness && !(e && e->mean)) return 1;
+    const double mean = luminaire.brightness ? luminaire.brightness->mean() : *e->mean;
+    return std::clamp(mean / luminance(luminaire.radiance), least_mean, 1.0);
 }
 
 std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const ShadingPoint& point,

@@ -56,9 +56,11 @@ class Guide;
 /// Any other shape, whole or cut by others.
 struct CompositeEmitter {
     Handle<Composite> composite;
-    std::uint32_t leaf = 0;         ///< of the composite: the part that glows
-    double seen_area = 0;           ///< the area of its shadow, on average over all directions
-    Handle<Guide> guide = nullptr;  ///< where most of its points are looked for; null: all around
+    std::uint32_t leaf = 0;           ///< of the composite: the part that glows
+    double seen_area = 0;             ///< the area of its shadow, on average over all directions
+    Handle<Guide> guide = nullptr;    ///< where most of its points are looked for; null: all around
+    std::optional<double> mean = {};  ///< luminance over the surface, if the guide knows it
+    double unevenness = 1;  ///< of luminance: the mean of its square over the square of its mean
 };
 
 /// A light source of POV-Ray's, which has no size: all its light comes through a ball, of whose

@@ -3,11 +3,12 @@
 
 #include "shape/area.h"
 
-MeshArea::MeshArea(const Mesh& mesh) {
+MeshArea::MeshArea(const Mesh& mesh, std::span<const double> worth) {
     double sum = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         const auto [a, b, c] = face(mesh, i).corners;
-        sums_.push_back(sum += surface_area(Triangle{a, b, c}));
+        sum += surface_area(Triangle{a, b, c}) * (worth.empty() ? 1 : worth[i]);
+        sums_.push_back(sum);
     }
 }
 

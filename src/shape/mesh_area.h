@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The area of a mesh, face after face: for points that are spread evenly over it. Called for the
-// guides of luminaires and where the language scatters points.
+// The area of a mesh, face after face: for points that are spread over it, evenly or as much as
+// each face is worth. Called for the guides of luminaires and where the language scatters points.
 #pragma once
 
 #include "base/running_sums.h"
@@ -8,7 +8,8 @@
 
 class MeshArea {
 public:
-    explicit MeshArea(const Mesh&);
+    /// `worth`: how much each face's area counts, 0 or more; none: 1 of all.
+    explicit MeshArea(const Mesh&, std::span<const double> worth = {});
 
     double total() const { return sums_.empty() ? 0 : sums_.back(); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/emitters.h"
 
+#include "luminaire/brightness.h"
 #include "luminaire/composite.h"
 #include "shape/area.h"
 
@@ -11,11 +12,26 @@ namespace {
 /// So many luminaires without a formula may take some time and memory.
 constexpr int most_guides = 64;
 
+/// From here on cylinders and cones whose glow varies get a guide to where they are bright in the
+/// place of their formula. (Spheres keep theirs: points nearby see little of them, which the
+/// formula knows and a guide does not.)
+constexpr double uneven = 3;
+
 class Emitters {
 public:
     explicit Emitters(const World& world) : world_(world) {}
 
-    Emitter of(const GlowingPrimitive& glow) {
+    Emitter of(const GlowingPrimitive& glow, const Luminaire& look) {
+        const Emitter plain = by_shape(glow, look);
+        if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
+            !flat_faces(plain).empty())
+            return plain;
+        CompositeEmitter bright = alone(world_.shapes[glow.index], look);
+        return bright.guide && bright.unevenness > uneven ? Emitter(std::move(bright)) : plain;
+    }
+
+private:
+    Emitter by_shape(const GlowingPrimitive& glow, const Luminaire& look) {
         switch (glow.kind) {
             case PrimitiveKind::sphere: {
                 const SpherePrimitive& s = world_.spheres[glow.index];
@@ -28,21 +44,30 @@ public:
             case PrimitiveKind::leaf: {
                 const PlacedComposite& placed = world_.composites[world_.composite_of[glow.index]];
                 const PrimitiveIndex leaf = world_.leaves_begin() + glow.index;
-                return composite_emitter(placed.composite, leaf - placed.first_leaf, may_guide());
+                return composite(placed.composite, leaf - placed.first_leaf, look);
             }
             case PrimitiveKind::shape:
                 break;
         }
         const PlacedShape& placed = world_.shapes[glow.index];
         if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
-        CompositeBuilder builder;
-        const PartRef alone = builder.add({placed.shape, placed.transform});
-        return composite_emitter(make_handle<Composite>(builder.finish(alone)), alone.index,
-                                 may_guide());
+        return alone(placed, look);
     }
 
-private:
-    bool may_guide() { return guides_left_ > 0 && guides_left_-- > 0; }
+    CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
+        CompositeBuilder builder;
+        const PartRef part = builder.add({placed.shape, placed.transform});
+        return composite(make_handle<Composite>(builder.finish(part)), part.index, look);
+    }
+
+    CompositeEmitter composite(Handle<Composite> whole, std::uint32_t leaf, const Luminaire& look) {
+        const bool guided = guides_left_ > 0;
+        if (guided) --guides_left_;
+        if (!guided || !look.varying) return composite_emitter(std::move(whole), leaf, guided);
+        return bright_composite_emitter(std::move(whole), leaf, [&](const Vec3& point) {
+            return luminance(world_.emission(look.primitive, point));
+        });
+    }
 
     const World& world_;
     int guides_left_ = most_guides;
@@ -68,9 +93,9 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing,
     Emitters emitters(world);
     for (const GlowingPrimitive& glow : glowing) {
         Luminaire luminaire;
-        luminaire.emitter = emitters.of(glow);
         luminaire.primitive = primitive(world, glow.kind, glow.index);
         set_radiance(world, luminaire);
+        luminaire.emitter = emitters.of(glow, luminaire);
         if (emitting_area(luminaire.emitter) > 0) {
             world.luminaires.push_back(std::move(luminaire));
             world.statement_of_luminaire.push_back(glow.statement);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/brightness.h"
 
+#include "luminaire/composite.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
@@ -28,14 +29,17 @@ struct Moments {
     double mean = 0, relative_variance = 0;
 };
 /// Of the light that samples bring to a point.
-Moments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps) {
+Moments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps,
+                FunctionRef<double(const Vec3&)> glow = pattern) {
     double sum = 0, squares = 0;
+    Draw draw(5);
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
-            const auto s = sample(luminaire, point, {(i + 0.5) / steps, (j + 0.5) / steps});
+            const auto s = sample(luminaire, point,
+                                  {(i + draw.number()) / steps, (j + draw.number()) / steps});
             if (!s) continue;
             const double light =
-                pattern(s->position) * std::fmax(dot(s->direction, point.normal), 0) / s->density;
+                glow(s->position) * std::fmax(dot(s->direction, point.normal), 0) / s->density;
             sum += light;
             squares += light * light;
         }
@@ -68,6 +72,35 @@ TEST_CASE("a screen with few bright spots makes little noise, and the same light
             CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
             CHECK(even.relative_variance > 20 * mapped.relative_variance);
         }
+}
+
+TEST_CASE("a curved lamp with few bright spots makes less noise, and the same light",
+          "[luminaire][claim-26]") {
+    const auto spots = [](const Vec3& p) { return std::cos(9 * p.x) * std::cos(9 * p.y) > 0.9; };
+    const auto glow = [&](const Vec3& p) { return spots(p) ? 100 : 0.01; };
+    // Of a torus much is hidden behind itself from everywhere, bright or not.
+    const std::vector<std::pair<BuiltShape, double>> shapes = {
+        {built(Sphere{Vec3(0), 1}), 4},
+        {built(Cylinder{Vec3(-1, 0, 0), Vec3(1, 0.3, 0), 0.6, false}), 4},
+        {built(Cone{Vec3(0, -1, 0), 1, Vec3(0, 1, 0), 0.3, false}), 3},
+        {built(Torus{1, 0.4}), 1.3}};
+    for (const auto& [shape, gain] : shapes) {
+        CompositeBuilder builder;
+        const PartRef part = builder.add({shape, {}});
+        const auto whole = make_handle<Composite>(builder.finish(part));
+        const Luminaire known = glowing(bright_composite_emitter(whole, part.index, glow), 100),
+                        unknown = glowing(composite_emitter(whole, part.index), 100);
+        CHECK(std::get<CompositeEmitter>(known.emitter).unevenness > 10);
+        CHECK(bounds(known).intensity < 0.1 * bounds(unknown).intensity);
+        for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5)}) {
+            const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
+            const Moments even = moments(unknown, point, 1000, glow),
+                          mapped = moments(known, point, 500, glow);
+            CAPTURE(shape.index(), place.x, even.relative_variance, mapped.relative_variance);
+            CHECK(mapped.mean == Approx(even.mean).epsilon(0.03));
+            CHECK(even.relative_variance > gain * mapped.relative_variance);
+        }
+    }
 }
 
 TEST_CASE("points of a screen are met again with the density that they were drawn with",

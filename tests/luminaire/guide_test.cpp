@@ -33,3 +33,26 @@ TEST_CASE("a guide's points lie evenly on its triangles", "[luminaire]") {
     }
     CHECK(on_ends == Approx(2000).epsilon(0.1));  // 2 of 14
 }
+
+TEST_CASE("a guide looks where it is told that the surface is bright", "[luminaire]") {
+    const Mesh mesh = tessellation(built(Sphere{Vec3(0), 1}), 16);
+    std::vector<double> luminance;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i)
+        luminance.push_back(face(mesh, i).corners[0].x > 0.5 ? 8 : 1);
+    const Guide guide(mesh, luminance);
+    Draw draw(3);
+    const Vec3 from(0.5, 2, 0.3);
+    double by_points = 0, by_directions = 0;
+    int bright = 0;
+    constexpr int count = 40000;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 p = guide.point({draw.number(), draw.number()});
+        bright += p.x > 0.5;
+        const double density = guide.density(from, unit(p - from));
+        if (density > 0) by_points += 1 / density / count;
+        by_directions += (guide.density(from, draw.direction()) > 0) * 4 * std::numbers::pi / count;
+    }
+    CHECK(by_points == Approx(by_directions).epsilon(0.05));
+    // A quarter of the sphere has eight times the rest's luminance.
+    CHECK(bright == Approx(count * 8.0 / 11).epsilon(0.08));
+}
