@@ -3,6 +3,7 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
 void run_on_threads(int threads, const std::function<void()>& work) {
+    if (threads == 1) return work();
     // More threads than cores gain nothing, and very many would only wait for each other.
     threads = threads <= 0 ? core_count() : std::min(threads, 4 * core_count());
     using Control = oneapi::tbb::global_control;
@@ -19,7 +21,21 @@ void run_on_threads(int threads, const std::function<void()>& work) {
 }
 
 void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job) {
+    if (threads == 1) {
+        for (std::size_t i = 0; i < count; ++i) job(i);
+        return;
+    }
     run_on_threads(threads, [&] {
         oneapi::tbb::parallel_for(std::size_t{0}, count, job, oneapi::tbb::simple_partitioner());
     });
+}
+
+void run_both(int threads, const std::function<void()>& first,
+              const std::function<void()>& second) {
+    if (threads == 1) {
+        first();
+        second();
+    } else {
+        oneapi::tbb::parallel_invoke(first, second);
+    }
 }

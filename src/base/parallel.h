@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs independent jobs on several threads. Nothing that a caller can observe depends on their
-// number.
+// number. With one thread TBB is not even started: its search for helpers takes longer than small
+// scenes do.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +11,12 @@
 /// must not touch each other's data.
 void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job);
 
-/// Calls work once; parallel work that it starts, in whatever way, runs on that many threads.
+/// Calls work once; what it runs by run_both() uses that many threads.
 void run_on_threads(int threads, const std::function<void()>& work);
+
+/// Calls both, side by side unless `threads` is 1. Called inside of run_on_threads() with the same
+/// number of threads.
+void run_both(int threads, const std::function<void()>& first, const std::function<void()>& second);
 
 /// The number of threads that `threads` = 0 stands for.
 int core_count();

@@ -6,8 +6,6 @@
 #include "base/page_advice.h"
 #include "base/parallel.h"
 
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -25,6 +23,7 @@ struct Task {
     const ClipItem& clip_item;
     KdTreeSettings settings;
     double slack;
+    int threads;
 };
 
 Box grown(const Box& box, double by) { return {box.low - Vec3(by), box.high + Vec3(by)}; }
@@ -240,7 +239,8 @@ std::pair<Prospect, Prospect> Subtree::fork(std::uint32_t children, Halves halve
                                             const std::pair<Box, Box>& cells, Allowance allowance) {
     std::optional<Subtree> lower;
     std::optional<Subtree> upper;
-    oneapi::tbb::parallel_invoke(
+    run_both(
+        task_.threads,
         [&] { lower.emplace(task_, std::move(halves.below), cells.first, allowance); },
         [&] { upper.emplace(task_, std::move(halves.above), cells.second, allowance); });
     const std::pair found{lower->prospect(), upper->prospect()};
@@ -321,7 +321,7 @@ KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
         0x1p-46 * std::max(max_abs_component(bounds.low), max_abs_component(bounds.high));
     bounds = grown(bounds, 2 * slack);
     const Allowance allowance{depth_for(fragments.size(), settings), settings.max_duplication};
-    const Task task{clip_item, settings, slack};
+    const Task task{clip_item, settings, slack, threads};
     std::optional<Subtree> tree;
     run_on_threads(threads, [&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
     return KdTree(bounds, tree->take_nodes(), tree->take_items(), settings);

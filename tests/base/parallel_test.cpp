@@ -14,3 +14,18 @@ TEST_CASE("each job runs once, for any number of threads", "[base]") {
         }
     CHECK(core_count() >= 1);
 }
+
+TEST_CASE("both are run once, also from within each other", "[base]") {
+    for (const int threads : {0, 1, 2}) {
+        std::vector<int> runs(4);
+        const auto pair = [&](std::size_t first) {
+            run_both(
+                threads, [&runs, first] { ++runs[first]; }, [&runs, first] { ++runs[first + 1]; });
+        };
+        run_on_threads(threads, [&] {
+            run_both(
+                threads, [&] { pair(0); }, [&] { pair(2); });
+        });
+        CHECK(runs == std::vector<int>(4, 1));
+    }
+}
