@@ -27,8 +27,7 @@ std::string font_name(const Text& text) {
 void complete_text(OpenBlock& block, Shared<Text>& text) {
     const std::string name = font_name(*text);
     if (name.empty() || text->text.empty()) return;
-    const std::optional<std::string> font =
-        block.binder.evaluator.load_font(name, block.file_place());
+    const std::string* const font = block.binder.evaluator.load_font(name, block.file_place());
     if (!font) {
         block.broken = true;
         return;

@@ -80,14 +80,21 @@ std::optional<std::string> Evaluator::find_data(const std::string& name, Span sp
     return std::nullopt;
 }
 
-std::optional<std::string> Evaluator::load_font(const std::string& name, Span span) {
+const std::string* Evaluator::load_font(const std::string& name, Span span) {
     const std::string directory = directory_of(state_->sources.name(span.source));
+    const std::pair key(directory, name);
+    if (const auto known = state_->fonts.find(key); known != state_->fonts.end())
+        return &known->second;
+    const auto keep = [&](std::string font) {
+        return &state_->fonts.emplace(key, std::move(font)).first->second;
+    };
     for (const std::string& spelling : {name, name + ".ttf"})
         if (auto found = state_->loader.load(spelling, directory, FileKind::data))
-            return std::move(found->text);
+            return keep(std::move(found->text));
     for (const std::string& spelling : {name, name + ".ttf"})
-        if (auto found = system_font(spelling)) return found;
-    return load_data(name, span);
+        if (auto found = system_font(spelling)) return keep(std::move(*found));
+    report(state_->loader.problem(name, span, FileKind::data, directory));
+    return nullptr;
 }
 
 std::vector<std::string_view> Evaluator::declared_names() const {

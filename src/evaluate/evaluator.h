@@ -134,8 +134,9 @@ public:
     std::optional<std::string> load_data(const std::string& name, Span);
     /// Where it is; nothing after a report.
     std::optional<std::string> find_data(const std::string& name, Span);
-    /// The same for a font, which may also be one of the system's.
-    std::optional<std::string> load_font(const std::string& name, Span);
+    /// The same for a font, which may also be one of the system's: it is looked for and read once,
+    /// and stays as long as the evaluator. Null after a report.
+    const std::string* load_font(const std::string& name, Span);
 
     /// Adds the frames that lead here.
     void report(Diagnostic);

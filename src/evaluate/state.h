@@ -287,6 +287,7 @@ struct Evaluator::State {
     const NameId str = names.find("str");
     std::deque<Tree> trees;
     std::map<std::string, const Tree*> loaded;
+    std::map<std::pair<std::string, std::string>, std::string> fonts;  ///< by folder and name
     CodeTable codes;
     std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined
     struct Deprecation {

@@ -29,6 +29,21 @@ TEST_CASE("what a shape lacks is told of", "[evaluate]") {
           "error degenerate: a `text` needs `ttf` or `internal`");
 }
 
+TEST_CASE("a font is looked for and read once", "[evaluate]") {
+    int readings = 0;
+    SourceStore sources;
+    Diagnostics diagnostics;
+    const Loader loader([&](const std::string& path) -> std::optional<std::string> {
+        if (path == "a.ttf") ++readings;
+        return path == "a.ttf" ? std::optional<std::string>("no font") : std::nullopt;
+    });
+    const std::string script =
+        "#version 3.7; #for (I, 1, 5) text { ttf \"a.ttf\" \"A\" 1, 0 } #end";
+    evaluate(sources, loader, sources.add("main.pov", script), {}, diagnostics);
+    CHECK(readings == 1);
+    CHECK(diagnostics.all().size() == 1);
+}
+
 TEST_CASE("a text without letters is an object without a surface", "[evaluate]") {
     const Script done = run("#version 3.7; text { ttf \"a.ttf\" \"\" 1, 0 }");
     CHECK(done.text.empty());
