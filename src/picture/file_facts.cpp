@@ -4,7 +4,7 @@
 #include "png/png.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <fstream>
 #include <iterator>
 
@@ -57,11 +57,17 @@ FileFacts file_facts(const std::string& path) {
     return facts;
 }
 
-std::size_t number_in(const FileFacts& facts, std::span<const float> pixel, float alpha) {
+ColourNumbers::ColourNumbers(const FileFacts& facts) : none_(facts.table.size()) {
+    for (std::size_t i = 0; i < facts.table.size(); ++i)
+        numbers_.emplace(std::bit_cast<std::uint32_t>(facts.table[i]), i);
+}
+
+std::size_t ColourNumbers::operator()(std::span<const float> pixel, float alpha) const {
     const auto byte = [](float value) {
-        return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F)));
+        return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
     };
     const std::array<std::uint8_t, 4> colour = {byte(pixel[0]), byte(pixel[pixel.size() / 2]),
                                                 byte(pixel.back()), byte(alpha)};
-    return static_cast<std::size_t>(std::ranges::find(facts.table, colour) - facts.table.begin());
+    const auto found = numbers_.find(std::bit_cast<std::uint32_t>(colour));
+    return found == numbers_.end() ? none_ : found->second;
 }

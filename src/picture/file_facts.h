@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 struct FileFacts {
@@ -22,6 +23,16 @@ struct FileFacts {
 /// Of a file that cannot be read: nothing.
 FileFacts file_facts(const std::string& path);
 
-/// The number of the first colour of the table that is the pixel's: one value, or three, from 0 to
-/// 1, with its alpha. The table's size when there is none.
-std::size_t number_in(const FileFacts&, std::span<const float> pixel, float alpha);
+/// The colours of a table by their bytes, so that each of many pixels is found fast.
+class ColourNumbers {
+public:
+    explicit ColourNumbers(const FileFacts&);
+
+    /// The number of the first colour of the table that is the pixel's: one value, or three, from 0
+    /// to 1, with its alpha. The table's size when there is none.
+    std::size_t operator()(std::span<const float> pixel, float alpha) const;
+
+private:
+    std::size_t none_;
+    std::unordered_map<std::uint32_t, std::size_t> numbers_;
+};

@@ -20,10 +20,10 @@ FileFacts facts_without_alpha(const std::string& path) {
 }
 
 /// A pixel's height; `value` are its channels from 0 to 1.
-double height_of(const StoredPicture& picture, const FileFacts& facts, const float* value) {
-    if (!facts.table.empty()) {
+double height_of(const StoredPicture& picture, const ColourNumbers* number_of, const float* value) {
+    if (number_of) {
         const std::span<const float> colour(value, static_cast<std::size_t>(picture.channels));
-        return 256 * static_cast<double>(number_in(facts, colour, 1));
+        return 256 * static_cast<double>((*number_of)(colour, 1));
     }
     if (picture.channels < 3) return most * value[0];
     if (picture.bits == 8) return (256.0 * value[0] + value[1]) * 255;
@@ -41,13 +41,14 @@ std::optional<Heights> read_heights(const std::string& path, double gamma, Diagn
         for (float& value : stored.values)
             value = std::pow(std::max(0.0F, value), static_cast<float>(gamma));
     const FileFacts facts = facts_without_alpha(path);
+    const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);
     const auto channels = static_cast<std::size_t>(stored.channels);
     for (auto row = static_cast<std::size_t>(stored.height); row-- > 0;)
         for (std::size_t x = 0; x < width; ++x) {
-            const double height =
-                height_of(stored, facts, &stored.values[(row * width + x) * channels]);
+            const double height = height_of(stored, facts.table.empty() ? nullptr : &number_of,
+                                            &stored.values[(row * width + x) * channels]);
             // 1/255 has no exact float.
             result.values.push_back(
                 static_cast<std::uint16_t>(std::clamp(std::floor(height + 1e-2), 0.0, most)));

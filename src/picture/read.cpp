@@ -36,7 +36,7 @@ public:
 
     float operator()(float stored) const {
         if (picture_.bits != 8 || !(stored >= 0 && stored <= 1)) return exactly(stored);
-        return bytes_[static_cast<std::size_t>(std::lround(255 * stored))];
+        return bytes_[static_cast<std::size_t>(255 * stored + 0.5F)];
     }
 
 private:
@@ -70,10 +70,11 @@ void divide_by_alpha(StoredPicture& picture) {
 /// The numbers of all pixels' colours; none when a pixel has a colour that the table has not.
 std::vector<std::uint16_t> numbers_of(const StoredPicture& picture, const FileFacts& facts) {
     std::vector<std::uint16_t> numbers;
+    const ColourNumbers number_of(facts);
     const auto channels = static_cast<std::size_t>(picture.channels);
     for (std::size_t i = 0; !facts.table.empty() && i < picture.values.size(); i += channels) {
         const float alpha = picture.alpha.empty() ? 1 : picture.alpha[i / channels];
-        const std::size_t number = number_in(facts, {&picture.values[i], channels}, alpha);
+        const std::size_t number = number_of({&picture.values[i], channels}, alpha);
         if (number >= facts.table.size()) return {};
         numbers.push_back(static_cast<std::uint16_t>(number));
     }

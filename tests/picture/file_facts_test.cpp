@@ -36,8 +36,9 @@ TEST_CASE("the table of a PNG file is found, with its alpha", "[picture]") {
     CHECK(facts.table[1] == std::array<std::uint8_t, 4>{4, 5, 6, 255});
     CHECK(facts.says_coding == false);
     const std::array<float, 3> second = {4 / 255.0F, 5 / 255.0F, 6 / 255.0F};
-    CHECK(number_in(facts, second, 1) == 1);
-    CHECK(number_in(facts, second, 0.5F) == 2);
+    const ColourNumbers number_in(facts);
+    CHECK(number_in(second, 1) == 1);
+    CHECK(number_in(second, 0.5F) == 2);
 }
 
 TEST_CASE("a PNG file that says its gamma says its coding", "[picture]") {
