@@ -25,6 +25,10 @@ const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
 
 namespace {
 
+/// So many facets, which lie side by side as the patch is divided, are found together: to sort
+/// single ones takes longer than small pictures do.
+constexpr std::uint32_t facets_of_part = 8;
+
 constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
                               std::numeric_limits<double>::infinity()};
 
@@ -154,10 +158,12 @@ BuiltBicubicPatch build(const BicubicPatch& patch) {
     for (std::size_t i = 0; i < 16; ++i) points[i / 4][i % 4] = patch.points[i];
     BuiltBicubicPatch result;
     Divider(patch, result).divide({points}, 0, 0);
-    std::vector<Box> boxes;
-    for (const auto& facet : result.facets)
-        boxes.push_back(join(join(Box{facet.corners[0], facet.corners[0]}, facet.corners[1]),
-                             facet.corners[2]));
+    std::vector<Box> boxes((result.facets.size() + facets_of_part - 1) / facets_of_part);
+    for (std::size_t i = 0; i < result.facets.size(); ++i)
+        for (const Vec3& corner : result.facets[i].corners) {
+            Box& box = boxes[i / facets_of_part];
+            box = join(box, corner);
+        }
     result.index = PartIndex(std::move(boxes));
     return result;
 }
@@ -167,13 +173,18 @@ Box bounds(const BuiltBicubicPatch& patch) { return patch.index.bounds(); }
 void crossings(const BuiltBicubicPatch& patch, const Ray& ray, Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     const ShearedRay sheared(ray);
-    patch.index.along(ray, whole_line, [&](std::uint32_t i) {
+    const auto meet = [&](std::uint32_t i) {
         const auto& [corners, normals, uvs] = patch.facets[i];
         const TriangleHit hit = sheared.meet(corners[0], corners[1], corners[2], whole_line);
         if (!(hit.t < whole_line.max)) return;
         const Vec3 normal = unit((1 - hit.weight2 - hit.weight3) * normals[0] +
                                  hit.weight2 * normals[1] + hit.weight3 * normals[2]);
         if (normal != Vec3(0)) found.add({hit.t, normal, dot(ray.direction, normal) < 0, i});
+    };
+    const auto count = static_cast<std::uint32_t>(patch.facets.size());
+    patch.index.along(ray, whole_line, [&](std::uint32_t part) {
+        const std::uint32_t first = part * facets_of_part;
+        for (std::uint32_t i = first; i < std::min(first + facets_of_part, count); ++i) meet(i);
     });
 }
 
