@@ -18,7 +18,10 @@ public:
 
     void add(double value) {
         if (std::isnan(value)) return;
-        sum_ += static_cast<Wide>(std::clamp(value, -greatest, greatest) * 0x1p52);
+        const double scaled = std::clamp(value, -greatest, greatest) * 0x1p52;
+        // Usual colours fit into a word, which machines convert at once.
+        const bool usual = std::abs(scaled) < 0x1p63;
+        sum_ += usual ? static_cast<std::int64_t>(scaled) : static_cast<Wide>(scaled);
     }
     void add(const ExactSum& other) { sum_ += other.sum_; }
     double value() const { return static_cast<double>(sum_) * 0x1p-52; }
