@@ -3,6 +3,7 @@
 
 #include "evaluate/bind.h"
 #include "evaluate/item_block.h"
+#include "text/message.h"
 #include "vocabulary/manual.h"
 
 #include <set>
@@ -26,7 +27,15 @@ public:
                 converted(block_, element, FieldType::number,
                           {[] { return std::string("`reflection_exponent` of `finish`"); },
                            [] { return std::string("reflection_exponent 1"); }});
-            if (value) exponent_ = std::get<double>(*value);
+            if (value && std::get<double>(*value) > 0)
+                exponent_ = std::get<double>(*value);
+            else if (value)
+                block_.report(
+                    error(Fault::out_of_range, element.span,
+                          message("`reflection_exponent` of `finish` must be above 0, but "
+                                  "it is ",
+                                  std::get<double>(*value)))
+                        .with_help("reflection_exponent 1"));
             return true;
         }
         if (element.kind == Element::Kind::value && waiting_) {
@@ -57,7 +66,7 @@ public:
     }
 
     void finish() {
-        if (exponent_ && *exponent_ > 0) reflection_.exponent = *exponent_;
+        if (exponent_) reflection_.exponent = *exponent_;
         if (std::exchange(awaits_exponent_, false))
             block_.report(error(Fault::missing, span_, "`reflection_exponent` needs a number")
                               .with_help("reflection_exponent 1"));

@@ -65,7 +65,7 @@ Shading with_layer(const World& world, Shading s, const Layer& layer) {
 
 Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
     const Irid& irid = s.finish->irid;
-    if (irid.amount == 0) return Vec3(1);
+    if (!(irid.amount > 0)) return Vec3(1);
     double thickness = irid.thickness;
     if (irid.turbulence != 0)
         thickness *=

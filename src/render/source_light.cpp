@@ -138,6 +138,6 @@ Vec3 answer_to_light(const World& world, const Shading& s, const Vec3& direction
                      const Key& key) {
     const Vec3 colours = iridescence(world, s, direction);
     if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::all) * colours;
-    const double grain = s.finish->crand == 0 ? 0 : uniform(key, Purpose::grain);
+    const double grain = !(s.finish->crand > 0) ? 0 : uniform(key, Purpose::grain);
     return response(s, direction, highlights, grain) * colours;
 }
