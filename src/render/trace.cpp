@@ -91,7 +91,7 @@ Ray camera_ray(const World& world, double u, double v, const Key& key) {
 Tracer::Tracer(const World& world, const Tracing& wanted)
     : world_(world), direct_light_(world, wanted.shadow_rays), clear_sky_(wanted.clear_sky) {
     if (wanted.counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
-    if (world.any_transparent && !world.camera.parallel)
+    if (world.notes_solids() && !world.camera.parallel)
         around_camera_ = world.containing(world.camera.location);
 }
 
@@ -102,8 +102,8 @@ Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
     Path path;
     path.ray = ray;
     path.key = key;
-    path.solids = world_.any_transparent && world_.camera.parallel ? world_.containing(ray.origin)
-                                                                   : around_camera_;
+    path.solids = world_.notes_solids() && world_.camera.parallel ? world_.containing(ray.origin)
+                                                                  : around_camera_;
     return follow(path);
 }
 
@@ -147,8 +147,7 @@ Vec3 Tracer::follow(const Path& path) {
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
-    if ((world_.fogs.empty() && world_.rainbows.empty()) || !in_the_open(path))
-        return met ? surface(path, hit) : beyond(path);
+    if (!world_.has_air() || !in_the_open(path)) return met ? surface(path, hit) : beyond(path);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double distance = met ? length(hit.position - path.ray.origin) : infinity;
     const bool splits = clear_sky_ || !rays_.lights.empty();

@@ -137,7 +137,7 @@ ClearSolids find_clear_solids(const World& world) {
     std::vector<Box> around;
     const std::size_t items = world.leaves_begin() + world.composites.size();
     for (std::uint32_t item = 0; item < items; ++item) {
-        if (!world.is_clear_solid(item)) continue;
+        if (!world.is_noted_solid(item)) continue;
         const Box box = inside_box(world, item);
         if (box.empty()) continue;
         if (!finite(box)) {
@@ -192,7 +192,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
     note_planes(world);
     build_tree(world, boxes, options.threads);
-    if (world.any_transparent && world.camera.parallel)
+    if (world.notes_solids() && world.camera.parallel)
         world.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);

@@ -322,10 +322,11 @@ bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
     return inside(placed.shape, placed.transform ? placed.transform->inverse_point(point) : point);
 }
 
-bool World::is_clear_solid(std::uint32_t item) const {
-    const bool face = item >= spheres.size() && item < spheres.size() + triangles.size();
-    return item >= leaves_begin() ? composites[item - leaves_begin()].transparent
-                                  : !face && material(item).transparent;
+bool World::is_noted_solid(std::uint32_t item) const {
+    if (item >= spheres.size() && item < spheres.size() + triangles.size()) return false;
+    const auto* placed = item < leaves_begin() ? nullptr : &composites[item - leaves_begin()];
+    const Material& outer = material(placed ? placed->first_leaf : item);
+    return (has_air() && !outer.hollow) || (placed ? placed->transparent : outer.transparent);
 }
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point,
@@ -336,7 +337,7 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point,
     if (!placed.composite->inside(point)) return;
     // What is in the solid is what is behind its first transparent leaf.
     PrimitiveIndex leaf = placed.first_leaf;
-    while (!material(leaf).transparent) ++leaf;
+    while (placed.transparent && !material(leaf).transparent) ++leaf;
     found.push_back(leaf);
 }
 
@@ -350,7 +351,7 @@ std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
         return found;
     }
     for (std::uint32_t item = 0; item < leaves_begin() + composites.size(); ++item)
-        if (is_clear_solid(item)) add_if_inside(item, point, found);
+        if (is_noted_solid(item)) add_if_inside(item, point, found);
     return found;
 }
 

@@ -89,7 +89,7 @@ struct PlacedComposite {
     bool transparent = false;  ///< a leaf is
 };
 
-/// Transparent primitives and composites by where they are, for cameras whose rays begin anywhere.
+/// Solids that rays must know of by where they are, for cameras whose rays begin anywhere.
 struct ClearSolids {
     std::vector<std::uint32_t> unbounded;
     std::vector<std::uint32_t> bounded;  ///< in the order of the index's parts
@@ -136,9 +136,13 @@ public:
     /// does not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance) const;
 
-    /// Whether a point may lie inside of a transparent primitive, or of a composite by its number
-    /// from leaves_begin() on.
-    bool is_clear_solid(std::uint32_t item) const;
+    /// Whether rays must know that they are inside of a primitive, or of a composite by its number
+    /// from leaves_begin() on: it is transparent, or keeps out the fog that there is.
+    bool is_noted_solid(std::uint32_t item) const;
+    /// Whether there may be such solids.
+    bool notes_solids() const { return any_transparent || has_air(); }
+    /// Whether there is fog or a rainbow.
+    bool has_air() const { return !fogs.empty() || !rainbows.empty(); }
 
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
