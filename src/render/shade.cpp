@@ -24,6 +24,7 @@ Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
 
 // By Fresnel's equations.
 double fresnel(double cosine, double n) {
+    if (n == 1) return 0;
     const double g2 = n * n + cosine * cosine - 1;
     if (g2 <= 0) return 1;
     const double g = std::sqrt(g2);

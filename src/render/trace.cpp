@@ -119,7 +119,8 @@ Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitiv
     Solids& behind = result.behind;
     const auto inside = std::ranges::find(behind, world_.solid(primitive),
                                           [&](PrimitiveIndex p) { return world_.solid(p); });
-    if (inside == behind.end()) {
+    const bool leaving = inside != behind.end();
+    if (!leaving) {
         behind.push_back(primitive);
     } else {
         const bool innermost = inside + 1 == behind.end();
@@ -127,7 +128,9 @@ Tracer::Interface Tracer::interface_at(const Path& path, PrimitiveIndex primitiv
         if (!innermost) return result;  // leaving one of two that overlap bends nothing
     }
     const Interior &here = interior(path.solids), &there = interior(behind);
-    result.plain = result.ratio = here.ior / there.ior;
+    result.ratio = here.ior / there.ior;
+    // Who leaves one solid in another sees no `fresnel` reflection in POV-Ray 3.7.
+    result.plain = leaving && !behind.empty() ? 1 : result.ratio;
     result.dispersion = here.dispersion / there.dispersion;
     if (result.dispersion == 1) return result;
     if (path.band)
