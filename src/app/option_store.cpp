@@ -34,8 +34,7 @@ std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics)
     const auto value = number(*given.value);
     if (value && *value >= 1 && *value <= 1e12 && std::floor(*value) == *value)
         return static_cast<std::uint64_t>(*value);
-    refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12");
-    return std::nullopt;
+    return refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12"), std::nullopt;
 }
 
 }  // namespace
@@ -87,13 +86,15 @@ void store::field(std::string_view name, Options& options, const Given& given,
                            : static_cast<void*>(&options.animation);
     if (info.type == FieldType::boolean)
         return setting.item->set(item, setting.field, given.on ? 1.0 : 0.0);
-    std::optional<double> value = number(given.value.value_or(""));
+    const std::optional<double> value = number(given.value.value_or(""));
+    const double given_number = value.value_or(0);
+    const bool integer = info.type == FieldType::integer, in_file = !given.where.empty();
+    const double counts = integer ? std::trunc(given_number) : given_number;
     // Programs write computed sizes into INI files.
-    if (value && info.type == FieldType::integer && !given.where.empty())
-        value = std::trunc(*value);
-    const bool whole = info.type != FieldType::integer || (value && std::floor(*value) == *value);
-    if (value && whole && info.range.contains(*value))
-        return setting.item->set(item, setting.field, *value);
+    if (counts != given_number && in_file)
+        diagnostics.add(warning(Fault::option, {}, message(shown(given), " counts as ", counts)));
+    if (value && (counts == given_number || in_file) && info.range.contains(counts))
+        return setting.item->set(item, setting.field, counts);
     const std::string got = given.value && !given.value->empty()
                                 ? message(", but it is `", harmless(*given.value), "`")
                                 : "";
@@ -381,8 +382,7 @@ void store::limit_memory(Options& options, const Given& given, Diagnostics& diag
 }
 
 void store::limit_written(Options& options, const Given& given, Diagnostics& diagnostics) {
-    if (const auto megabytes = limit(given, diagnostics))
-        options.limits.written_bytes = *megabytes << 20;
+    if (const auto mb = limit(given, diagnostics)) options.limits.written_bytes = *mb << 20;
 }
 
 void store::verbose(Options& options, const Given& given, Diagnostics&) {

@@ -88,6 +88,21 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
             HeightGrid{heights->width, heights->height, std::move(heights->values)});
 }
 
+/// Values that cannot be meant.
+void complete_isosurface(OpenBlock& block, Shared<Isosurface>& surface) {
+    const Isosurface usual;
+    const auto correct = [&](std::string_view word, double Isosurface::*value) {
+        if ((*surface).*value > 0) return;
+        block.report(
+            warning(Fault::no_effect, block.span,
+                    message("`", word, "` of ", block.quoted(), " is ", (*surface).*value,
+                            ", which is not above 0: the usual ", usual.*value, " counts")));
+        surface.edit().*value = usual.*value;
+    };
+    correct("accuracy", &Isosurface::accuracy);
+    correct("max_gradient", &Isosurface::max_gradient);
+}
+
 }  // namespace
 
 void complete(OpenBlock& block, Shape& shape) {
@@ -95,6 +110,8 @@ void complete(OpenBlock& block, Shape& shape) {
         complete_text(block, *text);
     else if (auto* field = std::get_if<Shared<HeightField>>(&shape))
         complete_heights(block, *field);
+    else if (auto* surface = std::get_if<Shared<Isosurface>>(&shape))
+        complete_isosurface(block, *surface);
     else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
         if (problem(**mesh).empty()) shape = Shared<Mesh>(as_mesh(**mesh));
 }

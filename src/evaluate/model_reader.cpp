@@ -121,6 +121,11 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
             read_mesh_file(*path, evaluator.diagnostics(), block_.file_place());
         if (!read) return std::nullopt;
         look_ = std::move(read->look);
+        if (look_.materials)
+            block_.report(warning(Fault::no_effect, block_.file_place(),
+                                  "the materials of this file are left out")
+                              .with_help("the mesh looks as its own texture, pigment and finish "
+                                         "say"));
         return std::move(read->shape);
     }
     SolidMesh solid;

@@ -97,6 +97,7 @@ std::string ObjReader::take(Line line) {
                    ? ""
                    : "`vt` has one to three numbers";
     }
+    look_.materials |= word == "usemtl";
     return word == "f" ? take_face(line) : "";
 }
 

@@ -27,6 +27,7 @@ struct PolyhedronLook {
     std::vector<Polyhedron::Face> normal_faces;
     std::vector<std::array<double, 2>> uvs;
     std::vector<Polyhedron::Face> uv_faces;
+    bool materials = false;  ///< faces have materials, which are not read
 };
 
 /// A step on the way to a solid that is made of others: each puts a solid on a stack. All but the

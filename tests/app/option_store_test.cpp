@@ -67,3 +67,18 @@ TEST_CASE("a setting outside its range is refused and not stored") {
     CHECK(options.render.seed == 12);
     CHECK(diagnostics.error_count() == 5);
 }
+
+TEST_CASE("what an INI file says behind the point of a whole number is told of") {
+    Options options;
+    Diagnostics diagnostics;
+    store::field("width", options, {"Width=160.7", true, "160.7", "a.ini:3"}, diagnostics);
+    CHECK(options.render.width == 160);
+    REQUIRE(diagnostics.all().size() == 1);
+    CHECK(diagnostics.all()[0].severity == Severity::warning);
+    CHECK(diagnostics.all()[0].message == "a.ini:3: `Width=160.7` counts as 160");
+    store::field("height", options, {"Height=120.0", true, "120.0", "a.ini:4"}, diagnostics);
+    CHECK(options.render.height == 120);
+    CHECK(diagnostics.all().size() == 1);
+    store::field("width", options, {"+W160.7", true, "160.7"}, diagnostics);
+    CHECK(diagnostics.error_count() == 1);
+}

@@ -49,3 +49,16 @@ TEST_CASE("a text without letters is an object without a surface", "[evaluate]")
     CHECK(done.text.empty());
     CHECK(done.scene.objects.empty());
 }
+
+TEST_CASE("values of an isosurface that cannot be meant are the usual ones", "[evaluate]") {
+    const std::string start = "isosurface { function { x } ";
+    CHECK(complaint(start + "accuracy 0 }") ==
+          "warning no-effect: `accuracy` of `isosurface` is 0, which is not above 0: the usual "
+          "0.001 counts");
+    CHECK(complaint(start + "max_gradient -2 }") ==
+          "warning no-effect: `max_gradient` of `isosurface` is -2, which is not above 0: the "
+          "usual 1.1 counts");
+    CHECK(complaint(start + "accuracy 0.1 max_gradient 2 }") == "nothing");
+    const Script done = run("#version 3.7; " + start + "accuracy 0 }");
+    CHECK(done.shape<Shared<Isosurface>>()->accuracy == Isosurface().accuracy);
+}

@@ -96,6 +96,21 @@ TEST_CASE("normals and uv of files are kept as far as the shape is", "[evaluate]
     CHECK(mesh_of(finer).uvs.empty());
 }
 
+TEST_CASE("materials of a file are told of once, for they are left out", "[evaluate]") {
+    const Folder folder;
+    const std::string file = folder / "t.obj";
+    folder.put("t.obj",
+               "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
+               "usemtl blue\nf 1 3 2\n");
+    const Script done =
+        run("#version 3.7; mesh { file \"" + file + "\" }", {{file, folder.get("t.obj")}});
+    REQUIRE(done.said.size() == 1);
+    CHECK(done.said[0].severity == Severity::warning);
+    CHECK(done.said[0].fault == Fault::no_effect);
+    CHECK(done.said[0].message == "the materials of this file are left out");
+    CHECK(mesh_of(done).faces.size() == 2);
+}
+
 TEST_CASE("what does not become a mesh is told", "[evaluate]") {
     const std::string head = "error degenerate: this does not become a mesh: ";
     CHECK(complaint("mesh { plane { y, 0 } }") == head + "it has no end");
