@@ -85,6 +85,7 @@ bool ItemReader::take(const Element& element) {
             return take_list(element);
         case Element::Kind::entry:
         case Element::Kind::braces:
+        case Element::Kind::joined:
             break;
     }
     if (word_ >= 0) missing_value();

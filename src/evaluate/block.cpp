@@ -235,6 +235,9 @@ bool OpenBlock::reject(const Element& element, const WordList& words, bool wante
         case Element::Kind::list:
             reject_form(element, "a list of numbers has");
             return false;
+        case Element::Kind::joined:
+            reject_form(element, "an operator without an expression before it has");
+            return false;
     }
     return false;
 }

@@ -33,6 +33,7 @@ struct Element {
         entry,   ///< `[ body ]`
         braces,  ///< `{ body }`
         list,    ///< `< ... >` with six numbers or more: a matrix, coefficients
+        joined,  ///< `+ body`: what a directive adds to the expression that it goes on with
     };
 
     Kind kind = Kind::word;

@@ -47,6 +47,24 @@ double apply(Operator sign, double a, double b) {
 
 bool is_comparison(Operator sign) { return sign >= Operator::less && sign <= Operator::greater; }
 
+/// `(#include "five.inc" + 1)`: values of which each but the first begins with a sign; nothing when
+/// they are something else.
+std::optional<Numbers> sum(std::span<const Element> elements, const SourceStore& sources) {
+    Numbers total = Numbers::scalar(0);
+    for (const Element& element : elements) {
+        const Numbers* numbers =
+            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
+        const char sign = sources.text(element.span.source)[element.span.first];
+        if (!numbers || (&element != &elements.front() && sign != '+' && sign != '-'))
+            return std::nullopt;
+        const int count = std::max(total.count, numbers->count);
+        const Numbers one = numbers->count < count ? numbers->promoted(count) : *numbers;
+        if (total.count < count) total = total.promoted(count);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) total.at[i] += one.at[i];
+    }
+    return total;
+}
+
 }  // namespace
 
 Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
@@ -117,6 +135,8 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
             return binary(tree, *std::get_if<node::Binary>(&content), id);
         case kind<node::Choice>:
             return choice(tree, *std::get_if<node::Choice>(&content));
+        case kind<node::Chain>:
+            return chain(tree, *std::get_if<node::Chain>(&content));
         case kind<node::Group>:
             return group(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
         case kind<node::Vector>:
@@ -187,19 +207,25 @@ Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId 
 Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeId id) {
     Value left = evaluate(tree, node.left);
     Value right = evaluate(tree, node.right);
+    return combine(node.sign, std::move(left), std::move(right), tree.span(node.right),
+                   tree.span(id));
+}
+
+Value Evaluator::State::combine(Operator sign, Value left, Value right, Span right_span,
+                                Span whole) {
     if (left.broken() || right.broken()) return Absence::broken;
     Numbers* a = left.edit_numbers();
     Numbers* b = right.edit_numbers();
-    if (!a || !b) return truth(left, right, node.sign, tree.span(id));
+    if (!a || !b) return truth(left, right, sign, whole);
     const int count = std::max(a->count, b->count);
     if (a->count < count) *a = a->promoted(count);
     if (b->count < count) *b = b->promoted(count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        if (node.sign == Operator::divide && b->at[i] == 0)
-            report(warning(Fault::division_by_zero, tree.span(node.right),
+        if (sign == Operator::divide && b->at[i] == 0)
+            report(warning(Fault::division_by_zero, right_span,
                            "division by zero; the result is infinite")
                        .with_label("this is 0"));
-        a->at[i] = apply(node.sign, a->at[i], b->at[i]);
+        a->at[i] = apply(sign, a->at[i], b->at[i]);
     }
     return left;
 }
@@ -282,24 +308,8 @@ Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
     std::vector<Element> elements;
     walk(tree, content, [&](const Element& element) { elements.push_back(element); });
     if (elements.size() > 1)
-        if (const std::optional<Numbers> total = sum(elements)) return *total;
+        if (const std::optional<Numbers> total = sum(elements, sources)) return *total;
     return one_value(elements, span);
-}
-
-std::optional<Numbers> Evaluator::State::sum(std::span<const Element> elements) const {
-    Numbers total = Numbers::scalar(0);
-    for (const Element& element : elements) {
-        const Numbers* numbers =
-            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
-        const char sign = sources.text(element.span.source)[element.span.first];
-        if (!numbers || (&element != &elements.front() && sign != '+' && sign != '-'))
-            return std::nullopt;
-        const int count = std::max(total.count, numbers->count);
-        const Numbers one = numbers->count < count ? numbers->promoted(count) : *numbers;
-        if (total.count < count) total = total.promoted(count);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) total.at[i] += one.at[i];
-    }
-    return total;
 }
 
 bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<double>& result) {
@@ -317,17 +327,14 @@ bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<do
             return false;
         };
         const auto* call = tree.get_if<node::Call>(id);
-        if ((call && !names.reserved(call->name) && !is_function(call->name)) ||
-            tree.get_if<node::If>(id)) {
-            // A macro or a branch may give several components.
+        const bool macro = call && !names.reserved(call->name) && !is_function(call->name);
+        if (macro || is_directive(tree, id)) {
+            // It may give several components, or none.
             bool good = true;
             const auto take = [&](const Element& element) {
                 good = good && add(evaluator.value_of(element), element.span);
             };
-            if (call)
-                call_macro(tree, *call, id, take);
-            else
-                branch(tree, tree.get<node::If>(id), take);
+            walk_one(tree, id, take);
             if (!good || stopped_) return false;
         } else if (!add(evaluate(tree, id), tree.span(id))) {
             return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/function_compiler.h"
 
+#include "evaluate/chain.h"
 #include "evaluate/compiler.h"
 #include "text/message.h"
 
@@ -68,6 +69,8 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expre
             return unary(tree, *std::get_if<node::Unary>(&content), id);
         case kind<node::Binary>:
             return binary(tree, *std::get_if<node::Binary>(&content), id);
+        case kind<node::Chain>:
+            return chain(tree, *std::get_if<node::Chain>(&content));
         case kind<node::Member>:
             return member(tree, *std::get_if<node::Member>(&content), id);
         case kind<node::Call>:
@@ -134,14 +137,38 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binar
     const Tree& tree, const node::Binary& node, NodeId id) {
     if (is_logical(node.sign)) return logical(tree, id);
     const Result a = expression(tree, node.left);
-    const Result b = expression(tree, node.right);
+    return combine(tree, node.sign, a, expression(tree, node.right), node.right);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combine(
+    const Tree& tree, Operator sign, Result a, Result b, NodeId right) {
     if (!a || !b) return std::nullopt;
-    const Result result = node.sign == Operator::divide
-                              ? division(tree, *a, *b, node.right)
-                              : builder.emit(operations_of(node.sign).exact, *a, *b);
+    const Result result = sign == Operator::divide
+                              ? division(tree, *a, *b, right)
+                              : builder.emit(operations_of(sign).exact, *a, *b);
     builder.release(*a);
     builder.release(*b);
     return result;
+}
+
+/// The passes of a loop are parts of the expression, each with what its names stand for then.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::chain(
+    const Tree& tree, const node::Chain& node) {
+    struct Placed {
+        Result operand;
+        const Tree* tree;
+        NodeId id;
+    };
+    const auto joined = [&](Operator sign, Placed a, Placed b) -> Placed {
+        return {combine(*b.tree, sign, a.operand, b.operand, b.id), a.tree, a.id};
+    };
+    ChainTotal<Placed> total;
+    const bool good =
+        state.walk_chain(tree, node.first, [&](Operator sign, const Tree& from, NodeId id) {
+            total.add(sign, {expression(from, id), &from, id}, joined);
+        });
+    const std::optional<Placed> result = total.result(joined);
+    return good && result && !state.stopped_ ? result->operand : std::nullopt;
 }
 
 /// Division by a constant is multiplication by its reciprocal, as in POV-Ray.

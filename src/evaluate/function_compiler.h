@@ -29,6 +29,8 @@ struct Evaluator::State::FunctionCompiler {
     Result constant(const Value&, std::string_view what, Span);
     Result unary(const Tree&, const node::Unary&, NodeId);
     Result binary(const Tree&, const node::Binary&, NodeId);
+    Result chain(const Tree&, const node::Chain&);
+    Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
     Result logical(const Tree&, NodeId);
     Result division(const Tree&, Operand a, Operand b, NodeId divisor);
     Result wrong(Span, std::string message);

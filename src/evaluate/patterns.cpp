@@ -197,6 +197,7 @@ bool PatternReader::take(const Element& element) {
             return last_ && last_->take(element);
         case Element::Kind::entry:
         case Element::Kind::braces:
+        case Element::Kind::joined:
             break;
     }
     return false;

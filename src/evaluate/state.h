@@ -104,14 +104,18 @@ struct Evaluator::State {
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);
     Value binary(const Tree&, const node::Binary&, NodeId);
+    Value combine(Operator, Value left, Value right, Span right_span, Span whole);
+    Value chain(const Tree&, const node::Chain&);
+    /// The operands of a chain with their signs, in their order; false when there is something else
+    /// among them, which has been reported. The first has no meaning for its sign.
+    bool walk_chain(const Tree&, NodeId first,
+                    FunctionRef<void(Operator, const Tree&, NodeId)> take);
     Value choice(const Tree&, const node::Choice&);
     /// Draws the random numbers that an expression would have drawn.
     void draw(const Tree&, NodeId);
     /// The calls of rand() in an expression, in their order; those in macros are not seen.
     std::vector<NodeId> random_calls(const Tree&, NodeId) const;
     Value group(const Tree&, NodeId content, Span);
-    /// Values of which each but the first begins with a sign; nothing when they are something else.
-    std::optional<Numbers> sum(std::span<const Element>) const;
     Value vector(const Tree&, const node::Vector&, NodeId);
     Value vector_of(const std::vector<double>&, Span);
     bool components(const Tree&, NodeId first, std::vector<double>&);
@@ -303,7 +307,7 @@ struct Evaluator::State {
     double working_gamma = 1;  ///< of colours, as assumed_gamma says
     std::uint64_t steps = 0;
     std::uint64_t objects = 0;
-    std::uint64_t placed = 0;  ///< objects in the scene with all their parts
+    std::uint64_t placed = 0;                ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
     std::uint64_t written_bytes = 0;
     double version = 3.7;

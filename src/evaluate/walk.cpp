@@ -99,6 +99,11 @@ Flow Evaluator::State::walk_one(const Tree& tree, NodeId id, const Sink& take) {
         }
         case kind<node::Vector>:
             return take_vector(tree, id, take);
+        case kind<node::Chain>:
+            if (const NodeId first = std::get_if<node::Chain>(&content)->first;
+                tree.get_if<node::Joined>(first))
+                return body_element(Element::Kind::joined, first);
+            [[fallthrough]];
         default:
             if (is_directive(tree, id)) return directive(tree, id, take);
             take.value(evaluate(tree, id), tree, id);

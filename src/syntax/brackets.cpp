@@ -5,20 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace {
-
-constexpr bool opens(TokenKind kind) {
-    using enum TokenKind;
-    return kind == open_brace || kind == open_parenthesis || kind == open_bracket ||
-           opens_directive(kind);
-}
-
-constexpr bool closes(TokenKind kind) {
-    using enum TokenKind;
-    return kind == close_brace || kind == close_parenthesis || kind == close_bracket ||
-           kind == hash_end;
-}
 
 /// Which tokens open and close nothing: nearly all.
 constexpr auto plain = [] {
@@ -31,55 +20,84 @@ constexpr auto plain = [] {
     return result;
 }();
 
-constexpr bool is_directive(TokenKind kind) {
-    return kind >= TokenKind::hash_declare && kind <= TokenKind::hash_write;
-}
-
-TokenKind closer_of(TokenKind opener) {
-    using enum TokenKind;
-    if (opener == open_brace) return close_brace;
-    if (opener == open_parenthesis) return close_parenthesis;
-    if (opener == open_bracket) return close_bracket;
-    return hash_end;
-}
-
 /// Whether a directive that comes now stands where a value is wanted.
 bool wants_operand(TokenKind before) {
     using enum TokenKind;
-    return before == plus || before == minus || before == times || before == divide ||
-           before == both || before == either || before == question || before == colon;
+    return is_sign(before) || before == both || before == either || before == question ||
+           before == colon || before == no || before == colour_prefix || before == hash_message;
 }
 
-bool begins_directive(TokenKind kind) {
-    using enum TokenKind;
-    return is_directive(kind) && kind != hash_end && kind != hash_macro && !divides_directive(kind);
-}
-
-bool can_be_divided_by(TokenKind opener, TokenKind divider) {
-    using enum TokenKind;
-    const bool conditional = opener == hash_if || opener == hash_ifdef;
-    if (divider == hash_else) return conditional || opener == hash_switch;
-    if (divider == hash_elseif) return conditional;
-    return opener == hash_switch;
-}
+/// Which tokens one may have to be put in front of: few.
+constexpr auto may_be_marked = [] {
+    std::array<bool, 256> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const auto kind = static_cast<TokenKind>(i);
+        result[i] = is_sign(kind) || begins_directive(kind);
+    }
+    return result;
+}();
 
 }  // namespace
 
 Token Brackets::next() {
     skipped_ = false;
     Token token = take();
-    if (token.kind == TokenKind::minus && last_.kind == TokenKind::text && in_braces()) {
-        // Nothing is subtracted from a string: it is the sign of the next value.
-        pending_.push_back(token);
-        token = {TokenKind::comma, 0, token.first, token.first, 0};
-    }
-    if (begins_directive(token.kind) && wants_operand(last_.kind)) {
-        pending_.push_back(token);
-        token = {TokenKind::between, 0, token.first, token.first, 0};
+    if (may_be_marked[static_cast<std::size_t>(token.kind)]) {
+        if (const auto mark = mark_before(token)) {
+            pending_.push_back(token);
+            token = {*mark, 0, token.first, token.first, 0};
+        }
     }
     // Not `return last_ = token`: reading back what has just been written in parts is slow.
     last_ = token;
     return token;
+}
+
+/// What tells the parser how a sign or a directive belongs to what is before it.
+std::optional<TokenKind> Brackets::mark_before(const Token& token) {
+    using enum TokenKind;
+    if (is_sign(token.kind)) {
+        // Nothing is subtracted from a string: it is the sign of the next value.
+        if (token.kind == minus && last_.kind == text && in_braces()) return comma;
+        return !open_.empty() && begins_part(open_.back()) ? std::optional(joins) : std::nullopt;
+    }
+    if (wants_operand(last_.kind)) return between;
+    if (!has_parts(token.kind)) return std::nullopt;
+    Open& directive = open_.back();
+    if (open_.size() > 1 && begins_part(open_[open_.size() - 2])) {
+        directive.goes_on = true;
+    } else if (ends_operand() && tokens_.goes_on_with_sign()) {
+        directive.goes_on = true;
+        return goes_on;
+    }
+    return std::nullopt;
+}
+
+/// Whether a parenthesis that comes now belongs to the beginning of a directive or of a case.
+bool Brackets::begins_head() {
+    using enum TokenKind;
+    const TokenKind kind = last_.kind;
+    if (kind == name && !open_.empty() && open_.back().token.kind == hash_macro)
+        return !std::exchange(open_.back().divided, true);
+    return has_parts(kind) || kind == hash_elseif || kind == hash_case || kind == hash_range;
+}
+
+/// Whether a directive that comes now may go on with an expression.
+bool Brackets::ends_operand() const {
+    using enum TokenKind;
+    const TokenKind kind = last_.kind;
+    return kind == number || kind == literal || kind == name || kind == constant ||
+           (kind == close_parenthesis && !closed_.head) || kind == close_bracket ||
+           kind == greater || (kind == hash_end && closed_.goes_on);
+}
+
+/// Whether what comes now begins a part of a directive that goes on with an expression, or stands
+/// there behind another directive.
+bool Brackets::begins_part(const Open& directive) const {
+    using enum TokenKind;
+    const TokenKind kind = last_.kind;
+    return directive.goes_on && (kind == hash_else || kind == hash_end || kind == semicolon ||
+                                 (kind == close_parenthesis && closed_.head));
 }
 
 Token Brackets::take() {
@@ -97,7 +115,9 @@ Token Brackets::match() {
         if (plain[static_cast<std::size_t>(token.kind)]) return token;
         bool fits = true;
         if (opens(token.kind)) {
+            const bool head = token.kind == TokenKind::open_parenthesis && begins_head();
             open_.push_back({token});
+            open_.back().head = head;
         } else if (closes(token.kind)) {
             fits = accept_closer(token);
         } else if (divides_directive(token.kind)) {
@@ -129,6 +149,7 @@ bool Brackets::accept_closer(const Token& closer) {
     if (depth > 0) {
         if (closer.kind == TokenKind::hash_end && goes_on_unbraced(depth, closer)) return false;
         close_until(depth, closer);
+        closed_ = open_.back();
         open_.pop_back();
         return true;
     }

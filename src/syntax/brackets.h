@@ -44,6 +44,8 @@ private:
         bool divided = false;         ///< its first part is over
         bool closed_to_else = false;  ///< an #else was there
         bool blamed = false;          ///< something in it has been reported
+        bool head = false;            ///< a parenthesis with which a directive begins
+        bool goes_on = false;         ///< a directive whose parts go on with an expression
     };
 
     bool in_braces() const {
@@ -51,6 +53,10 @@ private:
     }
     Token take();
     Token match();
+    std::optional<TokenKind> mark_before(const Token&);
+    bool begins_head();
+    bool ends_operand() const;
+    bool begins_part(const Open& directive) const;
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
     bool only_braces_above(std::size_t depth) const;
@@ -77,5 +83,6 @@ private:
     int spare_braces_ =
         0;  ///< how many `}` without partner are no news, because their `{` was closed in a branch
     int spare_ends_ = 0;
+    Open closed_;  ///< what was closed last
     bool skipped_ = false;
 };

@@ -65,6 +65,10 @@ struct Describe {
     Description operator()(const node::Choice& n) const {
         return {"choice", {{"if", n.condition}, {"then", n.yes}, {"else", n.no}}};
     }
+    Description operator()(const node::Joined& n) const {
+        return {message("joined ", spelling(n.sign)), {{"", n.operand}}};
+    }
+    Description operator()(const node::Chain& n) const { return {"chain", {{"", n.first}}}; }
     Description operator()(const node::Group& n) const { return {"group", {{"", n.content}}}; }
     Description operator()(const node::Tuple& n) const { return {"tuple", {{"", n.content}}}; }
     Description operator()(const node::Vector& n) const { return {"vector", {{"", n.components}}}; }

@@ -3,6 +3,8 @@
 
 #include "text/message.h"
 
+#include <algorithm>
+
 List ParseState::append(List list, NodeId node) {
     if (node == no_node) return list.with_comma(false);
     if (list.empty()) return {node, node, false};
@@ -38,6 +40,48 @@ NodeId ParseState::negative(NodeId operand, Stretch place) {
     tree.numbers[number->number] *= -1;
     tree[operand].first = place.first;
     return operand;
+}
+
+List ParseState::operands(NodeId expression) {
+    if (const auto* chain = tree.get_if<node::Chain>(expression))
+        return {chain->first, chain->last, false};
+    std::vector<NodeId> signs;
+    while (const auto* binary = tree.get_if<node::Binary>(expression)) {
+        signs.push_back(expression);
+        expression = binary->left;
+    }
+    List result = append({}, expression);
+    for (; !signs.empty(); signs.pop_back()) {
+        const node::Binary binary = tree.get<node::Binary>(signs.back());
+        result = with_operands(result, binary.sign, binary.right);
+    }
+    return result;
+}
+
+List ParseState::with_operands(List list, Operator sign, NodeId expression) {
+    const List more = operands(expression);
+    const NodeId first = more.first();
+    const NodeId rest = tree[first].next;
+    tree[first].next = no_node;
+    list = append(list, add({tree[first].first, tree[first].last}, node::Joined{sign, first}));
+    return rest == no_node ? list : joined(list, {rest, more.last(), false});
+}
+
+NodeId ParseState::binary(Operator sign, NodeId left, NodeId right, Stretch place) {
+    if (!tree.get_if<node::Chain>(left) && !tree.get_if<node::Chain>(right))
+        return add(place, node::Binary{sign, left, right});
+    const List all = with_operands(operands(left), sign, right);
+    return add(place, node::Chain{all.first(), all.last()});
+}
+
+NodeId ParseState::goes_on(NodeId expression, NodeId directive, Stretch place) {
+    const List all = append(operands(expression), directive);
+    return add(place, node::Chain{all.first(), all.last()});
+}
+
+NodeId ParseState::joining(Operator sign, NodeId expression, Stretch place) {
+    const List all = with_operands({}, sign, expression);
+    return add(place, node::Chain{all.first(), all.last()});
 }
 
 NodeId ParseState::group(List directives, List values, Stretch place) {

@@ -118,6 +118,12 @@ struct ParseState {
     NodeId chain(NodeId first, NodeId node);
 
     NodeId negative(NodeId operand, Stretch);
+    /// `a + b`; part of the chain when one of them is one.
+    NodeId binary(Operator, NodeId left, NodeId right, Stretch);
+    /// An expression that a directive goes on with.
+    NodeId goes_on(NodeId expression, NodeId directive, Stretch);
+    /// What such a directive goes on with.
+    NodeId joining(Operator, NodeId expression, Stretch);
     NodeId group(List directives, List values, Stretch);
     NodeId vector(List components, Stretch);
     NodeId layered(List blocks, Stretch);
@@ -132,6 +138,9 @@ struct ParseState {
     NodeId stray_semicolon(Stretch);
     /// `#version unofficial megapov 1.0`: the language of another program.
     NodeId patched_version(NameId program, Stretch);
+    /// What an expression without parentheses around it consists of, as in a chain.
+    List operands(NodeId expression);
+    List with_operands(List, Operator, NodeId expression);
     /// Says that a token does not fit, and what could stand there.
     void report_unexpected(TokenKind found, Stretch, const TokenKinds& expected) const;
 };

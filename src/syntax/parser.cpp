@@ -85,6 +85,12 @@ std::string_view advice(TokenKind found, const Expected& expected) {
         case TokenKind::divide:
         case TokenKind::times:
             return "an operator needs a value on both sides";
+        case TokenKind::hash_end:
+        case TokenKind::hash_else:
+        case TokenKind::hash_elseif:
+            if (!expected.value()) return {};
+            return "an operator and the value behind it stand in the same part of a directive: "
+                   "1 #if (A) + 2 #end";
         default:
             return {};
     }

@@ -40,6 +40,8 @@ bool needs_comma(const Tree& tree, NodeId before, NodeId id) {
     if (const auto* text = tree.get_if<node::Text>(id); text && is_verbatim(tree, *text))
         return false;
     const std::size_t kind_before = tree[before].content.index();
+    const auto* chain = tree.get_if<node::Chain>(id);
+    if (chain && tree.get_if<node::Joined>(chain->first)) return false;
     const bool directive = tree[id].content.index() >= kind<node::Declare>;
     if (directive || kind_before >= kind<node::Declare>)
         return kind_before >= kind<node::Declare> && !directive;
@@ -99,6 +101,10 @@ struct Print {
     Pieces operator()(const node::Choice& n) const {
         return {one(n.condition), say(" ? "), one(n.yes), say(" : "), one(n.no)};
     }
+    Pieces operator()(const node::Joined& n) const {
+        return {say(message(spelling(n.sign), " ")), one(n.operand)};
+    }
+    Pieces operator()(const node::Chain& n) const { return {blanks(n.first)}; }
     Pieces operator()(const node::Group& n) const {
         return {say("("), blanks(n.content), say(")")};
     }

@@ -79,7 +79,10 @@ enum class TokenKind : std::uint8_t {
     dot,
     comma,
     semicolon,
-    between,  // put in by Brackets before a directive that follows an operator
+    // put in by Brackets
+    between,  // before a directive that follows an operator
+    goes_on,  // before a directive that goes on with the expression in front of it
+    joins,    // before an operator at the beginning of a part of such a directive
 };
 
 struct Token {

@@ -64,6 +64,7 @@ Token TokenStream::next() {
         const Token token = fetch();
         if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
         names_version_ = token.kind == TokenKind::hash_version;
+        dropped_sign_ = false;
         if (token.kind != TokenKind::hash_if || drop_false_branch() || !choose_branch())
             return token;
     }
@@ -97,6 +98,7 @@ bool TokenStream::drop_false_branch() {
     if (take(taken).kind != TokenKind::close_parenthesis) return give_back(taken), false;
     lexer_.be_quiet(true);
     Token token = fetch();
+    dropped_sign_ = is_sign(token.kind);
     for (std::size_t open = 0; token.kind != TokenKind::end_of_file; token = fetch()) {
         const bool ends = token.kind == TokenKind::hash_end;
         if (open == 0 && (ends || divides_directive(token.kind))) break;
@@ -239,16 +241,47 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
     return true;
 }
 
-std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
-    const Token first = take(taken);
-    int open = first.kind == TokenKind::open_parenthesis;
+bool TokenStream::take_parentheses(Tokens& taken) {
+    int open = take(taken).kind == TokenKind::open_parenthesis;
+    if (open == 0) return false;
     while (open > 0 && taken.size() <= most_ahead && taken.back().kind != TokenKind::end_of_file) {
         const TokenKind kind = take(taken).kind;
         open += kind == TokenKind::open_parenthesis    ? 1
                 : kind == TokenKind::close_parenthesis ? -1
                                                        : 0;
     }
-    return in_parentheses(text.substr(first.first));
+    return open == 0;
+}
+
+std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
+    const std::size_t first = taken.size();
+    take_parentheses(taken);
+    return in_parentheses(text.substr(taken[first].first));
+}
+
+bool TokenStream::goes_on_with_sign() {
+    if (dropped_sign_) return true;
+    Tokens taken;
+    const bool found = takes_sign(taken);
+    give_back(taken);
+    return found;
+}
+
+bool TokenStream::takes_sign(Tokens& taken) {
+    using enum TokenKind;
+    for (bool condition = true; !condition || take_parentheses(taken);) {
+        const TokenKind kind = take(taken).kind;
+        if (is_sign(kind)) return true;
+        condition = kind != hash_else && kind != hash_declare;
+        if (kind == hash_declare) {
+            while (taken.back().kind != semicolon && taken.size() <= most_ahead &&
+                   taken.back().kind != end_of_file)
+                take(taken);
+        } else if (!divides_directive(kind) && (!opens_directive(kind) || kind == hash_macro)) {
+            return false;
+        }
+    }
+    return false;
 }
 
 bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "syntax/lexer.h"
+#include "syntax/token_classes.h"
 
 #include <deque>
 #include <optional>
@@ -42,6 +43,10 @@ public:
     bool repeat_without_braces(const Token& opener, const Token& end, std::string_view text,
                                int braces);
 
+    /// To be called behind the word of a directive: whether its first part begins with a sign, not
+    /// counting declarations.
+    bool goes_on_with_sign();
+
 private:
     using Tokens = std::vector<Token>;
 
@@ -60,26 +65,12 @@ private:
     std::optional<bool> version_condition(Tokens& taken);
     /// Behind #if: takes the tokens of a first branch away that is never read.
     bool drop_false_branch();
+    bool takes_sign(Tokens& taken);
+    bool take_parentheses(Tokens& taken);
 
     Lexer& lexer_;
     double version_;
     bool names_version_ = false;  ///< the last token was #version
+    bool dropped_sign_ = false;   ///< behind the last #if stood a sign, but is never read
     std::deque<Token> ahead_;
 };
-
-/// What a block may begin with, in front of its brace.
-constexpr bool is_block_word(TokenKind kind) {
-    return kind == TokenKind::word || kind == TokenKind::layer;
-}
-
-constexpr bool opens_directive(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
-           kind == hash_switch || kind == hash_macro;
-}
-
-/// Splits an open directive into parts: #else, #elseif, #case, #range.
-constexpr bool divides_directive(TokenKind kind) {
-    using enum TokenKind;
-    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
-}

@@ -94,6 +94,13 @@ struct Binary {
 struct Choice {
     NodeId condition, yes, no;
 };
+struct Joined {
+    Operator sign;
+    NodeId operand;
+};  ///< `+ b`, in a chain
+struct Chain {
+    NodeId first, last;
+};  ///< `a #if (c) + b #end`: an operand, then Joined and directives, in which are chains of these
 struct Group {
     NodeId content;
 };  ///< `( ... )`: directives, then one value
@@ -216,13 +223,13 @@ struct Write {
 using NodeContent =
     std::variant<node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word,
                  node::Constant, node::Index, node::Member, node::Call, node::Apply, node::Unary,
-                 node::Binary, node::Choice, node::Group, node::Tuple, node::Vector, node::Prefixed,
-                 node::Colour, node::Channel, node::Array, node::Function, node::Block,
-                 node::Layers, node::Entry, node::Braces, node::Declare, node::Deprecated,
-                 node::Undef, node::If, node::Branch, node::Defined, node::While, node::For,
-                 node::Switch, node::Case, node::Break, node::Macro, node::Parameter, node::Include,
-                 node::Default, node::Message, node::Version, node::Open, node::Close, node::Read,
-                 node::Write>;
+                 node::Binary, node::Choice, node::Joined, node::Chain, node::Group, node::Tuple,
+                 node::Vector, node::Prefixed, node::Colour, node::Channel, node::Array,
+                 node::Function, node::Block, node::Layers, node::Entry, node::Braces,
+                 node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
+                 node::Defined, node::While, node::For, node::Switch, node::Case, node::Break,
+                 node::Macro, node::Parameter, node::Include, node::Default, node::Message,
+                 node::Version, node::Open, node::Close, node::Read, node::Write>;
 
 struct Node {
     std::uint32_t first = 0;  ///< bytes of the tree's source

@@ -20,6 +20,10 @@ TEST_CASE("expressions of functions have their own rules", "[evaluate]") {
         {"#declare f=function(a){-a+2*-a} P(f(3)) #declare g=function(a){2-a*-3} P(g(2)) #declare "
          "h=function(a){a--1} P(h(2))",
          "-9.000000 8.000000 3.000000"},
+        {"#declare f=function(a){0 #for (i,1,4) + a*i #end} P(f(2)) #declare g=function(a){a #if "
+         "(1) "
+         "* 2 #else / 2 #end - 1 #if (0) * 5 #end} P(g(3))",
+         "20.000000 5.000000"},
         {"#declare f=function(a,b,c){a/b*c} P(f(8,2,4)) #declare g=function(a,b,c){a/b/c} "
          "P(g(8,2,4))",
          "16.000000 1.000000"},

@@ -11,6 +11,31 @@ TEST_CASE("a minus sign behind a string belongs to the next value", "[syntax]") 
     CHECK(parsed.dumped() == Parsed("text { \"a\", -.3, 0 }").dumped());
 }
 
+TEST_CASE("an operator at the beginning of a part joins the expression before it", "[syntax]") {
+    const auto [text, tree] = GENERATE(table<std::string, std::string>({
+        {"1 #if (a) + 2 #end",
+         "chain\n  number 1\n  #if\n    branch\n      condition: group\n        name a\n      "
+         "body: "
+         "chain\n        joined +\n          number 2\n"},
+        {"1, #if (a) -2 #end",
+         "number 1\n#if\n  branch\n    condition: group\n      name a\n    body: number -2\n"},
+        {"#macro M(a) #if (a) -1 #end #end",
+         "#macro M\n  parameters: parameter a\n  body: #if\n    branch\n      condition: group\n   "
+         "     "
+         "name a\n      body: number -1\n"},
+        {"rotate #if (a) -y #end",
+         "word rotate\n#if\n  branch\n    condition: group\n      name a\n    body: unary -\n      "
+         "constant y\n"},
+        {"1 #if (a) 2 #end",
+         "number 1\n#if\n  branch\n    condition: group\n      name a\n    "
+         "body: number 2\n"},
+    }));
+    INFO(text);
+    const Parsed parsed(text);
+    CHECK(parsed.messages() == "");
+    CHECK(parsed.dumped() == tree);
+}
+
 TEST_CASE("what does not match is reported once", "[syntax]") {
     const auto [text, messages] = GENERATE(table<std::string, std::string>({
         {"sphere { 0, 1", "1:8 error: `{` has no end\n"},

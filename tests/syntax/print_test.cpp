@@ -24,7 +24,9 @@ TEST_CASE("printed text parses to the same tree", "[syntax]") {
         "function (x, y) { x + y < 2 } function { pattern { marble } } function 10, 20 { x }",
         "#declare T = texture { A } texture { B };",
         "light_sampler { linear_alpha { threshold 1 } }", "<a, 1 + 2, (b > 1)>",
-        "(#declare b = 1; b)", "vrotate(x, <0, 90, 0>).y * M()",
+        "(#declare b = 1; b)",
+        "1 + 2 #if (a) * 3 #elseif (b) #local c = 1; - c * 2 #if (d) / 4 #end #end - 5, 6",
+        "<1, #for (i, 1, 2) i, #end 2 #while (a) + 1 #end>", "vrotate(x, <0, 90, 0>).y * M()",
         "text { ttf \"a.ttf\" \"b\" 1, 0 }", "a precision \"b\\p\"", "#include \"a\\b.inc\"",
         "#include \"a\nb\"");
     INFO(text);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What kinds of tokens have in common, for those who look at tokens before the parser does.
+#pragma once
+
+#include "syntax/token.h"
+
+/// What a block may begin with, in front of its brace.
+constexpr bool is_block_word(TokenKind kind) {
+    return kind == TokenKind::word || kind == TokenKind::layer;
+}
+
+constexpr bool opens_directive(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_if || kind == hash_ifdef || kind == hash_while || kind == hash_for ||
+           kind == hash_switch || kind == hash_macro;
+}
+
+/// Splits an open directive into parts: #else, #elseif, #case, #range.
+constexpr bool divides_directive(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_else || kind == hash_elseif || kind == hash_case || kind == hash_range;
+}
+
+constexpr bool opens(TokenKind kind) {
+    using enum TokenKind;
+    return kind == open_brace || kind == open_parenthesis || kind == open_bracket ||
+           opens_directive(kind);
+}
+
+constexpr bool closes(TokenKind kind) {
+    using enum TokenKind;
+    return kind == close_brace || kind == close_parenthesis || kind == close_bracket ||
+           kind == hash_end;
+}
+
+constexpr bool is_directive(TokenKind kind) {
+    return kind >= TokenKind::hash_declare && kind <= TokenKind::hash_write;
+}
+
+constexpr bool begins_directive(TokenKind kind) {
+    using enum TokenKind;
+    return is_directive(kind) && kind != hash_end && kind != hash_macro && !divides_directive(kind);
+}
+
+/// A directive whose parts are elements.
+constexpr bool has_parts(TokenKind kind) {
+    return opens_directive(kind) && kind != TokenKind::hash_macro;
+}
+
+constexpr bool is_sign(TokenKind kind) {
+    using enum TokenKind;
+    return kind == plus || kind == minus || kind == times || kind == divide;
+}
+
+constexpr TokenKind closer_of(TokenKind opener) {
+    using enum TokenKind;
+    if (opener == open_brace) return close_brace;
+    if (opener == open_parenthesis) return close_parenthesis;
+    if (opener == open_bracket) return close_bracket;
+    return hash_end;
+}
+
+constexpr bool can_be_divided_by(TokenKind opener, TokenKind divider) {
+    using enum TokenKind;
+    const bool conditional = opener == hash_if || opener == hash_ifdef;
+    if (divider == hash_else) return conditional || opener == hash_switch;
+    if (divider == hash_elseif) return conditional;
+    return opener == hash_switch;
+}
