@@ -20,6 +20,12 @@ Flow Evaluator::State::directive(const Tree& tree, NodeId id, const Sink& take) 
             break;
         case kind<node::If>:
             return branch(tree, *std::get_if<node::If>(&content), take);
+        case kind<node::Postponed>:
+            for (const Diagnostic& each :
+                 tree.postponed[std::get_if<node::Postponed>(&content)->index])
+                report(each);
+            stopped_ = true;
+            break;
         case kind<node::While>:
             return loop_while(tree, *std::get_if<node::While>(&content), take);
         case kind<node::For>:
@@ -310,7 +316,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         const std::size_t errors = diagnostics.error_count();
         const SourceId source = sources.add(found->path, found->text, span);
         frames.push({Frame::include, no_name, source, span});
-        known = &trees.emplace_back(parse(source, sources, names, diagnostics, version));
+        known = &trees.emplace_back(parse(source, sources, names, diagnostics, version, true));
         frames.pop();
         codes.add(*known);
         if (diagnostics.error_count() > errors) stopped_ = true;

@@ -183,7 +183,7 @@ void Evaluator::State::run_within_memory(SourceId main) {
 }
 
 void Evaluator::State::run(SourceId main) {
-    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics, version));
+    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics, version, true));
     lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;

@@ -106,6 +106,7 @@ struct Describe {
         return {n.condition == no_node ? "else" : "branch",
                 {{"condition", n.condition}, {"body", n.body}}};
     }
+    Description operator()(node::Postponed) const { return {"postponed", {}}; }
     Description operator()(const node::Defined& n) const {
         return {n.negated ? "not defined" : "defined", {{"", n.target}}};
     }

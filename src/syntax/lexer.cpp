@@ -331,7 +331,8 @@ Token Lexer::read_text(const char* first) {
         tree_.verbatim.push_back(index);
         tree_.texts.emplace_back(raw);
     } else {
-        tree_.texts.push_back(unescaped(raw, source_, offset(first + 1), diagnostics_));
+        tree_.texts.push_back(
+            quiet_ ? std::string(raw) : unescaped(raw, source_, offset(first + 1), diagnostics_));
     }
     return token(TokenKind::text, first, index);
 }

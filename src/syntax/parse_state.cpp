@@ -110,6 +110,30 @@ NodeId ParseState::declared(NodeId declare, bool local, Stretch place) {
     return declare;
 }
 
+NodeId ParseState::branch(NodeId condition, List body, Stretch place, std::uint32_t end) {
+    const std::uint32_t begin = condition == no_node ? place.first : tree[condition].last;
+    const NodeId wrong = postpones && diagnostics.failed() ? postponed({begin, end}) : no_node;
+    return add(place, node::Branch{condition, wrong == no_node ? body.first() : wrong});
+}
+
+NodeId ParseState::postponed(Stretch part) {
+    Diagnostics others = diagnostics.fresh();
+    Diagnostics inside = diagnostics.fresh();
+    const auto covers = [&](Span span) {
+        return part.first <= span.first && span.last <= part.last;
+    };
+    for (const Diagnostic& each : diagnostics.all()) {
+        // What the part leaves open is told of where it ends.
+        const bool here =
+            covers(each.span) || std::ranges::any_of(each.labels, covers, &Label::span);
+        (here ? inside : others).add(each);
+    }
+    if (!inside.failed()) return no_node;
+    diagnostics = std::move(others);
+    tree.postponed.push_back(inside.all());
+    return add(part, node::Postponed{static_cast<std::uint32_t>(tree.postponed.size() - 1)});
+}
+
 NodeId ParseState::with_channel(NodeId colour, NodeId channel, Stretch place) {
     auto* open = colour == no_node ? nullptr : std::get_if<node::Colour>(&tree[colour].content);
     if (!open) return add(place, node::Colour{colour, channel});

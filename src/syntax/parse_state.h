@@ -106,6 +106,7 @@ struct ParseState {
     Brackets& brackets;
     Diagnostics& diagnostics;
     std::string_view text;
+    bool postpones;  ///< errors in branches of conditions
 
     Span span(Stretch place) const { return {tree.source, place.first, place.last}; }
     NodeId add(Stretch place, NodeContent content) { return tree.add(span(place), content); }
@@ -128,6 +129,11 @@ struct ParseState {
     NodeId vector(List components, Stretch);
     NodeId layered(List blocks, Stretch);
     NodeId declared(NodeId declare, bool local, Stretch);
+    /// The part of a condition that ends before `end`; no condition: #else.
+    NodeId branch(NodeId condition, List body, Stretch, std::uint32_t end);
+    /// What stands for a part with errors in it: they are taken away from the diagnostics. no_node:
+    /// there are none.
+    NodeId postponed(Stretch part);
     /// A colour with one more channel.
     NodeId with_channel(NodeId colour, NodeId channel, Stretch);
     /// The body of a function that begins with a word: `pattern { ... }`, `internal(4)`.

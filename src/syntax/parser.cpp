@@ -301,7 +301,7 @@ static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
 Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
-           double version) {
+           double version, bool postpones) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
@@ -309,9 +309,11 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     // twenty bytes. What is not used of this costs nothing.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
-    Lexer lexer(source, sources, names, tree, diagnostics);
-    Brackets brackets(lexer, version, source, text, diagnostics);
-    ParseState state{tree, names, brackets, diagnostics, text};
+    Diagnostics found = diagnostics.fresh();
+    Lexer lexer(source, sources, names, tree, found);
+    Brackets brackets(lexer, version, source, text, found);
+    ParseState state{tree, names, brackets, found, text, postpones};
     grammar_parse(state);
+    for (const Diagnostic& each : found.all()) diagnostics.add(each);
     return tree;
 }

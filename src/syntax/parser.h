@@ -9,5 +9,7 @@
 #include "text/source.h"
 
 /// `version`: of the language, until the text names one; it decides conditions about the version
-/// whose branches are no whole elements.
-Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, double version = 3.7);
+/// whose branches are no whole elements. `postpones`: what is wrong in a branch of a condition is
+/// not reported but kept in the tree, for nobody may ever come there.
+Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, double version = 3.7,
+           bool postpones = false);

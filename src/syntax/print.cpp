@@ -177,6 +177,7 @@ struct Print {
         return pieces;
     }
     Pieces operator()(const node::Branch&) const { return {}; }
+    Pieces operator()(node::Postponed) const { return (*this)(node::Broken()); }
     Pieces operator()(const node::Defined&) const { return {}; }
     Pieces operator()(const node::While& n) const {
         return {say("#while "), one(n.condition), elements(n.body), say("#end")};

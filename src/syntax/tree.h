@@ -4,7 +4,7 @@
 // kept without recursion. Every node has its place.
 #pragma once
 
-#include "text/span.h"
+#include "text/diagnostic.h"
 #include "vocabulary/words.h"
 
 #include <string>
@@ -164,6 +164,9 @@ struct If {
 struct Branch {
     NodeId condition, body;
 };  ///< condition no_node: `#else`
+struct Postponed {
+    std::uint32_t index;
+};  ///< a part of a condition with errors in it: index in Tree::postponed
 struct Defined {
     NodeId target;
     bool negated;
@@ -227,9 +230,9 @@ using NodeContent =
                  node::Vector, node::Prefixed, node::Colour, node::Channel, node::Array,
                  node::Function, node::Block, node::Layers, node::Entry, node::Braces,
                  node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
-                 node::Defined, node::While, node::For, node::Switch, node::Case, node::Break,
-                 node::Macro, node::Parameter, node::Include, node::Default, node::Message,
-                 node::Version, node::Open, node::Close, node::Read, node::Write>;
+                 node::Postponed, node::Defined, node::While, node::For, node::Switch, node::Case,
+                 node::Break, node::Macro, node::Parameter, node::Include, node::Default,
+                 node::Message, node::Version, node::Open, node::Close, node::Read, node::Write>;
 
 struct Node {
     std::uint32_t first = 0;  ///< bytes of the tree's source
@@ -259,6 +262,7 @@ struct Tree {
     std::vector<std::string> texts;  ///< strings with their escapes replaced
     /// Indices, ascending, of the strings that have no escapes: names of files.
     std::vector<std::uint32_t> verbatim;
+    std::vector<std::vector<Diagnostic>> postponed;  ///< what to report where the walk comes to it
 
     const Node& operator[](NodeId id) const { return nodes[static_cast<std::size_t>(id)]; }
     Node& operator[](NodeId id) { return nodes[static_cast<std::size_t>(id)]; }

@@ -112,3 +112,37 @@ TEST_CASE("a setting outside of global_settings is read as within", "[evaluate]"
     CHECK(complaint("max_intersections 64 sphere { 0, 1 }") ==
           "warning no-effect: `max_intersections` has no effect in this version");
 }
+
+TEST_CASE("what is wrong in a branch counts only when the branch is taken", "[evaluate]") {
+    const std::string wrong =
+        GENERATE(as<std::string>(), "@ $ % \\ ' ` ~ ^", "don't do this", "\"bad \\q escape\"",
+                 "#rgb", "a == b && c || d", "#declare = 1;", ", ,", "1 + * 2", "sphere { 0", "(a",
+                 "a ) b", "#for (a #end", "#if #end");
+    INFO(wrong);
+    const auto messages = [&](const std::string& condition) {
+        return run("#version 3.7; " + condition + " " + wrong + " #end sphere { 0, 1 }").text;
+    };
+    CHECK(messages("#ifdef (Nothing)") == "");
+    CHECK(messages("#declare A = 0; #if (A)") == "");
+    CHECK(messages("#ifndef (Nothing) #else") == "");
+    CHECK(messages("#ifdef (Nothing) #elseif (0)") == "");
+    CHECK(messages("#ifdef (Nothing) #ifdef (Nothing) #end") == "");
+    CHECK(messages("#ifndef (Nothing)").starts_with("error: "));
+    CHECK(messages("#ifdef (Nothing) #elseif (1)").starts_with("error: "));
+    CHECK(messages("#ifdef (Nothing) #else").starts_with("error: "));
+}
+
+TEST_CASE("an error beside a branch is told of without what is wrong in it", "[evaluate]") {
+    CHECK(complaint("#ifdef (Nothing) @ #end ^ 1") ==
+          "error unknown-character: this character means nothing here");
+}
+
+TEST_CASE("directives go on with the values of an object", "[evaluate]") {
+    const Script done = run(
+        "#version 3.7; sphere { <0, 0, 0> #if (1) + x #end, 1 #if (1) + 2 #end translate y #if (1) "
+        "* 2 #end }");
+    CHECK(done.text == "");
+    CHECK(done.shape<Sphere>().radius == 3);
+    REQUIRE(done.object().transform);
+    CHECK(done.object().transform->point(done.shape<Sphere>().centre) == Vec3(1, 2, 0));
+}
