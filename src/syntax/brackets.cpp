@@ -20,6 +20,11 @@ constexpr auto plain = [] {
     return result;
 }();
 
+/// The way out for those who want to open a block by one macro and to close it by another.
+constexpr const char* macro_braces =
+    "a macro closes what it opens and nothing else; what is to stand in its braces can be a "
+    "parameter: #macro In(Parts) union { object { Parts } } #end";
+
 /// Whether a directive that comes now stands where a value is wanted.
 bool wants_operand(TokenKind before) {
     using enum TokenKind;
@@ -161,6 +166,8 @@ bool Brackets::accept_closer(const Token& closer) {
     Diagnostic problem = error(Fault::syntax, span(closer),
                                message("`", spelling(closer), "` closes nothing that is open"));
     if (!open_.empty()) problem.pointing(span(open_.back().token), "the innermost that is open");
+    if (!open_.empty() && open_.back().token.kind == TokenKind::hash_macro)
+        problem.with_help(macro_braces);
     diagnostics_.add(problem);
     return false;
 }
@@ -253,9 +260,13 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
             : error(Fault::syntax, span(closer),
                     message("`", spelling(closer), "` comes before the ",
                             opens_directive(opener.kind) ? "`#end`" : "end", " of `", opened, "`"));
+    const bool macro = depth > 0 && open_[depth - 1].token.kind == TokenKind::hash_macro;
     if (branch) {
-        problem.pointing(span(closer), "the part of the directive ends here")
-            .with_help("what a part of a directive opens it must close itself");
+        problem
+            .pointing(span(closer),
+                      macro ? "the macro ends here" : "the part of the directive ends here")
+            .with_help(macro ? macro_braces
+                             : "what a part of a directive opens it must close itself");
     } else {
         problem.pointing(span(opener), "still open");
         problem.with_help(message("add the missing `",
