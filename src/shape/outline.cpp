@@ -19,14 +19,7 @@ Vec2 Outline::Edge::normal(double u) const {
 }
 
 Outline::Outline(const std::vector<std::vector<CurvePiece>>& loops) {
-    for (const auto& loop : loops)
-        for (const CurvePiece& piece : loop) {
-            edges_.push_back({piece, ::bounds(piece)});
-            bounds_ = join(bounds_, edges_.back().bounds);
-            groups_.resize((edges_.size() + group_size - 1) / group_size);
-            groups_.back() = join(groups_.back(), edges_.back().bounds);
-            add_strands(static_cast<std::uint32_t>(edges_.size() - 1));
-        }
+    for (const auto& loop : loops) add(loop);
     // Curves that do not cross themselves have the outside on one side all the way: it is tested
     // beside the longest piece of each.
     auto first = edges_.begin();
@@ -41,6 +34,24 @@ Outline::Outline(const std::vector<std::vector<CurvePiece>>& loops) {
         for (auto edge = first; edge != last; ++edge) edge->outside_right = !right_within;
         first = last;
     }
+}
+
+void Outline::add(const std::vector<CurvePiece>& loop) {
+    const auto count = [](const auto& list) { return static_cast<std::uint32_t>(list.size()); };
+    Loop all{{}, {count(groups_), count(groups_)}};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (i % group_size == 0) groups_.push_back({{}, {count(edges_), 0}, {count(strands_), 0}});
+        edges_.push_back({loop[i], ::bounds(loop[i])});
+        add_strands(count(edges_) - 1);
+        Group& group = groups_.back();
+        group.bounds = join(group.bounds, edges_.back().bounds);
+        group.edges.last = count(edges_);
+        group.strands.last = count(strands_);
+        all.bounds = join(all.bounds, edges_.back().bounds);
+    }
+    all.groups.last = count(groups_);
+    loops_.push_back(all);
+    bounds_ = join(bounds_, all.bounds);
 }
 
 void Outline::add_strands(std::uint32_t edge) {
@@ -76,20 +87,20 @@ bool Outline::right_of(const Strand& strand, const Vec2& p) const {
 }
 
 bool Outline::contains(const Vec2& p) const {
-    if (!(p.x >= bounds_.low.x && p.x <= bounds_.high.x && p.y >= bounds_.low.y &&
-          p.y <= bounds_.high.y))
-        return false;
-    // Strands are in the order of their edges.
-    const auto first_of = [&](std::size_t group) {
-        return std::ranges::lower_bound(strands_, group * group_size, {}, &Strand::edge);
-    };
     bool result = false;
-    for (std::size_t group = 0; group < groups_.size(); ++group) {
-        const Rectangle& box = groups_[group];
-        if (p.y < box.low.y || p.y > box.high.y || p.x >= box.high.x) continue;
-        const auto last = first_of(group + 1);
-        for (auto strand = first_of(group); strand != last; ++strand)
-            if ((strand->y_first < p.y) != (strand->y_last < p.y)) result ^= right_of(*strand, p);
+    for (const Loop& loop : loops_) {
+        // From beside a closed curve any way crosses it an even number of times.
+        const Rectangle& around = loop.bounds;
+        if (!(p.x >= around.low.x && p.x <= around.high.x && p.y >= around.low.y &&
+              p.y <= around.high.y))
+            continue;
+        for (std::uint32_t g = loop.groups.first; g < loop.groups.last; ++g) {
+            const auto& [box, edges, strands] = groups_[g];
+            if (p.y < box.low.y || p.y > box.high.y || p.x >= box.high.x) continue;
+            for (std::uint32_t i = strands.first; i < strands.last; ++i)
+                if ((strands_[i].y_first < p.y) != (strands_[i].y_last < p.y))
+                    result ^= right_of(strands_[i], p);
+        }
     }
     return result;
 }

@@ -27,11 +27,14 @@ public:
     /// groups of them first.
     template <class Beside, class Use>
     void for_edges(Beside beside, Use use) const {
-        for (std::size_t group = 0; group < groups_.size(); ++group) {
-            if (beside(groups_[group])) continue;
-            const std::size_t last = std::min(edges_.size(), (group + 1) * group_size);
-            for (std::size_t i = group * group_size; i < last; ++i)
-                if (!beside(edges_[i].bounds)) use(edges_[i]);
+        for (const Loop& loop : loops_) {
+            if (beside(loop.bounds)) continue;
+            for (std::uint32_t group = loop.groups.first; group < loop.groups.last; ++group) {
+                if (beside(groups_[group].bounds)) continue;
+                const Range edges = groups_[group].edges;
+                for (std::uint32_t i = edges.first; i < edges.last; ++i)
+                    if (!beside(edges_[i].bounds)) use(edges_[i]);
+            }
         }
     }
 
@@ -42,13 +45,28 @@ private:
         Interval u;
         double y_first, y_last, x_low, x_high;
     };
+    struct Range {
+        std::uint32_t first, last;  ///< the last one does not belong to it
+    };
+    /// Neighbours in a curve.
+    struct Group {
+        Rectangle bounds;
+        Range edges, strands;
+    };
+    /// A closed curve.
+    struct Loop {
+        Rectangle bounds;
+        Range groups;
+    };
+    void add(const std::vector<CurvePiece>& loop);
     void add_strands(std::uint32_t edge);
     bool right_of(const Strand&, const Vec2&) const;
 
     static constexpr std::size_t group_size = 16;
 
     std::vector<Edge> edges_;
-    std::vector<Rectangle> groups_;  ///< around so many edges each
     std::vector<Strand> strands_;
+    std::vector<Group> groups_;
+    std::vector<Loop> loops_;
     Rectangle bounds_;
 };

@@ -54,6 +54,33 @@ TEST_CASE("points are within an odd number of loops", "[shape]") {
     }
 }
 
+TEST_CASE("points are within one of several curves, or between two of them", "[shape]") {
+    // Each square has more sides than stand together in a group.
+    const auto square = [](std::vector<Vec2>& points, const Vec2& low, double size) {
+        constexpr int parts = 10;
+        const std::array corners = {low, low + Vec2(size, 0), low + Vec2(size),
+                                    low + Vec2(0, size)};
+        for (std::size_t side = 0; side < 4; ++side)
+            for (int i = 0; i < parts; ++i)
+                points.push_back(glm::mix(corners[side], corners[(side + 1) % 4], i / 10.0));
+        points.push_back(low);
+    };
+    std::vector<Vec2> points;
+    for (const auto& [x, size] : {std::pair(0.0, 2.0), {3.0, 2.0}, {3.5, 1.0}, {6.0, 2.0}})
+        square(points, Vec2(x, size == 1 ? 0.5 : 0.0), size);
+    const Outline squares = outline(linear_curve, points);
+    const auto within = [](const Vec2& p, const Vec2& low, double size) {
+        return p.x > low.x && p.x < low.x + size && p.y > low.y && p.y < low.y + size;
+    };
+    Draw draw(5);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec2 p(draw.between(-1, 9), draw.between(-1, 3));
+        const bool ring = within(p, {3, 0}, 2) && !within(p, {3.5, 0.5}, 1);
+        CAPTURE(p.x, p.y);
+        CHECK(squares.contains(p) == (within(p, {0, 0}, 2) || ring || within(p, {6, 0}, 2)));
+    }
+}
+
 TEST_CASE("curved outlines contain what is within them", "[shape]") {
     const Outline round = circle();
     Draw draw(2);
