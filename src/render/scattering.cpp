@@ -28,10 +28,6 @@ double density_about(double cosine, double exponent) {
     return cosine > 0 ? (exponent + 1) / (2 * pi) * std::pow(cosine, exponent) : 0;
 }
 
-Vec3 mirrored(const Vec3& view, const Vec3& normal) {
-    return view - 2 * dot(view, normal) * normal;
-}
-
 }  // namespace
 
 Scattering::Scattering(const Shading& s) : s_(s) {

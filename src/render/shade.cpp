@@ -109,8 +109,7 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
     const Vec3 tint =
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
     if (f.phong > 0) {
-        const Vec3 mirrored = s.view - 2 * dot(s.view, s.normal) * s.normal;
-        const double alignment = dot(mirrored, to_light);
+        const double alignment = dot(mirrored(s.view, s.normal), to_light);
         if (alignment > 0) result += f.phong * std::pow(alignment, f.phong_size) * tint;
     }
     if (f.specular > 0) {

@@ -57,6 +57,11 @@ Vec3 own_radiance(const World&, const Shading&, bool glowing = true);
 /// iridescent.
 Vec3 iridescence(const World&, const Shading&, const Vec3& direction);
 
+/// A direction after a mirror with that unit normal.
+inline Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
+    return direction - 2 * dot(direction, normal) * normal;
+}
+
 /// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance
 /// pi) comes from a unit direction; the cosine is in it. Zero where the direction is below the
 /// horizon.

@@ -31,10 +31,6 @@ private:
     Vec3 before_;
 };
 
-Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
-    return direction - 2 * dot(direction, normal) * normal;
-}
-
 /// Where the pattern of a camera's normal is asked for a point of the picture. Measured from
 /// POV-Ray: a coordinate that stands for an angle is that angle in radians; round pictures have
 /// the angle around their middle and the angle away from it.
