@@ -285,11 +285,10 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
     return sum;
 }
 
-Vec3 DirectLight::from_cuts(const Octree& octree, const Shading& s, const Key& key,
-                            RayCounts& rays) {
+Vec3 DirectLight::from_cuts(const Octree& octree, const Scattering& scattering, const Shading& s,
+                            const Key& key, RayCounts& rays) {
     Octree::Weights weights;
     const ShadingPoint point = point_of(s);
-    const Scattering scattering(s);
     octree.weigh(
         point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); },
         scattering.answers(), weights);
@@ -317,9 +316,8 @@ int DirectLight::rays_at(const Octree::Weights& weights, const Scattering& scatt
 
 /// What other renderers do: a point on a luminaire and a direction of the surface, weighed by the
 /// balance heuristic (Veach).
-Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Shading& s, const Key& key,
-                            RayCounts& rays) {
-    const Scattering scattering(s);
+Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Scattering& scattering,
+                            const Shading& s, const Key& key, RayCounts& rays) {
     Vec3 sum = from_surface(bvh, scattering, s, key.with_branch(1), rays);
     picks_.clear();
     bvh.choose(point_of(s), key, picks_);
@@ -344,7 +342,8 @@ Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Scattering& scatt
     return seen;
 }
 
-Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& rays) {
+Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s, const Key& key,
+                                  RayCounts& rays) {
     const auto repeated = [&](const auto& once) {
         Vec3 sum(0);
         for (int i = 0; i < rays_here_; ++i) sum += once(key.part(rays_here_, i));
@@ -353,10 +352,12 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
     const auto ask = [&](const auto& sampler) {
         using Sampler = std::decay_t<decltype(sampler)>;
         if constexpr (std::is_same_v<Sampler, BuiltLightOctree>)
-            if (const Octree* octree = sampler.cuts()) return from_cuts(*octree, s, key, rays);
+            if (const Octree* octree = sampler.cuts())
+                return from_cuts(*octree, scattering, s, key, rays);
         if constexpr (std::is_same_v<Sampler, BuiltLightBvh>)
             if (sampler.paired())
-                return repeated([&](const Key& k) { return from_pair(sampler, s, k, rays); });
+                return repeated(
+                    [&](const Key& k) { return from_pair(sampler, scattering, s, k, rays); });
         return repeated([&](const Key& k) { return from_picks(sampler, s, k, rays); });
     };
     rays_here_ = shadow_rays_.usual;
@@ -366,11 +367,11 @@ Vec3 DirectLight::from_luminaires(const Shading& s, const Key& key, RayCounts& r
 
 /// A direction from where the sky is bright or the surface answers, weighed by the density that
 /// both ways together have.
-Vec3 DirectLight::from_sky(const Shading& s, const Key& key, RayCounts& rays) const {
+Vec3 DirectLight::from_sky(const Scattering& scattering, const Shading& s, const Key& key,
+                           RayCounts& rays) const {
     const SkyLight& sky = world_.sky_light;
     const double u = uniform(key, Purpose::sky_choice);
     const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
-    const Scattering scattering(s);
     const auto direction =
         u < 0.5 ? std::optional(sky.draw(place).direction) : scattering.draw(place);
     const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
@@ -386,10 +387,11 @@ Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) 
     Vec3 sum(0);
     if (!answers_light(s)) return sum;
     sum = from_sources(s, key, rays);
-    if (!world_.luminaires.empty()) sum += from_luminaires(s, key, rays);
+    const Scattering scattering(s);
+    if (!world_.luminaires.empty()) sum += from_luminaires(scattering, s, key, rays);
     if (world_.sky_light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
-    for (int i = 0; i < count; ++i) of_sky += from_sky(s, key.part(count, i), rays);
+    for (int i = 0; i < count; ++i) of_sky += from_sky(scattering, s, key.part(count, i), rays);
     return sum + of_sky / static_cast<double>(count);
 }

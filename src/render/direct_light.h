@@ -52,10 +52,10 @@ private:
     };
     using Octree = BuiltCutOctree;
 
-    Vec3 from_sky(const Shading&, const Key&, RayCounts&) const;
+    Vec3 from_sky(const Scattering&, const Shading&, const Key&, RayCounts&) const;
     Vec3 from_sources(const Shading&, const Key&, RayCounts&);
     Vec3 from_drawn_sources(const SourceSet&, const Shading&, const Key&, RayCounts&);
-    Vec3 from_luminaires(const Shading&, const Key&, RayCounts&);
+    Vec3 from_luminaires(const Scattering&, const Shading&, const Key&, RayCounts&);
     Vec3 from_source(std::uint32_t light, double weight, const Shading&, const Key&, RayCounts&);
     void credit_luminaire(RayCounts&, LightIndex, const Vec3& seen, std::uint64_t rays) const;
     template <class Sampler>
@@ -63,14 +63,14 @@ private:
     template <class Density>
     Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&,
                         const Density&) const;
-    Vec3 from_cuts(const Octree&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_cuts(const Octree&, const Scattering&, const Shading&, const Key&, RayCounts&);
     Vec3 from_cell(const Octree&, const Octree::Weights&, const Scattering&, const Shading&,
                    const Key&, RayCounts&);
     std::optional<LightSight> sight(const Ray&, double tolerance) const;
     std::optional<LightSight> sight_past_clear(const Ray&, double tolerance) const;
     template <class Weight>
     Vec3 seen_towards(const Shading&, const Vec3& direction, RayCounts&, const Weight&);
-    Vec3 from_pair(const BuiltLightBvh&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_pair(const BuiltLightBvh&, const Scattering&, const Shading&, const Key&, RayCounts&);
     Vec3 from_surface(const BuiltLightBvh&, const Scattering&, const Shading&, const Key&,
                       RayCounts&);
     void meet_along(const LightTree&, const Shading&, const Vec3& direction);
