@@ -19,7 +19,8 @@ constexpr double uneven = 3;
 
 class Emitters {
 public:
-    explicit Emitters(const World& world) : world_(world) {}
+    Emitters(const World& world, bool guided)
+        : world_(world), guides_left_(guided ? most_guides : 0) {}
 
     Emitter of(const GlowingPrimitive& glow, const Luminaire& look) {
         const Emitter plain = by_shape(glow, look);
@@ -70,7 +71,7 @@ private:
     }
 
     const World& world_;
-    int guides_left_ = most_guides;
+    int guides_left_;
 };
 
 void set_radiance(const World& world, Luminaire& luminaire) {
@@ -88,9 +89,9 @@ void set_radiance(const World& world, Luminaire& luminaire) {
 
 }  // namespace
 
-void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing,
+void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, bool guided,
                     Diagnostics& diagnostics) {
-    Emitters emitters(world);
+    Emitters emitters(world, guided);
     for (const GlowingPrimitive& glow : glowing) {
         Luminaire luminaire;
         luminaire.primitive = primitive(world, glow.kind, glow.index);

@@ -17,4 +17,5 @@ struct GlowingPrimitive {
 };
 
 /// Fills World::luminaires and World::statement_of_luminaire. What has no area is warned of.
-void add_luminaires(World&, std::span<const GlowingPrimitive>, Diagnostics&);
+/// `guided`: those without a formula get their guides, which only rays need.
+void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);

@@ -128,7 +128,7 @@ public:
         for (Parted& each : parted_)
             world_.part_textures[primitive(world_, each.kind, each.index)] =
                 std::move(each.textures);
-        add_luminaires(world_, glowing_, diagnostics_);
+        add_luminaires(world_, glowing_, all_, diagnostics_);
     }
 
 private:
