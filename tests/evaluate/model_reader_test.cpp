@@ -26,6 +26,14 @@ Script made(const std::string& block) {
     return done;
 }
 
+/// Of `mesh { file "t.obj" words }`, where the file holds this.
+Script made_of_file(const std::string& text, const std::string& words = "") {
+    const Folder folder;
+    const std::string file = folder / "t.obj";
+    folder.put("t.obj", text);
+    return run("#version 3.7; mesh { file \"" + file + "\" " + words + " }", {{file, text}});
+}
+
 }  // namespace
 
 TEST_CASE("objects become meshes", "[evaluate]") {
@@ -74,14 +82,11 @@ TEST_CASE("files are read where scenes may read", "[evaluate]") {
 }
 
 TEST_CASE("normals and uv of files are kept as far as the shape is", "[evaluate]") {
-    const Folder folder;
-    const std::string file = folder / "t.obj";
-    folder.put("t.obj",
-               "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 0 1 0\n"
-               "f 1/1/1 2/2/1 3/3/2\n");
-    const auto read = [&](const std::string& words) {
-        return run("#version 3.7; mesh { file \"" + file + "\" " + words + " }",
-                   {{file, folder.get("t.obj")}});
+    const auto read = [](const std::string& words) {
+        return made_of_file(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\nvn 0 1 0\n"
+            "f 1/1/1 2/2/1 3/3/2\n",
+            words);
     };
     const Script plain = read("");
     CHECK(plain.text.empty());
@@ -97,13 +102,9 @@ TEST_CASE("normals and uv of files are kept as far as the shape is", "[evaluate]
 }
 
 TEST_CASE("materials of a file are told of once, for they are left out", "[evaluate]") {
-    const Folder folder;
-    const std::string file = folder / "t.obj";
-    folder.put("t.obj",
-               "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
-               "usemtl blue\nf 1 3 2\n");
-    const Script done =
-        run("#version 3.7; mesh { file \"" + file + "\" }", {{file, folder.get("t.obj")}});
+    const Script done = made_of_file(
+        "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"
+        "usemtl blue\nf 1 3 2\n");
     REQUIRE(done.said.size() == 1);
     CHECK(done.said[0].severity == Severity::warning);
     CHECK(done.said[0].fault == Fault::no_effect);
