@@ -117,10 +117,12 @@ private:
 
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
-        const bool renders = options_.task == Task::render;
-        for (const std::string& path : {renders && options_.to_file ? output.path : std::string(),
-                                        options_.stats_file, options_.depfile, options_.mesh_file,
-                                        renders ? layers_path(files_of(output)) : std::string()}) {
+        const bool renders = options_.task == Task::render, saves = renders && options_.to_file;
+        const std::string layers = renders ? layers_path(files_of(output)) : "";
+        if (saves) can_write(output.format.type, diagnostics_);
+        if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
+        for (const std::string& path : {saves ? output.path : std::string(), options_.stats_file,
+                                        options_.depfile, options_.mesh_file, layers}) {
             if (path.empty()) continue;
             std::error_code none;
             std::string problem = problem_with_destination(path);

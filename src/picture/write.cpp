@@ -120,6 +120,10 @@ void describe(std::string& bytes, const PictureFormat& format) {
 
 std::string_view extension(PictureType type) { return info(type).extension; }
 
+bool can_write(PictureType type, Diagnostics& diagnostics) {
+    return type == PictureType::png || picture_formats(diagnostics);
+}
+
 std::optional<PictureType> type_of_name(std::string_view path) {
     const std::size_t dot = path.find_last_of("./");
     if (dot == std::string_view::npos || path[dot] == '/') return std::nullopt;

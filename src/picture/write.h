@@ -33,6 +33,10 @@ std::string_view extension(PictureType);
 bool has_alpha(PictureType);
 bool has_grey(PictureType);
 
+/// Whether files of that type can be written here; a diagnostic when they cannot. For those who
+/// would rather know before the picture is made.
+bool can_write(PictureType, Diagnostics&);
+
 /// The type that a file's name ends in, in any case of letters; nothing when it is none of them.
 std::optional<PictureType> type_of_name(std::string_view path);
 

@@ -41,6 +41,10 @@ check "the old picture is as it was" grep -qx precious old.png
 expect "layers for which there is no room" 3 "cannot write" bash -c "ulimit -f 60; '$program' scene.pov -V +Olayers.png +W300 +H200 --layers all --samples 1"
 check "the picture beside them is whole" "$program" scene.pov -V +Oagain.png +W300 +H200 --samples 1
 check "no draft is left" test -z "$(find . -name '.candelabra*')"
+# Known before the work, not after it.
+cp "$program" alone
+expect "no library for the format" 3 "the library of picture formats" \
+       timeout 60 ./alone scene.pov -V +Oalone.exr +W9000 +H9000 --samples 1000
 expect "no such folder" 3 "there is no folder" render -V +Onowhere/a.png
 mkdir -m 555 closed
 as_other=()
