@@ -310,10 +310,12 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe, c
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }
 
-void BuiltCutOctree::weigh_choice(const ShadingPoint& point, Weights& weights) const {
+void BuiltCutOctree::weigh_choice(const ShadingPoint& point, const Gloss& gloss,
+                                  Weights& weights) const {
     if (state_->luminaires.empty()) return;
     weights.cut = &*cell_at(point.position, nullptr).cut;
     weights.cut->weigh(point, weights);
+    if (gloss.count > 0) weights.cut->weigh_answers(point, gloss, weights);
 }
 
 std::uint32_t BuiltCutOctree::descend(const ShadingPoint& point, LightCluster c, const Key& key,
@@ -374,13 +376,13 @@ double BuiltCutOctree::expected(const ShadingPoint& point, const Weights& weight
 
 void BuiltCutOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
     Weights weights;
-    weigh_choice(point, weights);
+    weigh_choice(point, {}, weights);
     choose(point, weights, key, uniform(key, Purpose::light_choice), picks);
 }
 
 double BuiltCutOctree::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
     Weights weights;
-    weigh_choice(point, weights);
+    weigh_choice(point, {}, weights);
     return expected(point, weights, light);
 }
 

@@ -33,7 +33,7 @@ public:
 
     void weigh(const ShadingPoint&, const LightProbe&, const Gloss&, Weights&) const;
     /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
-    void weigh_choice(const ShadingPoint&, Weights&) const;
+    void weigh_choice(const ShadingPoint&, const Gloss&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.
     void choose(const ShadingPoint&, const Weights&, const Key&, double u, LightPicks&) const;
     double expected(const ShadingPoint&, const Weights&, LightIndex) const;

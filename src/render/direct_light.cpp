@@ -40,12 +40,13 @@ Vec2 place_on_light(const Key& key) {
 
 }  // namespace
 
-Vec3 DirectLight::from_sources(const Shading& s, const Key& key, RayCounts& rays) {
+Vec3 DirectLight::from_sources(const Scattering& scattering, const Shading& s, const Key& key,
+                               RayCounts& rays) {
     Vec3 sum(0);
     for (const SourceSet& set : world_.source_sets) {
         if (!world_.reaches(set.group, *s.material)) continue;
         if (set.drawn())
-            sum += from_drawn_sources(set, s, key, rays);
+            sum += from_drawn_sources(set, scattering, s, key, rays);
         else
             for (const std::uint32_t light : set.lights) sum += from_source(light, 1, s, key, rays);
     }
@@ -75,8 +76,8 @@ void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3
 }
 
 /// Some of many.
-Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, const Key& key,
-                                     RayCounts& rays) {
+Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Scattering& scattering,
+                                     const Shading& s, const Key& key, RayCounts& rays) {
     const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
     const ShadingPoint point = set.asked(point_of(s));
     const BuiltLightOctree* octree = std::get_if<BuiltLightOctree>(&set.sampler);
@@ -85,8 +86,8 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Shading& s, con
     const auto past_clear = [&](const Ray& ray, double tolerance) {
         return sight_past_clear(ray, tolerance);
     };
-    if (cuts && !set.parallel) cuts->weigh(point, past_clear, {}, weights);
-    if (cuts && set.parallel) cuts->weigh_choice(point, weights);
+    if (cuts && !set.parallel) cuts->weigh(point, past_clear, scattering.answers(), weights);
+    if (cuts && set.parallel) cuts->weigh_choice(point, scattering.answers(), weights);
     Vec3 sum(0);
     for (int i = 0; i < shadow_rays_.usual; ++i) {
         const Key part = own.part(shadow_rays_.usual, i);
@@ -386,8 +387,8 @@ Vec3 DirectLight::from_sky(const Scattering& scattering, const Shading& s, const
 Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) {
     Vec3 sum(0);
     if (!answers_light(s)) return sum;
-    sum = from_sources(s, key, rays);
     const Scattering scattering(s);
+    sum = from_sources(scattering, s, key, rays);
     if (!world_.luminaires.empty()) sum += from_luminaires(scattering, s, key, rays);
     if (world_.sky_light.empty()) return sum;
     Vec3 of_sky(0);

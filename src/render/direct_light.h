@@ -53,8 +53,9 @@ private:
     using Octree = BuiltCutOctree;
 
     Vec3 from_sky(const Scattering&, const Shading&, const Key&, RayCounts&) const;
-    Vec3 from_sources(const Shading&, const Key&, RayCounts&);
-    Vec3 from_drawn_sources(const SourceSet&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_sources(const Scattering&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_drawn_sources(const SourceSet&, const Scattering&, const Shading&, const Key&,
+                            RayCounts&);
     Vec3 from_luminaires(const Scattering&, const Shading&, const Key&, RayCounts&);
     Vec3 from_source(std::uint32_t light, double weight, const Shading&, const Key&, RayCounts&);
     void credit_luminaire(RayCounts&, LightIndex, const Vec3& seen, std::uint64_t rays) const;

@@ -32,7 +32,7 @@ struct Street {
 /// Variance over squared mean of the choice where nothing is between.
 double noise(const Street& street, const BuiltCutOctree& built, const ShadingPoint& point) {
     BuiltCutOctree::Weights weights;
-    built.weigh_choice(point, weights);
+    built.weigh_choice(point, {}, weights);
     double sum = 0, square = 0;
     for (LightIndex light = 0; light < street.luminaires.size(); ++light) {
         const double given = unoccluded(street.luminaires[light], point);

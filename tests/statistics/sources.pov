@@ -27,6 +27,7 @@ light_source { <-1, 2, 2>, rgb <0.05, -0.02, 0> }
     light_source { <20*rand(Random) - 10, 6, 20*rand(Random) - 10>, rgb 0.01*rand(Random) parallel point_at 0 }
 #end
 sphere { <-1, 0.6, -0.5>, 0.6 pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+sphere { <0.1, 0.5, 0.9>, 0.5 pigment { rgb 0.8 } finish { ambient 0 microfacet { roughness 0.5 metallic 1 } } }
 box { <1, 0, -1>, <1.7, 1.2, 0> pigment { rgbt <0.8, 0.9, 0.8, 0.3> } finish { ambient 0 diffuse 0.7 } }
 light_group {
     light_source { <-3, 2, 0>, rgb 0.3 }
