@@ -36,9 +36,9 @@ constexpr double least_noise = 0.02;
 /// the choice as well.
 constexpr double doubt = 3;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
-/// luminaire that nearly touches the point. Only where the choice has no noise at all, there is
-/// nothing to be found.
-constexpr double least_by_direction = 0.1, no_noise = 1e-6;
+/// luminaire that nearly touches the point. The less noise the choice has, the less there is to be
+/// found; nothing where it has none at all.
+constexpr double least_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
 /// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double most_glare = 16;
@@ -185,7 +185,9 @@ BuiltCutOctree::Survey BuiltCutOctree::survey(const Box& box, LightCut& cut,
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     if (found > no_noise)
-        result.by_direction = std::clamp(share, least_by_direction, state_->settings.outlook);
+        result.by_direction =
+            std::clamp(share, least_by_direction * std::fmin(found / little_noise, 1),
+                       state_->settings.outlook);
     const double scattering = result.outlook->noise_of_scattering();
     result.as_scattered = scattering <= std::fmin(outlook, found + least_noise) &&
                           state_->brightest <= most_glare * result.outlook->mean_luminance();

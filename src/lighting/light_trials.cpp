@@ -61,12 +61,19 @@ double arriving(std::span<const Luminaire> luminaires, LightIndex light, const R
                  cosine = from.point.both_sides ? std::abs(height) : height;
     const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
     if (!(cosine > 0) && !source) return 0;
-    const auto sight = probe({from.point.position, drawn->direction}, from.tolerance);
+    const Ray ray{from.point.position, drawn->direction};
     if (source) {
+        const auto sight = probe(ray, from.tolerance);
         const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
         return hidden ? 0 : unoccluded(luminaires[light], from.point);
     }
-    return sight && sight->light == light ? sight->luminance * cosine / drawn->density : 0;
+    double luminance = 0;
+    look_along(ray, from.tolerance, probe, [&](const LightSight& sight, double share) {
+        if (sight.light != light) return false;
+        luminance = share * sight.luminance;
+        return true;
+    });
+    return luminance * cosine / drawn->density;
 }
 
 float cautious_share(float share, const Box& cell, const Glow& g) {

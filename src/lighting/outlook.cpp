@@ -232,13 +232,17 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
                          cosine = from.point.both_sides ? std::abs(height) : height;
             if (cosine <= 0) continue;
             cosines += cosine;
-            const auto sight = probe({from.point.position, direction}, from.tolerance);
-            if (!sight || !sight->light) continue;
-            seen[i][bin] = sight->luminance;
-            arriving[place] += cosine * sight->luminance;
-            sum += cosine * sight->luminance;
-            irradiance_ += cosine * sight->luminance / (tries * cone.bin_density());
-            squares += cosine * sight->luminance * sight->luminance;
+            double luminance = 0;
+            look_along({from.point.position, direction}, from.tolerance, probe,
+                       [&](const LightSight& sight, double share) {
+                           luminance += share * sight.luminance;
+                           return false;
+                       });
+            seen[i][bin] = luminance;
+            arriving[place] += cosine * luminance;
+            sum += cosine * luminance;
+            irradiance_ += cosine * luminance / (tries * cone.bin_density());
+            squares += cosine * luminance * luminance;
         }
     if (around_ && sum > 0) {
         mean_luminance_ = sum / cosines;

@@ -18,9 +18,25 @@ struct LightSight {
     double tolerance = 0;   ///< of rays that start there
     std::optional<LightIndex> light;
     double luminance = 0;
+    double passes = 0;  ///< share of the light from behind it
 };
 /// Asks the scene for it: a ray, and from which distance on. Nothing when the ray meets nothing.
 using LightProbe = FunctionRef<std::optional<LightSight>(const Ray&, double tolerance)>;
+
+/// Calls visit(const LightSight&, double share) for what the ray meets one after the other, with
+/// the share of its light that gets to the ray's origin, until visit returns true or no light
+/// passes.
+template <class Visit>
+void look_along(const Ray& ray, double tolerance, const LightProbe& probe, Visit visit) {
+    constexpr int most_surfaces = 16;  // what is behind more is left to chance
+    double share = 1;
+    for (int i = 0; i < most_surfaces && share > 0; ++i) {
+        const auto sight = probe(ray, tolerance);
+        if (!sight || visit(*sight, share)) return;
+        share *= sight->passes;
+        tolerance = sight->distance + sight->tolerance;
+    }
+}
 
 /// A place in a cell where light may arrive.
 struct Receiver {

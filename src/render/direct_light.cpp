@@ -234,7 +234,7 @@ Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights
     });
 }
 
-/// What a ray that is tried meets.
+/// What a ray that is tried meets first.
 std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) const {
     Hit hit;
     if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
@@ -245,6 +245,7 @@ std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) c
         result.light = light;
         result.luminance = luminance(radiance(world_.luminaires[light], hit.position));
     }
+    result.passes = luminance(world_.passed(hit, ray));
     return result;
 }
 

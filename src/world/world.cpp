@@ -243,6 +243,14 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     return sum;
 }
 
+Vec3 World::passed(const Hit& hit, const Ray& ray) const {
+    const Material& m = material(hit.primitive);
+    if (m.no_shadow) return Vec3(1);
+    if (!m.transparent) return Vec3(0);
+    const double t = dot(hit.position - ray.origin, ray.direction);
+    return passed(Passage{t, hit.primitive, hit.normal, hit.part}, ray);
+}
+
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
 Vec3 World::dimmed(std::vector<Passage>& passages) const {

@@ -136,6 +136,9 @@ public:
     /// does not count.
     Vec3 transmittance(const Ray&, double tolerance, double distance) const;
 
+    /// What the surface that a ray hits leaves of the light from behind it, per channel.
+    Vec3 passed(const Hit&, const Ray&) const;
+
     /// Whether rays must know that they are inside of a primitive, or of a composite by its number
     /// from leaves_begin() on: it is transparent, or keeps out the fog that there is.
     bool is_noted_solid(std::uint32_t item) const;

@@ -13,8 +13,10 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
     const LightTree tree(luminaires);
     const Box cell{Vec3(-1, -0.1, -1), Vec3(1, 0.1, 1)};
     const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 60);
-    const auto probe = [&](const Ray& ray, double) -> std::optional<LightSight> {
-        if (ray.direction.x < 0) return LightSight{5, Vec3(1, 0, 0), 0, {}, 0};
+    double wall_passes = 0;
+    const auto probe = [&](const Ray& ray, double tolerance) -> std::optional<LightSight> {
+        if (ray.direction.x < 0 && tolerance < 5)
+            return LightSight{5, Vec3(1, 0, 0), 0, {}, 0, wall_passes};
         LightMeetings met;
         for (LightIndex light = 0; light < luminaires.size(); ++light) {
             meet(luminaires[light], {ray.origin, Vec3(0, 1, 0)}, ray.direction, met);
@@ -38,4 +40,13 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
     const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
     for (const float share : arriving_shares(cut, tree, luminaires, receivers, dark))
         CHECK(share == 1);
+    // Of what is behind glass as much as passes it.
+    wall_passes = 0.5;
+    const std::vector<float> behind_glass =
+        arriving_shares(cut, tree, luminaires, receivers, probe);
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
+        const bool before = tree.light(cut.cluster(entry).first) % 2 == 1;
+        CHECK(behind_glass[entry] > (before ? 0.9f : 0.4f));
+        CHECK((before || behind_glass[entry] < 0.7f));
+    }
 }
