@@ -122,3 +122,19 @@ std::optional<Diagnostic> bare_vectors(const Element& element, const ItemInfo& i
                           ", and a vector among them stands in `< >`"),
                   meant + " }");
 }
+
+std::string moved_without_times(const Element& element, const Names& names) {
+    const auto& [tree, node] = element.origin;
+    if (!tree || node == no_node || !element.value.numbers()) return {};
+    const NodeId first = previous(*tree, node);
+    if (first == no_node) return {};
+    const auto* axis = tree->get_if<node::Constant>(node);
+    const auto* number = tree->get_if<node::Number>(axis ? first : node);
+    if (!axis) axis = tree->get_if<node::Constant>(first);
+    const NodeId move = axis && number ? previous(*tree, first) : no_node;
+    const auto* word = move == no_node ? nullptr : tree->get_if<node::Word>(move);
+    const bool moves = word && (word->word == "translate"_word || word->word == "rotate"_word);
+    if (!moves) return {};
+    return message(names.spelling(word->word), ' ', names.spelling(axis->word), '*',
+                   tree->numbers[number->number]);
+}

@@ -127,29 +127,23 @@ std::vector<std::string_view> homes(std::string_view word) {
 
 /// Whether the word is nothing without what follows in braces.
 bool takes_braces(NameId word) {
-    constexpr auto others =
-        std::array{"texture"_word,   "pigment"_word,    "normal"_word,           "finish"_word,
-                   "interior"_word,  "material"_word,   "interior_texture"_word, "camera"_word,
-                   "color_map"_word, "colour_map"_word, "light_source"_word};
+    constexpr auto others = std::array{
+        "texture"_word,        "pigment"_word,    "normal"_word,           "finish"_word,
+        "interior"_word,       "material"_word,   "interior_texture"_word, "camera"_word,
+        "color_map"_word,      "colour_map"_word, "light_source"_word,     "background"_word,
+        "global_settings"_word};
     return makes_object(word) || std::ranges::find(others, word) != others.end();
 }
 
-/// `rotate y 45` and `rotate 45 y`: how a movement along an axis is written, when the value is the
-/// second of the two; empty when not.
-std::string moved_without_times(const Element& element, const Names& names) {
-    const auto& [tree, node] = element.origin;
-    if (!tree || node == no_node || !element.value.numbers()) return {};
-    const NodeId first = previous(*tree, node);
-    if (first == no_node) return {};
-    const auto* axis = tree->get_if<node::Constant>(node);
-    const auto* number = tree->get_if<node::Number>(axis ? first : node);
-    if (!axis) axis = tree->get_if<node::Constant>(first);
-    const NodeId move = axis && number ? previous(*tree, first) : no_node;
-    const auto* word = move == no_node ? nullptr : tree->get_if<node::Word>(move);
-    const bool moves = word && (word->word == "translate"_word || word->word == "rotate"_word);
-    if (!moves) return {};
-    return message(names.spelling(word->word), ' ', names.spelling(axis->word), '*',
-                   tree->numbers[number->number]);
+bool has_word(const WordList& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+/// `look_at` for `look_`; or nothing.
+std::string_view beginning_with(const WordList& words, std::string_view beginning) {
+    const auto found = std::ranges::find_if(
+        words, [&](std::string_view word) { return word.starts_with(beginning); });
+    return found == words.end() ? std::string_view() : *found;
 }
 
 /// The name that stands right behind a word, or dots.
@@ -227,7 +221,7 @@ bool OpenBlock::reject(const Element& element, const WordList& words, bool wante
         case Element::Kind::block:
             return reject_word(element, words, wanted);
         case Element::Kind::entry:
-            reject_form(element, "an entry in brackets has");
+            reject_form(element, "an entry in brackets has", wanted);
             return false;
         case Element::Kind::braces:
             reject_form(element, "braces without a word before them have");
@@ -242,32 +236,37 @@ bool OpenBlock::reject(const Element& element, const WordList& words, bool wante
     return false;
 }
 
-void OpenBlock::reject_form(const Element& element, std::string_view what) {
+void OpenBlock::reject_form(const Element& element, std::string_view what, bool wanted) {
     if (!broken)
-        report(error(Fault::misplaced, element.span, message(what, " no place in ", quoted()))
-                   .with_help(help()));
+        report(
+            error(Fault::misplaced, element.span, message(what, " no place in ", quoted()))
+                .with_help(wanted ? "a vector is written between `<` and `>`: <1, 2, 3>" : help()));
 }
 
 bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = spelling(element.word);
     passing_over_ = true;
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
-        std::ranges::find(words, word) != words.end()) {
+        has_word(words, word)) {
         if (!told_unavailable_)
             report(error(Fault::missing, element.word_span,
                          message("what belongs to `", word, "` stands in braces"))
                        .with_help(message("write `", word, " { ",
                                           named_behind(element, binder.evaluator.names()), " }`")));
         told_unavailable_ = !name.empty();
+        unbraced_ = word;
         return false;
     }
     if (binder.evaluator.names().reserved(element.word)) {
         reject_reserved(element, word);
         return false;
     }
+    const std::string_view before = std::exchange(rejected_, word);
+    if (!before.empty() && has_word(words, message(before, '_', word))) return false;
     std::string near = nearest(word, words);
+    if (near.empty()) near = beginning_with(words, message(word, '_'));
     if (const std::string_view meant = synonym(word); !meant.empty())
-        if (std::ranges::find(words, meant) != words.end()) near = meant;
+        if (has_word(words, meant)) near = meant;
     if (!near.empty()) {
         report(error(Fault::unknown_word, element.word_span,
                      message(quoted(), " has no word `", word, "`"))
@@ -302,9 +301,13 @@ std::string_view OpenBlock::in_other_case(std::string_view word) const {
 }
 
 void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
-    if (binder.evaluator.names().word_class(element.word) == WordClass::colour_prefix) {
+    const WordClass kind = binder.evaluator.names().word_class(element.word);
+    if (kind == WordClass::colour_prefix || kind == WordClass::channel) {
+        const bool channel = kind == WordClass::channel;
         report(error(Fault::missing, element.word_span,
-                     message('`', word, "` needs a vector or a number behind it")));
+                     message('`', word, "` needs ", channel ? "" : "a vector or ",
+                             "a number behind it"))
+                   .with_help(channel ? "colors.inc declares the colours Red, Green, Blue" : ""));
         broken = true;
         return;
     }
@@ -322,15 +325,17 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         return;
     }
     if (available(word)) {
-        if (told_unavailable_) return;  // it may belong to what is not available
+        // It may belong to what is not available, or has no braces.
+        const std::vector<std::string_view> places = homes(word);
+        if (told_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", quoted()));
-        std::string places;
+        std::string list;
         // What a scene may hold as well is at home in many blocks.
-        const bool anywhere = makes_object(element.word);
-        for (const std::string_view home : anywhere ? std::vector<std::string_view>() : homes(word))
-            places += message(places.empty() ? "" : ", ", '`', home, '`');
-        if (!places.empty()) misplaced.with_note(message("it belongs in ", places));
+        if (!makes_object(element.word))
+            for (const std::string_view home : places)
+                list += message(list.empty() ? "" : ", ", '`', home, '`');
+        if (!list.empty()) misplaced.with_note(message("it belongs in ", list));
         report(std::move(misplaced.with_help(help())));
         return;
     }
@@ -361,8 +366,8 @@ void OpenBlock::reject_value(const Element& element) {
     passing_over_ = name.empty();
     const std::string_view kind = kind_name(element.value);
     const Numbers* numbers = element.value.numbers();
-    const bool number =
-        numbers && !(numbers->is_colour() && makes_object(binder.evaluator.names().find(name)));
+    const bool looks = name == "texture" || makes_object(binder.evaluator.names().find(name));
+    const bool number = numbers && !(numbers->is_colour() && looks);
     if (numbers && !number) {
         report(
             error(Fault::misplaced, element.span, message(kind, " has no place in ", quoted()))

@@ -67,10 +67,13 @@ private:
     std::string_view in_other_case(std::string_view word) const;
     void reject_reserved(const Element&, std::string_view word);
     void reject_value(const Element&);
-    void reject_form(const Element&, std::string_view what);
+    /// `wanted`: a value is missing, which it may be meant as.
+    void reject_form(const Element&, std::string_view what, bool wanted = false);
 
     bool passing_over_ = false;  ///< values until the next word
     bool told_unavailable_ = false;
+    std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
+    std::string_view rejected_ = {};  ///< the word before, if nobody knows it
 };
 
 /// What has no words and never waits: a start for readers that need little.

@@ -32,10 +32,16 @@ Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeI
     if (value.broken()) return value;
     const std::string_view name = names.spelling(node.member);
     const Numbers* numbers = value.numbers();
-    if (!numbers)
-        return broken(Fault::wrong_type, tree.span(id),
-                      message("`.", name, "` is a part of a vector or a colour, but this is ",
-                              kind_name(value)));
+    if (!numbers) {
+        report(error(Fault::wrong_type, tree.span(id),
+                     message("`.", name, "` is a part of a vector or a colour, but this is ",
+                             kind_name(value)))
+                   .with_help(value.array()  ? "dimension_size(A, 1) is the size of an array"
+                              : value.text() ? "strlen(S) is the length of a string"
+                                             : ""));
+        if (diagnostics.full()) stopped_ = true;
+        return Absence::broken;
+    }
     const int component = component_of(name);
     if (component < 0) {
         report(error(Fault::unknown_word, tree.span(id),

@@ -237,7 +237,14 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     if (rest.starts_with('('))
         for (const FunctionInfo& function : ::functions()) known.push_back(function.name);
     const std::string library = loader.library_file_declaring(names.spelling(name));
-    if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
+    const auto [own, id] = own_declaration(name, span);
+    const bool within = own && own->span(id).first < span.first;
+    if (within)
+        problem.with_help(
+            "a name has no value in its own declaration; only macros call themselves");
+    else if (own)
+        problem.pointing(heading(*own, id, name), "declared only here");
+    else if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
         problem.with_help(std::string(way_out));
     else if (!library.empty())
         problem.with_help(message("`", names.spelling(name), "` is declared in ", library,
@@ -249,6 +256,35 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     report(problem);
     if (diagnostics.full()) stopped_ = true;
     return Absence::broken;
+}
+
+/// Where the file that uses the name declares it around that place, or first behind it; null: it
+/// does not.
+std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
+    std::pair<const Tree*, NodeId> result{nullptr, no_node};
+    for (const Tree& tree : trees) {
+        if (tree.source != use.source) continue;
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            const NodeId id{static_cast<std::uint32_t>(i)};
+            const auto* macro = tree.get_if<node::Macro>(id);
+            const auto* declare = tree.get_if<node::Declare>(id);
+            const auto* target = declare ? tree.get_if<node::Name>(declare->target) : nullptr;
+            const bool declares = (macro && macro->name == name) ||
+                                  (target && target->name == name && !declare->local);
+            if (!declares || tree[id].last <= use.first) continue;
+            if (!result.first || tree[id].first < tree[result.second].first) result = {&tree, id};
+        }
+    }
+    return result;
+}
+
+Span Evaluator::State::heading(const Tree& tree, NodeId declaration, NameId name) const {
+    Span result = tree.span(declaration);
+    const std::string_view spelling = names.spelling(name);
+    const std::size_t at = sources.text(tree.source).substr(result.first).find(spelling);
+    if (at != std::string_view::npos)
+        result.last = result.first + static_cast<std::uint32_t>(at + spelling.size());
+    return result;
 }
 
 Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {

@@ -23,13 +23,7 @@ void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, N
             macro.parameters.push_back({info.name, info.optional});
             if (!info.optional) macro.least = macro.parameters.size();
         }
-        // The place of its first line; the whole macro may be long.
-        macro.defined = tree.span(id);
-        const std::string_view name = names.spelling(node.name);
-        const std::size_t at = sources.text(tree.source).substr(macro.defined.first).find(name);
-        macro.defined.last =
-            macro.defined.first +
-            static_cast<std::uint32_t>(at == std::string_view::npos ? 0 : at + name.size());
+        macro.defined = heading(tree, id, node.name);
     }
     scope.declare(node.name, &macro);
 }
@@ -133,9 +127,12 @@ const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Ca
         broken(Fault::uninitialised, tree.span(id),
                message("`", names.spelling(node.name), "` has no value"));
     else if (!found->macro() && !found->broken())
-        broken(Fault::wrong_type, tree.span(id),
-               message("`", names.spelling(node.name), "` is ", kind_name(*found),
-                       " and cannot be called"));
+        report(error(Fault::wrong_type, tree.span(id),
+                     message("`", names.spelling(node.name), "` is ", kind_name(*found),
+                             " and cannot be called"))
+                   .with_help(found->array() ? message("an element of it is written ",
+                                                       names.spelling(node.name), "[0]")
+                                             : ""));
     return found->macro();
 }
 

@@ -72,6 +72,9 @@ struct Evaluator::State {
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);
+    std::pair<const Tree*, NodeId> own_declaration(NameId, Span use) const;
+    /// From the word of a declaration, which may be long, to the name that it declares.
+    Span heading(const Tree&, NodeId declaration, NameId) const;
     /// To be called where a name is used: warns of deprecated ones.
     void note_use(NameId name, const Tree& tree, NodeId id) {
         if (!deprecated.empty()) warn_deprecated(name, tree.span(id));

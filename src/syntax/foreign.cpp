@@ -23,6 +23,8 @@ constexpr auto directives = std::array{
     ForeignDirective{"endfor", "end"},     ForeignDirective{"endmacro", "end"},
     ForeignDirective{"endswitch", "end"},  ForeignDirective{"function", "macro"},
     ForeignDirective{"next", "end"},       ForeignDirective{"done", "end"},
+    ForeignDirective{"define", "declare"}, ForeignDirective{"assign", "declare"},
+    ForeignDirective{"foreach", "for"},    ForeignDirective{"elsif", "elseif"},
 };
 
 struct ForeignName {
@@ -33,6 +35,17 @@ constexpr auto foreign_names = std::array{
     ForeignName{"return", "a macro needs no `return`: it gives what stands in it"},
     ForeignName{"rgba", "write `rgbt <red, green, blue, transmit>`, with 1 - alpha as transmit"},
     ForeignName{"null", "a name that is not declared has no value: #ifdef (Name)"},
+    ForeignName{"length",
+                "the length of a string is strlen(S), of a vector vlength(V), of an array "
+                "dimension_size(A, 1)"},
+    ForeignName{"len",
+                "the length of a string is strlen(S), of a vector vlength(V), of an array "
+                "dimension_size(A, 1)"},
+    ForeignName{"round",
+                "int(X + 0.5) rounds what is not negative; floor and ceil round down and "
+                "up"},
+    ForeignName{"sqr", "a square is X*X, or pow(X, 2)"},
+    ForeignName{"random", "random numbers come from a stream: #declare S = seed(1); ... rand(S)"},
     ForeignName{"this", "a macro gets what it works on as a parameter"},
 };
 

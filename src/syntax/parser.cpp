@@ -24,7 +24,9 @@ public:
     }
     bool value() const { return has(TokenKind::number); }
     bool comparison() const { return has(TokenKind::equal) && has(TokenKind::greater); }
-    bool name() const { return has(TokenKind::name) && !value(); }
+    /// Behind a `.`.
+    bool member() const { return has(TokenKind::channel) && !value() && !element(); }
+    bool name() const { return has(TokenKind::name) && !value() && !member(); }
 
     /// "`)` or a value"
     std::string list() const;
@@ -51,6 +53,7 @@ std::string Expected::list() const {
     };
     if (value()) parts.push_back("a value");
     if (this->name()) parts.push_back("a name");
+    if (member()) parts.push_back("a part of a vector or a colour");
     if (has(text) && !value()) parts.push_back("a string");
     add(closing);
     if (has(greater) && !comparison()) parts.push_back("`>`");
@@ -82,6 +85,10 @@ std::string_view advice(TokenKind found, const Expected& expected) {
         case TokenKind::channel:
             if (expected.name()) return {};
             return "a colour word stands before the whole value: rgb (A + B), not A + rgb B";
+        case TokenKind::comma:
+            return expected.has(TokenKind::close_bracket) && !expected.element()
+                       ? "each index has its own brackets: A[1][2]"
+                       : "";
         case TokenKind::divide:
         case TokenKind::times:
             return "an operator needs a value on both sides";
@@ -134,6 +141,8 @@ std::string_view last_word(std::string_view text) {
 /// Words where the language has signs, or needs a number.
 std::string_view word_habit(std::string_view before, std::string_view after) {
     if (ends_in_word(before, "not")) return "`not` is written as a sign: (!A)";
+    if (ends_in_word(before, "return"))
+        return "a function needs no `return`: function(X) { X*2 } gives what its expression gives";
     if (begins_with_word(after, "and")) return "`and` is written as a sign: (A & B)";
     if (begins_with_word(after, "or")) return "`or` is written as a sign: (A | B)";
     if (begins_with_word(after, "mod")) return "the remainder of a division is mod(A, B)";
@@ -154,7 +163,17 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     before = without_blanks(before);
     if (const auto help = word_habit(before, after); !help.empty()) return std::string(help);
     if (found == TokenKind::greater && before.ends_with('<')) return "`!=` is not equal: (a != b)";
+    if (found == TokenKind::greater && before.ends_with('='))
+        return "`>=` is greater or equal: (a >= b)";
+    if (found == TokenKind::times && before.ends_with('*')) return "a power is pow(base, exponent)";
+    if (expected.member())
+        return "parts are x y z t, u v, red green blue filter transmit, gray: V.x";
+    if (expected.value() && ends_in_word(before, "end"))
+        return "a part of the directive before it ends in an operator, so a value follows: "
+               "#if (A) 2 * #end 3";
     const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
+    if (found == TokenKind::text && directive == "#fopen")
+        return "the name of the open file comes first: #fopen File \"data.txt\" write";
     if (found == TokenKind::equal && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
     if (directive == "#default") return "the last part of a #switch is `#else`";
@@ -169,6 +188,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return std::string(change);
+    if (found == TokenKind::semicolon) return "a name is declared with its value: #declare A = 0;";
     if (after.starts_with('.'))
         return "parts of a vector are not set alone: #declare V = <2, V.y, V.z>;";
     if (after.starts_with('('))

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Indices side by side
+#version 3.7;
+#declare A = array[2][2] {{1,2},{3,4}} #declare B = A[1,0];

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A parameter with the name of something else
+#version 3.7;
+#declare R = 2; #declare F = function(R) { R*2 }
