@@ -136,11 +136,11 @@ void Evaluator::State::receive(const Tree& tree, NodeId first, int count, const 
                .with_help("trace(object, from, direction, Normal) stores the normal in `Normal`"));
 }
 
-/// Arguments of a function: values, and directives between them.
+/// Arguments of a function: values, and directives and macros between them.
 void Evaluator::State::walk_arguments(const Tree& tree, NodeId first,
                                       FunctionRef<void(Value, Span)> take) {
     for (NodeId id = first; id != no_node && !stopped_; id = tree[id].next) {
-        if (is_directive(tree, id)) {
+        if (is_directive(tree, id) || macro_call(tree, id)) {
             walk_one(tree, id, [&](const Element& element) {
                 take(evaluator.value_of(element), element.span);
             });

@@ -303,18 +303,21 @@ Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
 Value Evaluator::State::one_value(OneValue&& one, Span span) {
     if (one.broken || stopped_) return Absence::broken;
     if (one.count == 1 && !one.first) return std::move(one.value);
-    if (one.count == 0) {
-        report(error(Fault::missing, span, "a value is wanted here, and this macro gives none")
-                   .with_help("a macro gives what stands in it without a directive: "
-                              "#macro Twice(A) 2*A #end"));
-        if (diagnostics.full()) stopped_ = true;
-        return Absence::broken;
-    }
-    if (one.count > 1)
-        return broken(Fault::wrong_count, span,
-                      message("one value is wanted here, and this gives ", one.count));
+    if (one.count != 1) return report_count(one.count, span);
     return one_value(
         one.first ? std::span<const Element>(&*one.first, 1) : std::span<const Element>(), span);
+}
+
+Value Evaluator::State::report_count(std::size_t count, Span span) {
+    if (count > 0)
+        return broken(Fault::wrong_count, span,
+                      message("one value is wanted here, and this gives ", count));
+    if (stopped_) return Absence::broken;
+    report(error(Fault::missing, span, "a value is wanted here, and this macro gives none")
+               .with_help("a macro gives what stands in it without a directive: "
+                          "#macro Twice(A) (2*A) #end"));
+    if (diagnostics.full()) stopped_ = true;
+    return Absence::broken;
 }
 
 Value Evaluator::State::one_value(std::span<const Element> elements, Span span) {

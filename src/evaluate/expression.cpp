@@ -136,7 +136,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         case kind<node::Choice>:
             return choice(tree, *std::get_if<node::Choice>(&content));
         case kind<node::Chain>:
-            return chain(tree, *std::get_if<node::Chain>(&content));
+            return open_expression(tree, id);
         case kind<node::Group>:
             return group(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
         case kind<node::Vector>:
@@ -190,21 +190,27 @@ std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std:
 }
 
 Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId id) {
-    Value value = evaluate(tree, node.operand);
+    if (node.sign != Operator::no && macro_call(tree, node.operand))
+        return open_expression(tree, id);
+    return with_sign(node.sign, evaluate(tree, node.operand), tree.span(id));
+}
+
+Value Evaluator::State::with_sign(Operator sign, Value value, Span span) {
     if (value.broken()) return value;
     Numbers* numbers = value.edit_numbers();
     if (!numbers)
         return broken(
-            Fault::wrong_type, tree.span(id),
-            message("`", ::spelling(node.sign), "` takes numbers, but this is ", kind_name(value)));
-    for (int i = 0; i < numbers->count && node.sign != Operator::plus; ++i) {
+            Fault::wrong_type, span,
+            message("`", ::spelling(sign), "` takes numbers, but this is ", kind_name(value)));
+    for (int i = 0; i < numbers->count && sign != Operator::plus; ++i) {
         double& x = numbers->at[static_cast<std::size_t>(i)];
-        x = node.sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
+        x = sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
     }
     return value;
 }
 
 Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeId id) {
+    if (node.open) return open_expression(tree, id);
     Value left = evaluate(tree, node.left);
     Value right = evaluate(tree, node.right);
     return combine(node.sign, std::move(left), std::move(right), tree.span(node.right),

@@ -2,6 +2,7 @@
 #include "evaluate/function_compiler.h"
 #include "text/message.h"
 
+#include <algorithm>
 #include <array>
 
 using Operands = std::vector<ProgramBuilder::Operand>;
@@ -9,13 +10,9 @@ using Operands = std::vector<ProgramBuilder::Operand>;
 std::optional<Operands> Evaluator::State::FunctionCompiler::arguments(const Tree& tree,
                                                                       NodeId first) {
     std::vector<Operand> values;
-    bool good = true;
-    for (NodeId id = first; id != no_node; id = tree[id].next) {
-        const Result value = expression(tree, id);
-        good = good && value;
-        values.push_back(value.value_or(ProgramBuilder::none));
-    }
-    return good ? std::optional(values) : std::nullopt;
+    list(tree, first, values);
+    const bool bad = std::ranges::find(values, ProgramBuilder::none) != values.end();
+    return bad || state.stopped_ ? std::nullopt : std::optional(values);
 }
 
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
@@ -24,7 +21,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
     if (spelling == "sum" || spelling == "prod") return loop(tree, node, id);
     if (state.names.reserved(node.name)) return function(tree, node, id);
     const Value* found = state.scope.find(node.name);
-    if (found && found->macro()) return call_macro(tree, node, id);
+    if (found && found->macro()) return open(tree, id);
     if (!found || !found->formula())
         return constant(state.name_value(node.name, tree.span(id)), message("`", spelling, "`"),
                         tree.span(id));
@@ -34,16 +31,6 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
                      message("`", spelling, "` gives a vector of ", results,
                              ", of which a function uses one part: ", spelling, "(...).x"));
     return call_formula(tree, node, id, found->handle<Formula>());
-}
-
-/// The text of the macro takes the place of the call.
-std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_macro(
-    const Tree& tree, const node::Call& node, NodeId id) {
-    const MacroData* macro = state.enter_macro(tree, node, id);
-    if (!macro) return std::nullopt;
-    const Result result = body(*macro->body.tree, macro->body.first, tree.span(id));
-    state.leave_macro();
-    return result;
 }
 
 /// The first result; the others are in the registers behind it.

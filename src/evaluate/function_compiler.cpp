@@ -14,23 +14,22 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::wrong
     return std::nullopt;
 }
 
-/// Runs the directives of a list and compiles its expressions; what cannot be compiled is reported
-/// and counts as an expression.
+/// Runs the directives and macros of a list and compiles the expressions that they leave; what
+/// cannot be compiled is reported and counts as an expression.
 void Evaluator::State::FunctionCompiler::list(const Tree& tree, NodeId first,
                                               std::vector<Operand>& values) {
-    for (NodeId id = first; id != no_node && !state.stopped_; id = tree[id].next) {
-        if (const auto* branches = tree.get_if<node::If>(id)) {
-            if (const auto* taken = state.taken_branch(tree, *branches))
-                list(tree, taken->body, values);
-        } else if (is_directive(tree, id)) {
-            state.walk_one(tree, id, [&](const Element& element) {
-                wrong(element.span, "only #if can choose between expressions in a function");
-                values.push_back(ProgramBuilder::none);
-            });
-        } else {
-            values.push_back(expression(tree, id).value_or(ProgramBuilder::none));
-        }
-    }
+    const auto take = [&](const Tree& from, NodeId id) { this->take(from, id, values); };
+    state.walk(tree, first, Sink(Sink::Written(take)));
+}
+
+void Evaluator::State::FunctionCompiler::take(const Tree& tree, NodeId id,
+                                              std::vector<Operand>& values) {
+    const auto* call = state.macro_call(tree, id);
+    if (!call) return values.push_back(expression(tree, id).value_or(ProgramBuilder::none));
+    const std::size_t errors = state.diagnostics.error_count();
+    const auto take = [&](const Tree& from, NodeId part) { this->take(from, part, values); };
+    state.call_macro(tree, *call, id, Sink(Sink::Written(take)));
+    if (state.diagnostics.error_count() > errors) values.push_back(ProgramBuilder::none);
 }
 
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::body(const Tree& tree,
@@ -70,7 +69,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expre
         case kind<node::Binary>:
             return binary(tree, *std::get_if<node::Binary>(&content), id);
         case kind<node::Chain>:
-            return chain(tree, *std::get_if<node::Chain>(&content));
+            return open(tree, id);
         case kind<node::Member>:
             return member(tree, *std::get_if<node::Member>(&content), id);
         case kind<node::Call>:
@@ -120,8 +119,14 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary
     const Tree& tree, const node::Unary& node, NodeId id) {
     if (node.sign == Operator::no)
         return wrong(tree.span(id), "there is no `!` in functions; x = 0 says the same");
+    if (state.macro_call(tree, node.operand)) return open(tree, id);
     const Result operand = expression(tree, node.operand);
-    if (!operand || node.sign == Operator::plus) return operand;
+    return node.sign == Operator::plus ? operand : negative(operand);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::negative(
+    Result operand) {
+    if (!operand) return operand;
     const Operand result = builder.emit(Operation::negate, *operand);
     builder.release(*operand);
     return result;
@@ -136,6 +141,7 @@ bool is_logical(Operator sign) { return sign == Operator::both || sign == Operat
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binary(
     const Tree& tree, const node::Binary& node, NodeId id) {
     if (is_logical(node.sign)) return logical(tree, id);
+    if (node.open) return open(tree, id);
     const Result a = expression(tree, node.left);
     return combine(tree, node.sign, a, expression(tree, node.right), node.right);
 }
@@ -152,8 +158,8 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combi
 }
 
 /// The passes of a loop are parts of the expression, each with what its names stand for then.
-std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::chain(
-    const Tree& tree, const node::Chain& node) {
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::open(const Tree& tree,
+                                                                                NodeId id) {
     struct Placed {
         Result operand;
         const Tree* tree;
@@ -163,12 +169,13 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::chain
         return {combine(*b.tree, sign, a.operand, b.operand, b.id), a.tree, a.id};
     };
     ChainTotal<Placed> total;
-    const bool good =
-        state.walk_chain(tree, node.first, [&](Operator sign, const Tree& from, NodeId id) {
-            total.add(sign, {expression(from, id), &from, id}, joined);
-        });
+    const bool good = state.walk_operands(tree, id, [&](const State::Operand& part) {
+        const Result operand = expression(part.tree, part.id);
+        total.add(part.sign, {part.negative ? negative(operand) : operand, &part.tree, part.id},
+                  joined);
+    });
     const std::optional<Placed> result = total.result(joined);
-    return good && result && !state.stopped_ ? result->operand : std::nullopt;
+    return good && result ? result->operand : std::nullopt;
 }
 
 /// Division by a constant is multiplication by its reciprocal, as in POV-Ray.

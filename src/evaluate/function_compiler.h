@@ -24,12 +24,15 @@ struct Evaluator::State::FunctionCompiler {
     /// A list with directives and one expression.
     Result body(const Tree&, NodeId first, Span);
     void list(const Tree&, NodeId first, std::vector<Operand>& values);
+    void take(const Tree&, NodeId, std::vector<Operand>& values);
     Result expression(const Tree&, NodeId);
     Result name(NameId, Span);
     Result constant(const Value&, std::string_view what, Span);
     Result unary(const Tree&, const node::Unary&, NodeId);
     Result binary(const Tree&, const node::Binary&, NodeId);
-    Result chain(const Tree&, const node::Chain&);
+    Result negative(Result);
+    /// An expression with macros or directives among its operands.
+    Result open(const Tree&, NodeId);
     Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
     Result logical(const Tree&, NodeId);
     Result division(const Tree&, Operand a, Operand b, NodeId divisor);
@@ -37,7 +40,6 @@ struct Evaluator::State::FunctionCompiler {
 
     // ---- function_calls.cpp
     Result call(const Tree&, const node::Call&, NodeId);
-    Result call_macro(const Tree&, const node::Call&, NodeId);
     Result call_formula(const Tree&, const node::Call&, NodeId, Handle<Formula>);
     Result member(const Tree&, const node::Member&, NodeId);
     Result part(std::string_view member, Operand first, std::size_t count);

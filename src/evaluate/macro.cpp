@@ -93,11 +93,32 @@ void Evaluator::State::report_arguments(const MacroData& macro, std::size_t coun
     if (diagnostics.full()) stopped_ = true;
 }
 
+/// What a macro gives as arguments of another: perhaps several.
+bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, NodeId id) {
+    bool good = true;
+    const std::size_t depth = arguments.size();
+    call_macro(tree, inner, id, [&](const Element& element) {
+        Argument one;
+        one.by_value = true;
+        one.place.cell = scope.fresh_cell();
+        *one.place.cell = evaluator.value_of(element);
+        good = good && !one.place.cell->broken();
+        arguments.push_back(one);
+    });
+    if (arguments.size() > depth || !good) return good;
+    report_count(0, tree.span(id));
+    return false;
+}
+
 bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, NodeId id,
                                       const MacroData& macro) {
     const std::size_t base = arguments.size();
     bool good = true;
     for (NodeId at = node.arguments; at != no_node && !stopped_; at = tree[at].next) {
+        if (const auto* inner = macro_call(tree, at)) {
+            good = pass_values(tree, *inner, at) && good;
+            continue;
+        }
         Argument one;
         good = argument(tree, at, one) && good;
         arguments.push_back(one);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the elements of a list go while it is walked: to a callback, or, where one value is wanted,
-// straight into it. Part of the inside of the evaluator.
+// straight into it; or all that is no directive goes to a callback as it is written. Part of the
+// inside of the evaluator.
 #pragma once
 
 #include "evaluate/evaluator.h"
@@ -38,6 +39,12 @@ public:
              std::is_invocable_v<F&, const Element&>) Sink(F&& take)
         : take_(take) {}
     explicit Sink(OneValue& one) : take_(one), one_(&one) {}
+    /// What is taken as it is written must be used at once, while its names are there.
+    using Written = FunctionRef<void(const Tree&, NodeId)>;
+    explicit Sink(const Written& written) : take_(nowhere), written_(&written) {}
+
+    /// Where nodes go as they are written; null: nowhere.
+    const Written* written() const { return written_; }
 
     void operator()(const Element& element) const { take_(element); }
     /// What a node gives.
@@ -56,6 +63,9 @@ public:
     }
 
 private:
+    static constexpr auto nowhere = [](const Element&) {};
+
     Evaluator::Take take_;
     OneValue* one_ = nullptr;
+    const Written* written_ = nullptr;
 };

@@ -83,6 +83,8 @@ struct Evaluator::State {
     /// The one value of some elements, for a place where a value is wanted.
     Value one_value(std::span<const Element>, Span);
     Value one_value(OneValue&&, Span);
+    /// Where one value is wanted and a macro gives none or several.
+    Value report_count(std::size_t, Span);
     /// A block element as it is handed to the meaning.
     Element block_element(const Tree&, NodeId) const;
 
@@ -106,13 +108,27 @@ struct Evaluator::State {
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);
+    Value with_sign(Operator, Value, Span);
     Value binary(const Tree&, const node::Binary&, NodeId);
     Value combine(Operator, Value left, Value right, Span right_span, Span whole);
-    Value chain(const Tree&, const node::Chain&);
-    /// The operands of a chain with their signs, in their order; false when there is something else
-    /// among them, which has been reported. The first has no meaning for its sign.
-    bool walk_chain(const Tree&, NodeId first,
-                    FunctionRef<void(Operator, const Tree&, NodeId)> take);
+    // ---- chain.cpp
+    /// An operand as it is written, and what is in front of it. The sign of the first is add.
+    struct Operand {
+        Operator sign;
+        bool negative;
+        const Tree& tree;
+        NodeId id;
+        Span span;  ///< where it stands in the expression: the call, if it is of a macro
+    };
+    class OperandWalk;
+    /// The operands of an expression in their order, with those of the macros and directives among
+    /// them, as if their text stood there; false when there is something else, which has been
+    /// reported.
+    bool walk_operands(const Tree&, NodeId, FunctionRef<void(const Operand&)> take);
+    /// The value of an expression that is walked so.
+    Value open_expression(const Tree&, NodeId);
+    /// The call of a macro; null for other nodes.
+    const node::Call* macro_call(const Tree&, NodeId) const;
     Value choice(const Tree&, const node::Choice&);
     /// Draws the random numbers that an expression would have drawn.
     void draw(const Tree&, NodeId);
@@ -202,6 +218,7 @@ struct Evaluator::State {
         Scope::Reference place;
         bool by_value = false;  ///< the cell is a fresh one
     };
+    bool pass_values(const Tree&, const node::Call& inner, NodeId);
     /// Computes the arguments and puts them at the end of `arguments`; false when reported.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
     void report_arguments(const MacroData&, std::size_t count, Span);

@@ -9,7 +9,7 @@
 bool Evaluator::State::has_plain_arguments(const Tree& tree, const node::Call& call) const {
     int count = 0;
     for (NodeId at = call.arguments; at != no_node; at = tree[at].next, ++count)
-        if (is_directive(tree, at)) return false;
+        if (is_directive(tree, at) || macro_call(tree, at)) return false;
     return call.name == concat ? count > 0 : count == 3;
 }
 

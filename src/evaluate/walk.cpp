@@ -34,6 +34,9 @@ Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
         if (kind_here == kind<node::Declare>) {
             declare(tree, *std::get_if<node::Declare>(&node.content), id);
             id = node.next;
+        } else if (take.written() && !is_directive(tree, id)) {
+            (*take.written())(tree, id);
+            id = node.next;
         } else if (is_power(tree, id)) {
             id = take_power(tree, id, take);
         } else if (kind_here >= kind<node::Word> && kind_here != kind<node::Constant> &&

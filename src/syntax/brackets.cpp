@@ -29,7 +29,8 @@ constexpr const char* macro_braces =
 bool wants_operand(TokenKind before) {
     using enum TokenKind;
     return is_sign(before) || before == both || before == either || before == question ||
-           before == colon || before == no || before == colour_prefix || before == hash_message;
+           before == colon || before == no || before == colour_prefix || before == hash_message ||
+           before == continues;
 }
 
 /// Which tokens one may have to be put in front of: few.
@@ -37,7 +38,7 @@ constexpr auto may_be_marked = [] {
     std::array<bool, 256> result{};
     for (std::size_t i = 0; i < result.size(); ++i) {
         const auto kind = static_cast<TokenKind>(i);
-        result[i] = is_sign(kind) || begins_directive(kind);
+        result[i] = is_sign(kind) || begins_directive(kind) || ends_part(kind);
     }
     return result;
 }();
@@ -47,7 +48,7 @@ constexpr auto may_be_marked = [] {
 Token Brackets::next() {
     skipped_ = false;
     Token token = take();
-    if (may_be_marked[static_cast<std::size_t>(token.kind)]) {
+    if (may_be_marked[static_cast<std::size_t>(token.kind)] || hangs_) {
         if (const auto mark = mark_before(token)) {
             pending_.push_back(token);
             token = {*mark, 0, token.first, token.first, 0};
@@ -61,6 +62,8 @@ Token Brackets::next() {
 /// What tells the parser how a sign or a directive belongs to what is before it.
 std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     using enum TokenKind;
+    if (std::exchange(hangs_, false)) return continues;
+    if (ends_part(token.kind)) return mark_before_end(token);
     if (is_sign(token.kind)) {
         // Nothing is subtracted from a string: it is the sign of the next value.
         if (token.kind == minus && last_.kind == text && in_braces()) return comma;
@@ -75,6 +78,22 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
         directive.goes_on = true;
         return goes_on;
     }
+    return std::nullopt;
+}
+
+/// The same for what ends a part of a condition; it has had its effect.
+std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
+    const bool whole = token.kind == TokenKind::hash_end;
+    Open& directive = whole ? closed_ : open_.back();
+    // `I++` is an error.
+    const bool sign = is_sign(last_.kind) && last_.first > 0 && text_[last_.first - 1] != '+' &&
+                      text_[last_.first - 1] != '-';
+    const bool hangs = sign || last_.kind == TokenKind::continues;
+    if (is_condition(directive.token.kind) && (hangs || last_.kind == TokenKind::nothing)) {
+        directive.hangs = true;
+        if (hangs) return TokenKind::nothing;
+    }
+    if (whole) hangs_ = directive.hangs;
     return std::nullopt;
 }
 
@@ -210,10 +229,8 @@ bool Brackets::only_braces_above(std::size_t depth) const {
 bool Brackets::continue_in_branches(std::size_t depth, const Token& divider) {
     Open& opener = open_[depth - 1];
     const std::size_t above = open_.size() - depth;
-    const bool conditional =
-        opener.token.kind == TokenKind::hash_if || opener.token.kind == TokenKind::hash_ifdef;
-    if (!conditional || opener.divided || (above == 0 && !is_block_word(last_.kind)) ||
-        !only_braces_above(depth))
+    if (!is_condition(opener.token.kind) || opener.divided ||
+        (above == 0 && !is_block_word(last_.kind)) || !only_braces_above(depth))
         return false;
     opener.divided = true;
     return tokens_.copy_rest_into_branches(divider, static_cast<int>(above));

@@ -46,6 +46,7 @@ private:
         bool blamed = false;          ///< something in it has been reported
         bool head = false;            ///< a parenthesis with which a directive begins
         bool goes_on = false;         ///< a directive whose parts go on with an expression
+        bool hangs = false;           ///< one of its parts ends in an operator
     };
 
     bool in_braces() const {
@@ -54,6 +55,7 @@ private:
     Token take();
     Token match();
     std::optional<TokenKind> mark_before(const Token&);
+    std::optional<TokenKind> mark_before_end(const Token&);
     bool begins_head();
     bool ends_operand() const;
     bool begins_part(const Open& directive) const;
@@ -83,6 +85,7 @@ private:
     int spare_braces_ =
         0;  ///< how many `}` without partner are no news, because their `{` was closed in a branch
     int spare_ends_ = 0;
-    Open closed_;  ///< what was closed last
+    Open closed_;         ///< what was closed last
+    bool hangs_ = false;  ///< what the last token closed
     bool skipped_ = false;
 };

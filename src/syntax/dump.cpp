@@ -69,6 +69,7 @@ struct Describe {
         return {message("joined ", spelling(n.sign)), {{"", n.operand}}};
     }
     Description operator()(const node::Chain& n) const { return {"chain", {{"", n.first}}}; }
+    Description operator()(node::Nothing) const { return {"nothing", {}}; }
     Description operator()(const node::Group& n) const { return {"group", {{"", n.content}}}; }
     Description operator()(const node::Tuple& n) const { return {"tuple", {{"", n.content}}}; }
     Description operator()(const node::Vector& n) const { return {"vector", {{"", n.components}}}; }

@@ -67,15 +67,28 @@ List ParseState::with_operands(List list, Operator sign, NodeId expression) {
     return rest == no_node ? list : joined(list, {rest, more.last(), false});
 }
 
+bool ParseState::may_be_text(NodeId operand) const {
+    while (const auto* unary = tree.get_if<node::Unary>(operand)) operand = unary->operand;
+    if (const auto* binary = tree.get_if<node::Binary>(operand)) return binary->open;
+    const auto* call = tree.get_if<node::Call>(operand);
+    return call ? !names.reserved(call->name)
+                : tree.get_if<node::If>(operand) || tree.get_if<node::Nothing>(operand);
+}
+
 NodeId ParseState::binary(Operator sign, NodeId left, NodeId right, Stretch place) {
     if (!tree.get_if<node::Chain>(left) && !tree.get_if<node::Chain>(right))
-        return add(place, node::Binary{sign, left, right});
+        return add(place, node::Binary{left, right, sign, may_be_text(left) || may_be_text(right)});
     const List all = with_operands(operands(left), sign, right);
     return add(place, node::Chain{all.first(), all.last()});
 }
 
 NodeId ParseState::goes_on(NodeId expression, NodeId directive, Stretch place) {
     const List all = append(operands(expression), directive);
+    return add(place, node::Chain{all.first(), all.last()});
+}
+
+NodeId ParseState::continued(List operands, NodeId expression, Stretch place) {
+    const List all = joined(operands, this->operands(expression));
     return add(place, node::Chain{all.first(), all.last()});
 }
 

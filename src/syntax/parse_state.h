@@ -119,10 +119,14 @@ struct ParseState {
     NodeId chain(NodeId first, NodeId node);
 
     NodeId negative(NodeId operand, Stretch);
+    /// Whether its text may have operators that belong to the expression around it.
+    bool may_be_text(NodeId operand) const;
     /// `a + b`; part of the chain when one of them is one.
     NodeId binary(Operator, NodeId left, NodeId right, Stretch);
     /// An expression that a directive goes on with.
     NodeId goes_on(NodeId expression, NodeId directive, Stretch);
+    /// What comes behind a directive of which a part ends in an operator.
+    NodeId continued(List operands, NodeId expression, Stretch);
     /// What such a directive goes on with.
     NodeId joining(Operator, NodeId expression, Stretch);
     NodeId group(List directives, List values, Stretch);

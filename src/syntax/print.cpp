@@ -105,6 +105,7 @@ struct Print {
         return {say(message(spelling(n.sign), " ")), one(n.operand)};
     }
     Pieces operator()(const node::Chain& n) const { return {blanks(n.first)}; }
+    Pieces operator()(node::Nothing) const { return {}; }
     Pieces operator()(const node::Group& n) const {
         return {say("("), blanks(n.content), say(")")};
     }

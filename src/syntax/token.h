@@ -80,9 +80,11 @@ enum class TokenKind : std::uint8_t {
     comma,
     semicolon,
     // put in by Brackets
-    between,  // before a directive that follows an operator
-    goes_on,  // before a directive that goes on with the expression in front of it
-    joins,    // before an operator at the beginning of a part of such a directive
+    between,    // before a directive that follows an operator
+    goes_on,    // before a directive that goes on with the expression in front of it
+    joins,      // before an operator at the beginning of a part of such a directive
+    nothing,    // behind an operator at the end of a part of a condition
+    continues,  // behind a condition with such a part: the other operand follows
 };
 
 struct Token {

@@ -15,6 +15,10 @@ constexpr bool opens_directive(TokenKind kind) {
            kind == hash_switch || kind == hash_macro;
 }
 
+constexpr bool is_condition(TokenKind kind) {
+    return kind == TokenKind::hash_if || kind == TokenKind::hash_ifdef;
+}
+
 /// Splits an open directive into parts: #else, #elseif, #case, #range.
 constexpr bool divides_directive(TokenKind kind) {
     using enum TokenKind;
@@ -47,6 +51,12 @@ constexpr bool has_parts(TokenKind kind) {
     return opens_directive(kind) && kind != TokenKind::hash_macro;
 }
 
+/// Ends a part of a condition.
+constexpr bool ends_part(TokenKind kind) {
+    using enum TokenKind;
+    return kind == hash_else || kind == hash_elseif || kind == hash_end;
+}
+
 constexpr bool is_sign(TokenKind kind) {
     using enum TokenKind;
     return kind == plus || kind == minus || kind == times || kind == divide;
@@ -62,8 +72,7 @@ constexpr TokenKind closer_of(TokenKind opener) {
 
 constexpr bool can_be_divided_by(TokenKind opener, TokenKind divider) {
     using enum TokenKind;
-    const bool conditional = opener == hash_if || opener == hash_ifdef;
-    if (divider == hash_else) return conditional || opener == hash_switch;
-    if (divider == hash_elseif) return conditional;
+    if (divider == hash_else) return is_condition(opener) || opener == hash_switch;
+    if (divider == hash_elseif) return is_condition(opener);
     return opener == hash_switch;
 }

@@ -99,13 +99,17 @@ bool TokenStream::drop_false_branch() {
     lexer_.be_quiet(true);
     Token token = fetch();
     dropped_sign_ = is_sign(token.kind);
+    bool sign = false, lone_sign = false;  // what the last token was
     for (std::size_t open = 0; token.kind != TokenKind::end_of_file; token = fetch()) {
         const bool ends = token.kind == TokenKind::hash_end;
         if (open == 0 && (ends || divides_directive(token.kind))) break;
         if (opens_directive(token.kind)) ++open;
         if (ends) --open;
+        lone_sign = is_sign(token.kind) && !sign;
+        sign = is_sign(token.kind);
     }
     lexer_.be_quiet(false);
+    if (lone_sign) taken.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
     taken.push_back(token);
     give_back(taken);
     return true;

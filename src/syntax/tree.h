@@ -88,8 +88,9 @@ struct Unary {
     NodeId operand;
 };
 struct Binary {
-    Operator sign;
     NodeId left, right;
+    Operator sign;
+    bool open = false;  ///< an operand may be text with operators in it: a macro's, a directive's
 };
 struct Choice {
     NodeId condition, yes, no;
@@ -100,7 +101,9 @@ struct Joined {
 };  ///< `+ b`, in a chain
 struct Chain {
     NodeId first, last;
-};  ///< `a #if (c) + b #end`: an operand, then Joined and directives, in which are chains of these
+};  ///< `a #if (c) + b #end`: an operand, then Joined and directives, in which are chains of these;
+    ///< or `#if (c) a * #end b`: a directive, then the other operand
+struct Nothing {};  ///< behind an operator whose operand follows the directive around it
 struct Group {
     NodeId content;
 };  ///< `( ... )`: directives, then one value
@@ -226,9 +229,9 @@ struct Write {
 using NodeContent =
     std::variant<node::Broken, node::Number, node::Literal, node::Text, node::Name, node::Word,
                  node::Constant, node::Index, node::Member, node::Call, node::Apply, node::Unary,
-                 node::Binary, node::Choice, node::Joined, node::Chain, node::Group, node::Tuple,
-                 node::Vector, node::Prefixed, node::Colour, node::Channel, node::Array,
-                 node::Function, node::Block, node::Layers, node::Entry, node::Braces,
+                 node::Binary, node::Choice, node::Joined, node::Chain, node::Nothing, node::Group,
+                 node::Tuple, node::Vector, node::Prefixed, node::Colour, node::Channel,
+                 node::Array, node::Function, node::Block, node::Layers, node::Entry, node::Braces,
                  node::Declare, node::Deprecated, node::Undef, node::If, node::Branch,
                  node::Postponed, node::Defined, node::While, node::For, node::Switch, node::Case,
                  node::Break, node::Macro, node::Parameter, node::Include, node::Default,

@@ -5,6 +5,9 @@
 
 TEST_CASE("macros behave as POV-Ray's", "[evaluate]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
+        {"#macro Two() 3,7 #end P(max(Two())) P(pow(Two())) V(3,<Two(),1>) "
+         "#macro A(p,q) P(p*10+q) #end A(Two())",
+         "7.000000 2187.000000 <3.0000,7.0000,1.0000> 37.000000"},
         {"#macro F(n) #if(n<=1) #local R=1; #else #local R=n*F(n-1); #end R #end P(F(6)) #declare "
          "z1=F(5); P(z1)",
          "720.000000 120.000000"},

@@ -46,3 +46,47 @@ TEST_CASE("a directive goes on with an expression", "[evaluate]") {
     INFO(script);
     CHECK(printed(script) == result);
 }
+
+TEST_CASE("a part of a condition ends in an operator", "[evaluate]") {
+    const auto [script, result] = GENERATE(table<std::string, std::string>({
+        {"#declare a=#if (1) -1* #end 5; P(a) #declare a=#if (0) -1* #end 5; P(a)",
+         "-5.000000 5.000000"},
+        {"P((1 + #if (1) 2 * #else 3 + #end 4 * 5)) P((1 + #if (0) 2 * #else 3 + #end 4 * 5))",
+         "41.000000 24.000000"},
+        {"P((1 #if (1) + 2 * #end 3 - 1)) P((#if (1) - #end 3))", "6.000000 -3.000000"},
+        {"P((#if (1) 2 * #if (1) 3 * #end #end 4)) P((#if (1) 2 * #end #if (0) 3 #else 5 #end))",
+         "24.000000 10.000000"},
+        {"V(3,<#if (1) 2* #end 1, #if (0) 2* #end 1, 3>) P(max(1, #if (1) 7* #end 2))",
+         "<2.0000,1.0000,3.0000> 14.000000"},
+        {"#declare F=function(x) { x + #if (1) x* #end 3 } P(F(2))", "8.000000"},
+        {"P((2 * #if (1) 1 + 2 #else 3 #end))", "4.000000"},
+        {"#if (1) #declare a=1 + #end 2", "error: an operator in this has no value behind it\n"},
+        {"P((1 + #if (0) 2 #end))", "error: an operator in this has no value behind it\n"},
+    }));
+    INFO(script);
+    CHECK(printed(script) == result);
+}
+
+TEST_CASE("a macro among operands stands for its text", "[evaluate]") {
+    const std::string macros =
+        "#macro Sum(A,B) A+B #end #macro Neg() -1 #end #macro None() #end #macro Two() 3,7 #end "
+        "#macro If(A) #if (A) A+1 #else A-1 #end #end ";
+    const auto [script, result] = GENERATE(table<std::string, std::string>({
+        {"P(2*Sum(1,2)*3) P(10-Sum(1,2)) P(-Sum(1,2)) P(12/Sum(2,4))",
+         "8.000000 11.000000 1.000000 10.000000"},
+        {"P(2*(Sum(1,2))) P(Sum(1,2)*Sum(3,4)) P(3-Neg()) P(2*If(1)) P(2*If(0))",
+         "6.000000 11.000000 4.000000 3.000000 -1.000000"},
+        {"#macro Sums() Sum(1,2)+Sum(3,4) #end P(2*Sums()*2)", "15.000000"},
+        {"V(3,<2*Sum(1,2), 0, -Sum(1,2)>) P(+Sum(1,2)) P(max(2*Sum(1,2), 0))",
+         "<4.0000,0.0000,1.0000> 3.000000 4.000000"},
+        {"#macro XY() x+y #end #declare F=function { 2*XY() - XY() } P(F(3,5,0))", "13.000000"},
+        {"P(1+None())", "error: a value is wanted here, and this macro gives none\n"},
+        {"P(1+Two())", "error: one value is wanted here, and this gives 2\n"},
+        {"P(1+Sum(1))", "error: macro `Sum` takes 2 arguments, but here is 1\n"},
+        {"#declare F=function { Sum(1) } ",
+         "error: macro `Sum` takes 2 arguments, but here is 1\n"},
+        {"P(1+Sum(\"a\",2))", "error: `+` cannot join a number and a string (Sum)\n"},
+    }));
+    INFO(script);
+    CHECK(printed(macros + script) == result);
+}

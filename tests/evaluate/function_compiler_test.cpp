@@ -33,6 +33,10 @@ TEST_CASE("expressions of functions have their own rules", "[evaluate]") {
         {"#declare f=function(a){1/a} P(f(0)) P(f(2)) #declare g=function(a){1/(1-1)} P(g(0))",
          "inf 0.500000 inf"},
         {"#declare f=function(a){ #if(1) a*2 #else a*3 #end } P(f(3))", "6.000000"},
+        {"#declare f=function(a){ #switch (2) #case (1) a #break #case (2) a*2 #break #else 0 #end "
+         "} P(f(3)) #declare g=function(a){ max(0 #for (i,1,3) , a*i #end ) } P(g(2)) #macro Two() "
+         "x, 3 #end #declare h=function{ pow(Two()) } P(h(2,0,0))",
+         "6.000000 6.000000 8.000000"},
         {"#declare f=function(a){ #local k=3; a*k } P(f(2)) P(k)", "6.000000 3.000000"},
         // Division by a constant multiplies by its reciprocal.
         {"#declare k=1/3; #declare f=function(a){a/k} #debug str(f(0.7),0,17)",
@@ -57,7 +61,7 @@ TEST_CASE("what functions cannot do is reported", "[evaluate]") {
         {"nope", "nothing is declared as `nope`"},
         {"#if (0) 1 #end", "a function is one expression, but here is none"},
         {"#if (1) 1 2 #end", "a function is one expression, but here are 2"},
-        {"#for (i, 1, 1) 1 #end", "only #if can choose between expressions in a function"},
+        {"#for (i, 1, 2) 1 #end", "a function is one expression, but here are 2"},
     }));
     INFO(body);
     CHECK(printed("#declare zero=0; #declare k=<1,2,3>; #declare f=function(a){" + body + "}") ==

@@ -47,3 +47,15 @@ TEST_CASE("one value takes the first and counts the rest", "[evaluate]") {
         CHECK(one.broken);
     }
 }
+
+TEST_CASE("a sink may take what is written instead", "[evaluate]") {
+    std::vector<NodeId> taken;
+    const auto take = [&](const Tree&, NodeId id) { taken.push_back(id); };
+    const Sink::Written written(take);
+    const Sink sink(written);
+    Tree tree;
+    const NodeId id = tree.add({}, node::Broken{});
+    REQUIRE(sink.written());
+    (*sink.written())(tree, id);
+    CHECK(taken == std::vector{id});
+}
