@@ -65,8 +65,10 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     if (std::exchange(hangs_, false)) return continues;
     if (ends_part(token.kind)) return mark_before_end(token);
     if (is_sign(token.kind)) {
-        // Nothing is subtracted from a string: it is the sign of the next value.
-        if (token.kind == minus && last_.kind == text && in_braces()) return comma;
+        // Nothing is subtracted from a string: it is the sign of the next value. So it was from
+        // any value before there were expressions: <0 -1 2>.
+        const bool old = tokens_.version() < 1.5 && ends_operand() && in_elements();
+        if (token.kind == minus && (old || (last_.kind == text && in_braces()))) return comma;
         return !open_.empty() && begins_part(open_.back()) ? std::optional(joins) : std::nullopt;
     }
     if (wants_operand(last_.kind)) return between;

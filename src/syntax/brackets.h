@@ -52,6 +52,7 @@ private:
     bool in_braces() const {
         return !open_.empty() && open_.back().token.kind == TokenKind::open_brace;
     }
+    bool in_elements() const { return open_.empty() || in_braces(); }
     Token take();
     Token match();
     std::optional<TokenKind> mark_before(const Token&);

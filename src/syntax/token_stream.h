@@ -29,6 +29,8 @@ public:
     TokenStream(Lexer& lexer, double version) : lexer_(lexer), version_(version) {}
 
     Token next();
+    /// Of the language, here.
+    double version() const { return version_; }
 
     /// To be called behind the first #else or #elseif of a condition whose first branch leaves so
     /// many braces open, or ends in a word when there are none. When every other branch does, too,
