@@ -125,11 +125,15 @@ NodeId ParseState::declared(NodeId declare, bool local, Stretch place) {
 
 NodeId ParseState::branch(NodeId condition, List body, Stretch place, std::uint32_t end) {
     const std::uint32_t begin = condition == no_node ? place.first : tree[condition].last;
-    const NodeId wrong = postpones && diagnostics.failed() ? postponed({begin, end}) : no_node;
-    return add(place, node::Branch{condition, wrong == no_node ? body.first() : wrong});
+    return add(place, node::Branch{condition, unless_wrong(body, {begin, end})});
 }
 
-NodeId ParseState::postponed(Stretch part) {
+NodeId ParseState::unless_wrong(List body, Stretch part, bool alone) {
+    const NodeId wrong = postpones && diagnostics.failed() ? postponed(part, alone) : no_node;
+    return wrong == no_node ? body.first() : wrong;
+}
+
+NodeId ParseState::postponed(Stretch part, bool alone) {
     Diagnostics others = diagnostics.fresh();
     Diagnostics inside = diagnostics.fresh();
     const auto covers = [&](Span span) {
@@ -138,7 +142,8 @@ NodeId ParseState::postponed(Stretch part) {
     for (const Diagnostic& each : diagnostics.all()) {
         // What the part leaves open is told of where it ends.
         const bool here =
-            covers(each.span) || std::ranges::any_of(each.labels, covers, &Label::span);
+            alone ? covers(each.span) && std::ranges::all_of(each.labels, covers, &Label::span)
+                  : covers(each.span) || std::ranges::any_of(each.labels, covers, &Label::span);
         (here ? inside : others).add(each);
     }
     if (!inside.failed()) return no_node;

@@ -106,7 +106,7 @@ struct ParseState {
     Brackets& brackets;
     Diagnostics& diagnostics;
     std::string_view text;
-    bool postpones;  ///< errors in branches of conditions
+    bool postpones;  ///< errors in branches of conditions and in macros
 
     Span span(Stretch place) const { return {tree.source, place.first, place.last}; }
     NodeId add(Stretch place, NodeContent content) { return tree.add(span(place), content); }
@@ -135,9 +135,12 @@ struct ParseState {
     NodeId declared(NodeId declare, bool local, Stretch);
     /// The part of a condition that ends before `end`; no condition: #else.
     NodeId branch(NodeId condition, List body, Stretch, std::uint32_t end);
+    /// The body, which is that part of the text, or what stands for it if there are errors in it.
+    /// `alone`: only if they point at nothing outside of it.
+    NodeId unless_wrong(List body, Stretch part, bool alone = false);
     /// What stands for a part with errors in it: they are taken away from the diagnostics. no_node:
     /// there are none.
-    NodeId postponed(Stretch part);
+    NodeId postponed(Stretch part, bool alone);
     /// A colour with one more channel.
     NodeId with_channel(NodeId colour, NodeId channel, Stretch);
     /// The body of a function that begins with a word: `pattern { ... }`, `internal(4)`.
