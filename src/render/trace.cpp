@@ -37,6 +37,13 @@ private:
 Vec3 bump_place(const Projection& camera, double u, double v) {
     const double width = length(camera.right), height = length(camera.up);
     switch (camera.lens) {
+/// What the weight of a reflected ray counts, in the direction that reflects most.
+double most_reflected(const Reflection& reflection, const Vec3& amount) {
+    return reflection.fresnel
+               ? max_component(amount)
+               : std::max(max_component(reflection.least), max_component(reflection.greatest));
+}
+
         case Lens::fisheye:
         case Lens::omnimax: {
             const Vec3 towards = camera.ray(u, v).direction;
@@ -240,19 +247,23 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         if (share <= bailout) break;
         const Shading s = first ? top : with_layer(world_, common, layer);
         result += through * lit(path, hit, s, through, !counted);
-        const Vec3 amount = total ? Vec3(0) : reflectivity(s, surface.plain);
+        // Total reflection stands for that of all layers with the normal by which it happens.
+        const bool replaced = total && s.normal == top.normal;
+        const Vec3 amount = replaced ? Vec3(0) : reflectivity(s, surface.plain);
         if (amount != Vec3(0))
-            result += reflected(path, s, amount, share, s.finish->reflection.exponent);
+            result +=
+                reflected(path, s, amount, share * most_reflected(s.finish->reflection, amount),
+                          s.finish->reflection.exponent);
         if (s.finish->microfacet.on && world_.quality >= quality_reflection)
             result += through * scattered(path, s, share, through);
         if (&layer != &layers.back()) through *= kept(s);
     }
     if (!total && !clear) return result;
-    const Vec3 left = faded(path, hit);
+    const Vec3 left = faded(path, hit) * top.finish->refraction;
     const Scaled scaled(rays_, left);
-    // Total reflection: nothing is lost.
-    if (total) return result + left * reflected(path, top, Vec3(1), 1);
-    behind *= top.finish->refraction;
+    // Total reflection: nothing is lost, but the ray is worth what one going through would be.
+    if (total)
+        return result + left * reflected(path, top, Vec3(1), max_component(glm::abs(behind)));
     return result + left * (surface.bands > 0 ? split(path, top, surface, behind)
                                               : transmitted(path, top, surface, behind));
 }
@@ -292,7 +303,7 @@ Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, d
     next.ray = {s.position, unit(direction)};
     next.tolerance = s.tolerance;
     next.level = path.level + 1;
-    next.weight = path.weight * share * max_component(amount);
+    next.weight = path.weight * share;
     next.kind = RayKind::reflected;
     next.counted = false;
     next.key = path.key.bounced(reflection);
@@ -341,7 +352,8 @@ Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
         const bool total = own.ratio * own.ratio * (1 - cosine * cosine) > 1;
         const Scaled scaled(rays_, hue(*coloured.band) / static_cast<double>(surface.bands));
         sum += hue(*coloured.band) *
-               (total ? reflected(coloured, s, Vec3(1), 1) : transmitted(coloured, s, own, share));
+               (total ? reflected(coloured, s, Vec3(1), max_component(glm::abs(share)))
+                      : transmitted(coloured, s, own, share));
     }
     return sum / static_cast<double>(surface.bands);
 }
