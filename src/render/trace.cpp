@@ -217,7 +217,7 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
 /// behind.
 Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                      std::span<const Layer> layers) {
-    if (world_.quality < quality_light) return layers.front().colour.rgb;
+    if (world_.quality < quality_light) return layers.back().colour.rgb;
     const double bailout = world_.settings.adc_bailout;
     const bool transparent = world_.material(hit.primitive).transparent;
     const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {

@@ -12,7 +12,7 @@ enum Quality : int {
     quality_areas = 5,       ///< area lights
     quality_pigments = 6,    ///< no quick colours, and what is behind transparent surfaces
     quality_reflection = 8,  ///< and normals
-    quality_full = 9
+    quality_full = 9         ///< and what is in the air
 };
 
 /// The texture as it is shown at a quality: the same one when nothing changes.

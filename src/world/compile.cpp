@@ -115,8 +115,10 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     if (scene.language_version < 3.7)  // it was always seen
         world.background.colour.filter = world.background.colour.transmit = 0;
     world.sky = scene.sky;
-    world.fogs = scene.fogs;
-    world.rainbows = scene.rainbows;
+    if (world.quality >= quality_full) {
+        world.fogs = scene.fogs;
+        world.rainbows = scene.rainbows;
+    }
     flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);
     return world;

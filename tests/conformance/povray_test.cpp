@@ -5,6 +5,7 @@
 #include "render/render.h"
 
 #include "support/scripts.h"
+#include "surface/simplified.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
@@ -19,7 +20,10 @@ TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
     for (const auto& c : cases) {
         const std::string name = c["name"];
         INFO(name);
-        const World world = world_of(c["scene"]);
+        Diagnostics diagnostics;
+        CompileOptions options;
+        options.quality = c.value("quality", quality_full);
+        const World world = compile(scene_of(c["scene"]), options, diagnostics);
         RenderSettings settings;
         settings.width = c["width"];
         settings.height = c["height"];
