@@ -25,6 +25,9 @@ struct RayCounts {
     std::vector<LightCount> lights = {};
     /// Of the radiance that is asked for at the moment, in the sample that it is asked for.
     Vec3 share = Vec3(1);
+    /// And of what is clear behind it, as POV-Ray counts it: of each surface's colour only the
+    /// grey.
+    double clear = 1;
 
     RayCounts& operator+=(const RayCounts& other) {
         camera += other.camera;

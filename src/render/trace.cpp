@@ -19,16 +19,22 @@ enum Bounce : std::uint32_t { reflection, refraction, scattering };
 /// For as long as it lives, what is asked for has so much less of a share in the sample.
 class Scaled {
 public:
-    Scaled(RayCounts& rays, const Vec3& factor) : share_(rays.share), before_(rays.share) {
-        share_ *= factor;
+    Scaled(RayCounts& rays, const Vec3& factor)
+        : rays_(rays), share_(rays.share), clear_(rays.clear) {
+        rays.share *= factor;
+        rays.clear *= std::min(1.0, std::abs(grey(factor)));
     }
     Scaled(const Scaled&) = delete;
     Scaled& operator=(const Scaled&) = delete;
-    ~Scaled() { share_ = before_; }
+    ~Scaled() {
+        rays_.share = share_;
+        rays_.clear = clear_;
+    }
 
 private:
-    Vec3& share_;
-    Vec3 before_;
+    RayCounts& rays_;
+    Vec3 share_;
+    double clear_;
 };
 
 /// Where the pattern of a camera's normal is asked for a point of the picture. Measured from
@@ -178,7 +184,7 @@ Vec3 Tracer::beyond(const Path& path) {
     if (!clear_sky_) return world_.sky_radiance(direction);
     if (path.kind != RayKind::camera)
         return world_.sky_radiance(direction, world_.background.mirrored());
-    clear_ += std::max(0.0, grey(rays_.share)) * world_.sky_clear(direction);
+    clear_ += rays_.clear * world_.sky_clear(direction);
     if (world_.language_version < 3.7) return Vec3(0);
     return world_.sky_radiance(direction, world_.background.covering());
 }

@@ -65,6 +65,17 @@ TEST_CASE("filtered light takes the pigment's colour", "[render]") {
                  Vec3(1, 0.25, 0)) < 1e-12);
 }
 
+TEST_CASE("of what is clear only the grey of each surface counts", "[render]") {
+    const World world = world_of(
+        "#version 3.7; box { <-9, -9, 5>, <9, 9, 6> pigment { rgbf <0.4, 0.8, 0.6, 0.5> } }");
+    Tracing wanted;
+    wanted.clear_sky = true;
+    Tracer tracer(world, wanted);
+    tracer.radiance({Vec3(0), Vec3(0, 0, 1)}, Key());
+    const double each = grey(0.5 * Vec3(0.4, 0.8, 0.6));
+    CHECK(tracer.clear() == Approx(each * each));
+}
+
 TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
     struct Case {
         const char* camera;
