@@ -72,7 +72,7 @@ private:
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);
-    block.effectless = "media_interaction photons";
+    block.effectless = "photons";
     PlacedLight placed{Kinds<Light>::make(0), element.span};
     block.item = Kinds<Light>::infos[0];
     ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));

@@ -31,6 +31,8 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           "nothing stops its light, no cone either; gives no highlights"},
         F{"media_attenuation", &PointLight::media_attenuation, flag,
           "fog weakens its light on the way to what it lights"},
+        F{"media_interaction", &PointLight::media_interaction, flag,
+          "`off`: fog does not weaken its light in any case"},
         F{"area_light", &PointLight::area1, item, "a grid of lights: one side of it"},
         F{"area_side", &PointLight::area2, following, "the other side"},
         F{"area_size1", &PointLight::size1, following, "lights along the first side",

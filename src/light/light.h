@@ -31,6 +31,7 @@ struct PointLight {
     double fade_power = 0;
     bool shadowless = false;
     bool media_attenuation = false;  ///< fog takes of its light on the way to a surface
+    bool media_interaction = true;   ///< otherwise fog does not whatever media_attenuation says
     Vec3 area1 = Vec3(0);            ///< sides of a grid of lights around the location
     Vec3 area2 = Vec3(0);
     int size1 = 0;  ///< how many lights the grid has along its sides; 0: there is no grid

@@ -133,8 +133,8 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     const Vec3 sent = radiance(luminaire, point->position);
     if (sent == Vec3(0)) return Vec3(0);
     ++rays.shadow;
-    const Vec3 passed =
-        world_.transmittance({s.position, point->direction}, s.tolerance, point->distance);
+    const Vec3 passed = world_.transmittance({s.position, point->direction}, s.tolerance,
+                                             point->distance, s.around);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     const Vec3 seen = passed == Vec3(0) ? passed : answer * sent * passed / (pi * density(*point));
     credit_luminaire(rays, pick.light, seen, 1);
@@ -180,7 +180,7 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
     const Ray ray{s.position, direction};
     for (const Met& met : met_) {
         ++rays.shadow;
-        const Vec3 passed = world_.transmittance(ray, s.tolerance, met.meeting.distance);
+        const Vec3 passed = world_.transmittance(ray, s.tolerance, met.meeting.distance, s.around);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.luminaires[met.light];
         const Vec3 seen = weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
@@ -266,7 +266,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
         const LightIndex light = world_.luminaire_of[hit.primitive];
         if (light != no_primitive) {
             const Vec3 clear =
-                passed == 0 ? Vec3(1) : world_.transmittance(ray, s.tolerance, distance);
+                passed == 0 ? Vec3(1) : world_.transmittance(ray, s.tolerance, distance, s.around);
             if (clear == Vec3(0)) break;
             meetings_.clear();
             meet(world_.luminaires[light], point, direction, meetings_);
@@ -379,7 +379,8 @@ Vec3 DirectLight::from_sky(const Scattering& scattering, const Shading& s, const
     const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
     if (answer == Vec3(0)) return Vec3(0);
     ++rays.shadow;
-    const Vec3 passed = world_.transmittance({s.position, *direction}, s.tolerance, far_away);
+    const Vec3 passed =
+        world_.transmittance({s.position, *direction}, s.tolerance, far_away, s.around);
     if (passed == Vec3(0)) return Vec3(0);
     const double density = 0.5 * (sky.density(*direction) + scattering.density(*direction));
     return answer * passed * world_.sky_radiance(*direction) / (pi * density);

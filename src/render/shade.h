@@ -16,6 +16,7 @@ struct Shading {
     const Material* material = nullptr;
     Colour colour;
     double opacity = 1;
+    std::span<const PrimitiveIndex> around;  ///< solids that the ray that sees it is in
     bool both_sides = false;
     bool only_shine = false;  ///< diffuse light has been seen to
     double entering = 0;      ///< index of refraction behind the surface, when what is asked is the

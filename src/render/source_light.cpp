@@ -47,8 +47,8 @@ private:
         if (!until) return Vec3(0);
         ++rays_.shadow;
         const Ray ray{s_.position, light.direction};
-        const Vec3 left = world_.transmittance(ray, s_.tolerance, *until);
-        if (!light_.media_attenuation || left == Vec3(0)) return left;
+        const Vec3 left = world_.transmittance(ray, s_.tolerance, *until, s_.around);
+        if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
         return left * left_by(world_.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }
 

@@ -37,12 +37,6 @@ private:
     double clear_;
 };
 
-/// Where the pattern of a camera's normal is asked for a point of the picture. Measured from
-/// POV-Ray: a coordinate that stands for an angle is that angle in radians; round pictures have
-/// the angle around their middle and the angle away from it.
-Vec3 bump_place(const Projection& camera, double u, double v) {
-    const double width = length(camera.right), height = length(camera.up);
-    switch (camera.lens) {
 /// What the weight of a reflected ray counts, in the direction that reflects most.
 double most_reflected(const Reflection& reflection, const Vec3& amount) {
     return reflection.fresnel
@@ -50,6 +44,12 @@ double most_reflected(const Reflection& reflection, const Vec3& amount) {
                : std::max(max_component(reflection.least), max_component(reflection.greatest));
 }
 
+/// Where the pattern of a camera's normal is asked for a point of the picture. Measured from
+/// POV-Ray: a coordinate that stands for an angle is that angle in radians; round pictures have
+/// the angle around their middle and the angle away from it.
+Vec3 bump_place(const Projection& camera, double u, double v) {
+    const double width = length(camera.right), height = length(camera.up);
+    switch (camera.lens) {
         case Lens::fisheye:
         case Lens::omnimax: {
             const Vec3 towards = camera.ray(u, v).direction;
@@ -204,7 +204,8 @@ void Tracer::take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> u
 
 /// What all textures that are mixed at a hit show together.
 Vec3 Tracer::surface(const Path& path, const Hit& hit) {
-    const Shading s = shading_at(world_, path.ray, hit);
+    Shading s = shading_at(world_, path.ray, hit);
+    s.around = path.solids;
     const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
     const auto show = [&](double share, const Texture& texture) {

@@ -253,7 +253,7 @@ Vec3 World::passed(const Hit& hit, const Ray& ray) const {
 
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
-Vec3 World::dimmed(std::vector<Passage>& passages) const {
+Vec3 World::dimmed(std::vector<Passage>& passages, std::span<const PrimitiveIndex> solids) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
@@ -261,14 +261,13 @@ Vec3 World::dimmed(std::vector<Passage>& passages) const {
     if (!fades) return Vec3(1);
     std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     std::vector<std::uint32_t> around;
+    for (const PrimitiveIndex each : solids) around.push_back(solid(each));
     const auto left_behind = [&](const Passage& passage) {
         const std::uint32_t passed = solid(passage.primitive);
         if (std::erase(around, passed) != 0) return true;
         around.push_back(passed);
         return false;
     };
-    // An odd number of surfaces: the light starts inside.
-    for (const Passage& each : passages) left_behind(each);
     Vec3 left(1);
     double before = 0;
     for (const Passage& each : passages) {
@@ -280,7 +279,8 @@ Vec3 World::dimmed(std::vector<Passage>& passages) const {
     return left;
 }
 
-Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) const {
+Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
+                          std::span<const PrimitiveIndex> around) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     const Slabs slabs(ray);
@@ -317,7 +317,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance) con
     std::vector<Passage> found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
     for (const Passage& each : found) left *= passed(each, ray);
-    return left * dimmed(found);
+    return left * dimmed(found, around);
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {

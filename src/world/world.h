@@ -133,8 +133,9 @@ public:
 
     /// The share of light that gets from a hit to a point at that distance along the ray, per
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
-    /// does not count.
-    Vec3 transmittance(const Ray&, double tolerance, double distance) const;
+    /// does not count. Light that starts in solids, which are `around` it, leaves these first.
+    Vec3 transmittance(const Ray&, double tolerance, double distance,
+                       std::span<const PrimitiveIndex> around = {}) const;
 
     /// What the surface that a ray hits leaves of the light from behind it, per channel.
     Vec3 passed(const Hit&, const Ray&) const;
@@ -310,7 +311,7 @@ private:
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
     Vec3 passed(const Passage&, const Ray&) const;
-    Vec3 dimmed(std::vector<Passage>&) const;
+    Vec3 dimmed(std::vector<Passage>&, std::span<const PrimitiveIndex> around) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };

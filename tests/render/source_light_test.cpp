@@ -43,4 +43,6 @@ TEST_CASE("fog weakens light that says so", "[render]") {
     CHECK(x("") == Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
     CHECK(x("media_attenuation on") == Approx(0.5 * std::exp(-1.75)).epsilon(1e-4));
     CHECK(x("media_attenuation shadowless") == Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
+    CHECK(x("media_attenuation on media_interaction off") ==
+          Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
 }

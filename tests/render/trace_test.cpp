@@ -237,11 +237,12 @@ TEST_CASE("what is left of light by solids in each other is POV-Ray's", "[render
     for (const Case& c : cases) {
         const Vec3 behind = seen(away + "background { rgb 1 } " + c.solids, Vec3(0, 0, -50));
         CHECK(max_abs_component(behind - c.seen) < 1e-4);
-        const Vec3 light = seen(
-            "light_source { -50*z rgb 1 parallel point_at 0 } plane { z, 60 "
-            "pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
-                c.solids,
-            Vec3(0, 0, 50));
+        const Vec3 light =
+            seen(away +
+                     "light_source { -50*z rgb 1 parallel point_at 0 } plane { z, 60 "
+                     "pigment { rgb 1 } finish { ambient 0 diffuse 1 } } " +
+                     c.solids,
+                 Vec3(0, 0, 50));
         CHECK(max_abs_component(light - c.lit) < 1e-4);
     }
 }
