@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a world says of the looks of its surfaces, point by point: textures, u and v.
+// What a world says of the looks of its surfaces, point by point: textures, u and v, and what
+// passes through.
 #include "shape/triangle.h"
 #include "shape/uv.h"
 #include "world/world.h"
@@ -117,4 +118,32 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
     }
     // As in POV-Ray, around what has no u and v, pictures lie on the plane of x and y.
     return found.value_or(Vec2(point.x, point.y));
+}
+
+/// What one surface leaves of light that passes through it.
+Vec3 World::passed(const Passage& passage, const Ray& ray) const {
+    const Material& m = material(passage.primitive);
+    // As in POV-Ray, where one of its tables counts so.
+    const double power = m.interior ? 45 * m.interior->caustics : 0;
+    const Vec3 normal = unit(passage.normal);
+    const FocusedLight light{ray.direction, dot(normal, ray.direction) > 0 ? -normal : normal,
+                             power};
+    const Vec3 point = ray.at(passage.t);
+    const SurfaceView view{point, light.normal, ray.direction};
+    PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
+    scene.view = &view;
+    Vec3 sum(0);
+    for_textures(passage.primitive, passage.part, point, [&](double share, const Texture& texture) {
+        sum += share * (power != 0 || m.focuses ? passing(texture, point, scene, light)
+                                                : passing(texture, point, scene));
+    });
+    return sum;
+}
+
+Vec3 World::passed(const Hit& hit, const Ray& ray) const {
+    const Material& m = material(hit.primitive);
+    if (m.no_shadow) return Vec3(1);
+    if (!m.transparent) return Vec3(0);
+    const double t = dot(hit.position - ray.origin, ray.direction);
+    return passed(Passage{t, hit.primitive, hit.normal, hit.part}, ray);
 }

@@ -225,32 +225,6 @@ bool World::may_pass(std::uint32_t item) const {
                                  : composites[item - leaves_begin()].transparent;
 }
 
-/// What one surface leaves of light that passes through it.
-Vec3 World::passed(const Passage& passage, const Ray& ray) const {
-    const Material& m = material(passage.primitive);
-    // As in POV-Ray, where one of its tables counts so.
-    const double power = m.interior ? 45 * m.interior->caustics : 0;
-    const Vec3 normal = unit(passage.normal);
-    const FocusedLight light{ray.direction, dot(normal, ray.direction) > 0 ? -normal : normal,
-                             power};
-    const Vec3 point = ray.at(passage.t);
-    const PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
-    Vec3 sum(0);
-    for_textures(passage.primitive, passage.part, point, [&](double share, const Texture& texture) {
-        sum += share * (power != 0 || m.focuses ? passing(texture, point, scene, light)
-                                                : passing(texture, point, scene));
-    });
-    return sum;
-}
-
-Vec3 World::passed(const Hit& hit, const Ray& ray) const {
-    const Material& m = material(hit.primitive);
-    if (m.no_shadow) return Vec3(1);
-    if (!m.transparent) return Vec3(0);
-    const double t = dot(hit.position - ray.origin, ray.direction);
-    return passed(Passage{t, hit.primitive, hit.normal, hit.part}, ray);
-}
-
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
 Vec3 World::dimmed(std::vector<Passage>& passages, std::span<const PrimitiveIndex> solids) const {
