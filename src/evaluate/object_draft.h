@@ -53,6 +53,21 @@ private:
     }
 };
 
+/// `inverse`, which swaps inside and outside each time it is said.
+class InversionReader : public SimpleReader {
+public:
+    explicit InversionReader(ObjectDraft& draft) : draft_(draft) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::word || element.word != "inverse"_word) return false;
+        draft_.switches.inverse = !draft_.switches.inverse;
+        return true;
+    }
+
+private:
+    ObjectDraft& draft_;
+};
+
 /// All lights inside, in the space around the object.
 void append_lights(const Object&, std::vector<PlacedLight>&);
 

@@ -204,7 +204,8 @@ private:
         ConfineReader confines(block_, draft_);
         ItemReader switches(block_, Switches::vocabulary, &draft_.switches);
         switches.repeatable();
-        block_.read(body, fields..., content, look, confines, moves, switches);
+        InversionReader inversion(draft_);
+        block_.read(body, fields..., content, look, confines, moves, inversion, switches);
     }
 
     void read_shape(std::size_t kind) {

@@ -1,6 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/assemble.h"
 
+namespace {
+
+template <class T>
+bool solid(const T&) {
+    return true;
+}
+bool solid(const Triangle&) { return false; }
+bool solid(const SmoothTriangle&) { return false; }
+bool solid(const Polygon&) { return false; }
+bool solid(const BicubicPatch&) { return false; }
+bool solid(const Parametric&) { return false; }
+bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
+
+}  // namespace
+
+bool has_inside(const Shape& shape) {
+    return visit_shape([](const auto& content) { return solid(content); }, shape);
+}
+
 Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer) {
     if (!inner) return outer;
     if (!outer) return inner;

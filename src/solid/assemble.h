@@ -11,6 +11,8 @@
 /// The map of what is under both; null is none.
 Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer);
 
+bool has_inside(const Shape&);
+
 /// For callers that want to know nothing of the leaves.
 struct NoVisitor {
     void enter(const Object&) {}
@@ -41,14 +43,16 @@ private:
     PartRef content(const Object& object, const Handle<Transform>& transform, bool inverse) {
         if (const auto* parts = std::get_if<Union>(&object.form))
             return group(*parts, transform, inverse);
-        const auto leaf = [&](const BuiltShape& shape) {
+        const auto leaf = [&](const BuiltShape& shape, bool swapped) {
             visitor_.leaf(object);
-            return builder_.add({shape, transform, inverse});
+            return builder_.add({shape, transform, swapped});
         };
-        const auto* row = std::get_if<SphereRow>(&object.form);
-        if (!row) return leaf(shapes_.built(std::get<Shape>(object.form)));
+        // As in POV-Ray, what has no inside stays so, whatever is swapped.
+        if (const auto* shape = std::get_if<Shape>(&object.form))
+            return leaf(shapes_.built(*shape, transform), inverse && has_inside(*shape));
         std::vector<PartRef> parts;
-        for (const Sphere& sphere : row->spheres) parts.push_back(leaf(sphere));
+        for (const Sphere& sphere : std::get<SphereRow>(object.form).spheres)
+            parts.push_back(leaf(sphere, inverse));
         return builder_.add(inverse ? Combination::common : Combination::together,
                             std::move(parts));
     }

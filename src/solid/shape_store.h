@@ -5,12 +5,15 @@
 
 #include "shape/built_shape.h"
 
+#include <map>
 #include <unordered_map>
 
 class ShapeStore {
 public:
     /// Precondition: problem(shape) is empty.
     BuiltShape built(const Shape&);
+    /// For a place; null: none. Landscapes are made for the place where they are.
+    BuiltShape built(const Shape&, const Handle<Transform>& place);
 
 private:
     /// By the address of what the copies share; the shape is kept so that no address comes twice.
@@ -19,4 +22,9 @@ private:
         BuiltShape built;
     };
     std::unordered_map<const void*, Known> known_;
+    struct Placed {
+        Handle<Transform> place;
+        BuiltShape built;
+    };
+    std::map<std::pair<const BuiltHeightField*, const Transform*>, Placed> stretched_;
 };

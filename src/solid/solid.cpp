@@ -8,15 +8,6 @@ namespace {
 /// POV-Ray sees nothing nearer and nothing farther.
 constexpr Interval seen{1e-4, 1e7};
 
-template <class T>
-bool solid(const T&) {
-    return true;
-}
-bool solid(const Triangle&) { return false; }
-bool solid(const SmoothTriangle&) { return false; }
-bool solid(const Polygon&) { return false; }
-bool solid(const Mesh& mesh) { return mesh.inside_vector.has_value(); }
-
 }  // namespace
 
 const Solids::Known& Solids::known(const ObjectHandle& object) {
@@ -52,5 +43,5 @@ bool has_inside(const Object& object) {
         return std::ranges::all_of(group->children,
                                    [](const ObjectHandle& child) { return has_inside(*child); });
     const auto* shape = std::get_if<Shape>(&object.form);
-    return !shape || visit_shape([](const auto& content) { return solid(content); }, *shape);
+    return !shape || has_inside(*shape);
 }

@@ -225,7 +225,7 @@ private:
             // other solids.
             add_mesh(**mesh, here.transform.get(), {materials_.own(material)}, span);
         } else {
-            add_shape(shapes_.built(shape), here.transform, material, span);
+            add_shape(shapes_.built(shape, here.transform), here.transform, material, span);
         }
     }
 

@@ -68,6 +68,16 @@ TEST_CASE("switches are those of the text", "[evaluate]") {
     CHECK_FALSE(done.object(1).no_image);
 }
 
+TEST_CASE("inverse swaps inside and outside each time it is said", "[evaluate]") {
+    const Script done =
+        run("#version 3.7; sphere { 0, 1 inverse inverse } #declare Hole = sphere { "
+            "0, 1 inverse } object { Hole inverse } object { Hole }");
+    REQUIRE(done.text.empty());
+    CHECK_FALSE(done.object(0).inverse);
+    CHECK_FALSE(done.object(1).inverse);
+    CHECK(done.object(2).inverse);
+}
+
 TEST_CASE("triangles without area are left out with a warning", "[evaluate]") {
     const Script done = run(
         "#version 3.7; triangle { 0, x, 2*x } union { triangle { 0, x, 2*x } sphere { 0, 1 } }");

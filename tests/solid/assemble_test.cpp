@@ -63,6 +63,14 @@ TEST_CASE("inverse turns combinations round, as De Morgan says", "[solid]") {
     CHECK(insides(combined(Csg::difference, {left, object(Sphere{x, 1}, true)}), points) == "0100");
 }
 
+TEST_CASE("what has no inside stays so when it is inverse", "[solid]") {
+    const ObjectHandle ball = object(Sphere{o, 1}), face = object(Triangle{-x, x, y});
+    CHECK(has_inside(Shape(Sphere{o, 1})));
+    CHECK_FALSE(has_inside(Shape(Triangle{-x, x, y})));
+    CHECK(insides(*object(Triangle{-x, x, y}, true), {o, 2.0 * x}) == "00");
+    CHECK(insides(combined(Csg::difference, {ball, face}), {o, 2.0 * x}) == "00");
+}
+
 TEST_CASE("maps of groups and objects add up", "[solid]") {
     Object moved = *object(Sphere{o, 1});
     moved.transform = make_handle<Transform>(Transform::translation(x));

@@ -25,3 +25,20 @@ TEST_CASE("shapes that need no building are copied", "[solid]") {
     CHECK(&*std::get<Shared<Triangle>>(store.built(triangle)) ==
           &*std::get<Shared<Triangle>>(triangle));
 }
+
+TEST_CASE("a smooth landscape is made for the place that stretches it", "[solid]") {
+    ShapeStore store;
+    HeightField field;
+    field.smooth = true;
+    field.grid = make_handle<HeightGrid>(HeightGrid{2, 2, {0, 30000, 60000, 10000}});
+    const Shape shape = Shared(field);
+    const auto wide = make_handle<Transform>(Transform::scaling(Vec3(9, 1, 9)));
+    const auto large = make_handle<Transform>(Transform::scaling(Vec3(9)));
+    const auto landscape = [&](const Handle<Transform>& place) {
+        return &*std::get<Shared<BuiltHeightField>>(store.built(shape, place));
+    };
+    CHECK(landscape(large) == landscape(nullptr));
+    CHECK(landscape(wide) == landscape(wide));
+    for (const Vec3& normal : landscape(wide)->normals)
+        CHECK(length(wide->normal(normal)) == Approx(1));
+}
