@@ -33,7 +33,8 @@ TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMa
     return result;
 }
 
-/// A function's values at all pixels, from 0 to 1 in 65536 steps, as POV-Ray keeps them.
+/// A function's values at all pixels, in 65536 steps from 0 to 1, as POV-Ray keeps them: values
+/// beyond begin anew at the other end.
 Texels sampled(const Formula& function) {
     Texels texels;
     texels.width = function.columns();
@@ -41,7 +42,8 @@ Texels sampled(const Formula& function) {
     const int results = function.results();
     texels.channels = results < 3 ? 1 : 3;
     const auto kept = [](double value) {
-        return static_cast<float>(std::floor(65535 * std::clamp(value, 0.0, 1.0) + 0.5) / 65535);
+        const double steps = std::fmod(std::trunc(65535 * value), 65536);
+        return static_cast<float>((steps < 0 ? steps + 65536 : steps) / 65535);
     };
     for (int y = 0; y < texels.height; ++y)
         for (int x = 0; x < texels.width; ++x) {

@@ -197,21 +197,20 @@ double number_at(const PictureMap& map, const Vec2& place) {
     });
 }
 
-/// The number of a texture, which each pixel has for itself. In single precision like POV-Ray,
-/// where the brightness of a grey is often just below its number: it is then the one before.
-double texture_number_at(const PictureMap& map, const Vec2& place) {
+/// The number of a texture, which each pixel has for itself. In single precision, like POV-Ray's.
+float texture_number_at(const PictureMap& map, const Vec2& place) {
     const Texels& texels = *map.texels;
-    if (!texels.numbers.empty()) return number_at(map, place);
-    return mixed_at(map, place, [&](int x, int y) {
-        const auto red = static_cast<float>(texel(texels, x, y).rgbt.x);
-        const float value = texels.channels == 1 ? 0.297F * red + 0.589F * red + 0.114F * red : red;
-        return std::trunc(double{value * 255.0F});
-    });
+    const double number =
+        !texels.numbers.empty() ? number_at(map, place) : mixed_at(map, place, [&](int x, int y) {
+            const auto red = static_cast<float>(texel(texels, x, y).rgbt.x);
+            return std::trunc(double{red * 255.0F});
+        });
+    return static_cast<float>(number);
 }
 
 double height_at(const BumpMap& map, const Vec2& place) {
     if (!map.use_index || map.texels->numbers.empty()) return grey(sampled(map, place).rgb);
-    return number_at(map, place);
+    return std::trunc(number_at(map, place));  // a mixture of numbers is a number
 }
 
 }  // namespace
@@ -257,7 +256,8 @@ double evaluate(const ImagePattern& map, const Vec3& point) {
     const auto place = place_on(map, point);
     if (!place) return 0;
     const Colour colour = sampled(map, *place);
-    return std::clamp(map.texels->transparent() ? colour.transmit : colour.rgb.x, 0.0, 1.0);
+    const bool clear = map.texels->transparent() || !map.texels->numbers.empty();
+    return std::clamp(clear ? colour.transmit : colour.rgb.x, 0.0, 1.0);
 }
 
 double evaluate(const BumpMap& map, const Vec3& point) { return grey_at(map, point); }
@@ -266,8 +266,7 @@ double evaluate(const MaterialMap& map, const Vec3& point) {
     const auto place = place_on(map, point);
     if (!place) return 0;
     // As in POV-Ray, numbers are mixed like colours.
-    const double value = texture_number_at(map, *place);
-    const int number = static_cast<int>(std::fmax(value, 0));
+    const int number = static_cast<int>(std::fmax(texture_number_at(map, *place), 0.0F));
     if (number == map.textures) return map.textures - 1;
     return number > map.textures ? number % map.textures : number;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/formats.h"
 
+#include <cmath>
+
 #include "base/loaded_library.h"
 #include "png/png.h"
 #include "text/harmless.h"
@@ -66,4 +68,14 @@ std::optional<std::string> write_stored(const RawPicture& picture, Diagnostics& 
                           message("cannot make a ", picture.extension, " file of ", picture.width,
                                   " by ", picture.height, " pixels: ", problem)));
     return std::nullopt;
+}
+
+bool keeps_whole_brightness(const StoredPicture& picture) {
+    return picture.format == "png" && picture.channels == 1 && picture.bits == 8 &&
+           picture.alpha.empty();
+}
+
+float whole_brightness(float value) {
+    const float brightness = 0.297F * value + 0.589F * value + 0.114F * value;
+    return std::trunc(brightness * 255.0F) / 255.0F;
 }

@@ -21,3 +21,8 @@ std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics&, 
 
 /// The bytes of a file that holds the picture. Nothing, with a diagnostic, when it cannot be made.
 std::optional<std::string> write_stored(const RawPicture&, Diagnostics&);
+
+/// Whether POV-Ray keeps the picture's greys in bytes, of a brightness that is not rounded.
+bool keeps_whole_brightness(const StoredPicture&);
+/// Such a grey.
+float whole_brightness(float value);

@@ -25,6 +25,7 @@ double height_of(const StoredPicture& picture, const ColourNumbers* number_of, c
         const std::span<const float> colour(value, static_cast<std::size_t>(picture.channels));
         return 256 * static_cast<double>((*number_of)(colour, 1));
     }
+    if (keeps_whole_brightness(picture)) return most * whole_brightness(value[0]);
     if (picture.channels < 3) return most * value[0];
     if (picture.bits == 8) return (256.0 * value[0] + value[1]) * 255;
     return most * (0.297 * value[0] + 0.589 * value[1] + 0.114 * value[2]);

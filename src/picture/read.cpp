@@ -30,8 +30,12 @@ public:
         decodes_ = coding.gamma == 0 && !plain &&
                    (coding.decode == TexelCoding::always ||
                     (coding.decode == TexelCoding::where_said && said));
-        for (std::size_t i = 0; i < bytes_.size(); ++i)
+        const bool whole =
+            picture.format == "png" && picture.channels == 1 && picture.alpha.empty();
+        for (std::size_t i = 0; i < bytes_.size(); ++i) {
             bytes_[i] = exactly(static_cast<float>(i) / 255);
+            if (whole) bytes_[i] = whole_brightness(bytes_[i]);
+        }
     }
 
     float operator()(float stored) const {

@@ -153,17 +153,6 @@ TEST_CASE("a material map mixes numbers of colours as POV-Ray does", "[pattern]"
     CHECK(evaluate(map, Vec3(0.74, 0.5, 0)) == 2);
 }
 
-TEST_CASE("greys have the texture's number that POV-Ray gives them", "[pattern]") {
-    Texels texels{8, 1, 1, {}, {}, {}, {}};
-    for (const int grey : {2, 4, 5, 6, 10, 11, 254, 255})
-        texels.values.push_back(static_cast<float>(grey) / 255);
-    MaterialMap map = with<MaterialMap>(make_handle<Texels>(std::move(texels)));
-    map.textures = 256;
-    constexpr auto measured = std::array{2, 4, 4, 5, 9, 11, 253, 255};
-    for (std::size_t i = 0; i < measured.size(); ++i)
-        CHECK(evaluate(map, Vec3((static_cast<double>(i) + 0.5) / 8, 0.5, 0)) == measured[i]);
-}
-
 TEST_CASE("bumps point away from where a picture gets brighter", "[pattern]") {
     Texels ramp{4, 4, 1, {}, {}, {}, {}};
     for (int i = 0; i < 16; ++i) ramp.values.push_back(static_cast<float>(i % 4) / 4);

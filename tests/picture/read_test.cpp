@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -96,6 +97,27 @@ TEST_CASE("what is no picture is an error that names the file") {
         CHECK(diagnostics.all()[0].span == span);
         CHECK(diagnostics.all()[0].message.find(name) != std::string::npos);
     }
+}
+
+TEST_CASE("greys of PNG files are those that POV-Ray keeps", "[picture]") {
+    const Folder folder;
+    constexpr std::array stored = {2, 4, 5, 6, 10, 11, 254, 255};
+    constexpr std::array kept = {2, 4, 4, 5, 9, 11, 253, 255};
+    Image image(8, 1);
+    for (std::size_t i = 0; i < stored.size(); ++i) image.pixels[i] = Vec3(stored[i] / 255.0);
+    const std::string path = folder.file("grey.png");
+    PictureFormat format;
+    format.grey = true;
+    format.encoded = false;
+    Diagnostics diagnostics;
+    REQUIRE(write_picture(image, path, format, diagnostics));
+    TexelCoding coding;
+    coding.decode = TexelCoding::as_stored;
+    const auto texels = read_texels(path, coding, diagnostics);
+    REQUIRE(texels);
+    REQUIRE(texels->values.size() == kept.size());
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        CHECK(255 * texels->values[i] == Approx(kept[i]).margin(1e-4));
 }
 
 TEST_CASE("texels are coded as the scene wants them", "[picture]") {
