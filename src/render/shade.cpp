@@ -125,8 +125,9 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
     // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
-    const double grazing =
-        r.fresnel ? fresnel(std::fmax(cosine, 0), 1 / ior_ratio) : std::pow(1 - cosine, r.falloff);
+    const double grazing = !r.fresnel   ? std::pow(1 - cosine, r.falloff)
+                           : cosine < 0 ? 1
+                                        : fresnel(cosine, 1 / ior_ratio);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
     return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
 }
