@@ -84,13 +84,14 @@ private:
     void read(const Element& element) {
         OpenBlock inner(block_.binder, "reflection", element.word_span);
         inner.item = &Reflection::vocabulary;
-        Reflection made;
+        // As in POV-Ray, what it does not say is as it was in the finish before.
+        Reflection made = reflection_;
         ItemReader fields(inner, *inner.item, &made);
         fields.alone("metallic", 1);
         inner.read(element.body, fields);
         if (fields.positional_given() < 2) {
             made.greatest = made.least;
-            if (made.fresnel) made.least = Vec3(0);
+            if (made.fresnel && fields.given("fresnel")) made.least = Vec3(0);
         }
         block_.broken |= inner.broken;
         reflection_ = made;

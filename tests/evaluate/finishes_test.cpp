@@ -26,6 +26,19 @@ TEST_CASE("a finish has its words, and may be declared", "[evaluate]") {
     CHECK(finish_of("conserve_energy").conserve_energy);
 }
 
+TEST_CASE("a block of reflection changes only what it says", "[evaluate]") {
+    const std::string before = "reflection { 0.1, 0.9 falloff 3 metallic exponent 0.5 fresnel } ";
+    const Reflection after = finish_of(before + "reflection { 0.2, 0.8 }").reflection;
+    CHECK(after.least == Vec3(0.2));
+    CHECK(after.greatest == Vec3(0.8));
+    CHECK(after.falloff == 3);
+    CHECK(after.metallic == 1);
+    CHECK(after.exponent == 0.5);
+    CHECK(after.fresnel);
+    CHECK(finish_of(before + "reflection { 0.5 }").reflection.least == Vec3(0.5));
+    CHECK(finish_of(before + "reflection { 0.5 fresnel }").reflection.least == Vec3(0));
+}
+
 TEST_CASE("reflection is an amount or a block", "[evaluate]") {
     const Reflection amount = finish_of("reflection 0.5").reflection;
     CHECK(amount.least == Vec3(0.5));
