@@ -219,7 +219,7 @@ private:
         } else if (const auto* smooth = std::get_if<Shared<SmoothTriangle>>(&shape)) {
             const SmoothTriangle& s = **smooth;
             add_triangle({s.corner1, s.corner2, s.corner3}, here.transform.get(), material, span);
-            add_normals({s.normal1, s.normal2, s.normal3}, here.transform.get());
+            add_normals(units(placed({s.normal1, s.normal2, s.normal3}, here.transform.get())));
         } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
@@ -252,7 +252,9 @@ private:
                 world_.uvs_of.back() = static_cast<std::uint32_t>(world_.uvs.size());
                 world_.uvs.push_back(face_uvs(mesh, i));
             }
-            if (f.smooth) add_normals({f.normals[0], f.normals[1], f.normals[2]}, transform);
+            // As in POV-Ray, those of a mesh are mixed before they are placed.
+            if (f.smooth)
+                add_normals(placed(units({f.normals[0], f.normals[1], f.normals[2]}), transform));
         }
     }
 
@@ -275,13 +277,20 @@ private:
     }
 
     /// Of the triangle that was added last.
-    void add_normals(CornerNormals n, const Transform* transform) {
-        if (transform)
-            n = {transform->normal(n.normal1), transform->normal(n.normal2),
-                 transform->normal(n.normal3)};
+    static CornerNormals placed(const CornerNormals& n, const Transform* transform) {
+        return transform ? CornerNormals{transform->normal(n.normal1), transform->normal(n.normal2),
+                                         transform->normal(n.normal3)}
+                         : n;
+    }
+
+    static CornerNormals units(const CornerNormals& n) {
+        return {unit(n.normal1), unit(n.normal2), unit(n.normal3)};
+    }
+
+    void add_normals(const CornerNormals& n) {
         world_.normals_of.resize(world_.triangles.size(), no_primitive);
         world_.normals_of.back() = static_cast<std::uint32_t>(world_.normals.size());
-        world_.normals.push_back({unit(n.normal1), unit(n.normal2), unit(n.normal3)});
+        world_.normals.push_back(n);
     }
 
     void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
