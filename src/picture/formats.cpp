@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/formats.h"
 
-#include <cmath>
-
 #include "base/loaded_library.h"
 #include "png/png.h"
 #include "text/harmless.h"
 #include "text/message.h"
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
