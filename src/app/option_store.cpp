@@ -183,12 +183,6 @@ void store::sampler(Options& options, const Given& given, Diagnostics& diagnosti
         options.render.light_sampler = All::make(found);
         return;
     }
-    const std::string_view first_word =
-        std::string_view(*given.value).substr(0, given.value->find_first_of(" {"));
-    if (All::find(first_word) < All::count)
-        return refuse(given, diagnostics, "here is only room for a light sampler's name",
-                      message("its parameters are the scene's: global_settings { light_sampler { ",
-                              harmless(*given.value), " } }"));
     std::string help = "there are";
     for (const std::string_view name : names)
         help += message(name == names.front() ? " " : ", ", name);

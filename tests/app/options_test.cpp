@@ -224,9 +224,6 @@ TEST_CASE("every wrong argument has one message") {
          "`--light-sampler=ligth_octree`: there is no light sampler `ligth_octree` | did you mean "
          "`light_octree`? there are every_light, constant_alpha, linear_alpha, light_bvh, "
          "light_octree"},
-        {{"--light-sampler", "light_bvh { mis }"},
-         "`--light-sampler`: here is only room for a light sampler's name | its parameters are the "
-         "scene's: global_settings { light_sampler { light_bvh { mis } } }"},
         {{"--dump", "film"}, "`--dump`: there is no stage `film` | tokens, tree, scene or world"},
         {{"--check=all"}, "`--check=all`: only --check and --check=syntax are offered"},
         {{"Declare=Depth"},
