@@ -30,8 +30,7 @@ public:
         decodes_ = coding.gamma == 0 && !plain &&
                    (coding.decode == TexelCoding::always ||
                     (coding.decode == TexelCoding::where_said && said));
-        const bool whole =
-            picture.format == "png" && picture.channels == 1 && picture.alpha.empty();
+        const bool whole = keeps_whole_brightness(picture);
         for (std::size_t i = 0; i < bytes_.size(); ++i) {
             bytes_[i] = exactly(static_cast<float>(i) / 255);
             if (whole) bytes_[i] = whole_brightness(bytes_[i]);
