@@ -45,11 +45,7 @@ bool Evaluator::State::argument_element(const Tree& tree, const node::Index& ind
             return true;
         }
     }
-    result.by_value = true;
-    Value value = index_value(tree, index, id);
-    result.place.cell = scope.fresh_cell();
-    *result.place.cell = std::move(value);
-    return !result.place.cell->broken();
+    return by_value(index_value(tree, index, id), result);
 }
 
 /// A lone name or element is passed by reference, anything else by value.
@@ -64,17 +60,9 @@ bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
     } else if (const auto* index = tree.get_if<node::Index>(id)) {
         return argument_element(tree, *index, id, result);
     }
-    result.by_value = true;
     Numbers numbers;
-    if (compute(tree, id, numbers)) {
-        result.place.cell = scope.fresh_cell();
-        *result.place.cell = numbers;
-        return true;
-    }
-    Value value = walk_expression(tree, id);
-    result.place.cell = scope.fresh_cell();
-    *result.place.cell = std::move(value);
-    return !result.place.cell->broken();
+    if (compute(tree, id, numbers)) return by_value(numbers, result);
+    return by_value(walk_expression(tree, id), result);
 }
 
 void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, Span span) {
@@ -99,10 +87,7 @@ bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, No
     const std::size_t depth = arguments.size();
     call_macro(tree, inner, id, [&](const Element& element) {
         Argument one;
-        one.by_value = true;
-        one.place.cell = scope.fresh_cell();
-        *one.place.cell = evaluator.value_of(element);
-        good = good && !one.place.cell->broken();
+        good = by_value(evaluator.value_of(element), one) && good;
         arguments.push_back(one);
     });
     if (arguments.size() > depth || !good) return good;

@@ -218,6 +218,14 @@ struct Evaluator::State {
         Scope::Reference place;
         bool by_value = false;  ///< the cell is a fresh one
     };
+    /// Makes it a value in a cell of its own; false when that is broken.
+    template <class Given>
+    bool by_value(Given&& value, Argument& result) {
+        result.by_value = true;
+        result.place.cell = scope.fresh_cell();
+        *result.place.cell = std::forward<Given>(value);
+        return !result.place.cell->broken();
+    }
     bool pass_values(const Tree&, const node::Call& inner, NodeId);
     /// Computes the arguments and puts them at the end of `arguments`; false when reported.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);

@@ -11,6 +11,7 @@
 /// The map of what is under both; null is none.
 Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transform>& outer);
 
+/// Whether points can be in it: surfaces without an inside have none to swap.
 bool has_inside(const Shape&);
 
 /// For callers that want to know nothing of the leaves.

@@ -276,7 +276,6 @@ private:
         objects_.placed(PrimitiveKind::triangle);
     }
 
-    /// Of the triangle that was added last.
     static CornerNormals placed(const CornerNormals& n, const Transform* transform) {
         return transform ? CornerNormals{transform->normal(n.normal1), transform->normal(n.normal2),
                                          transform->normal(n.normal3)}
@@ -287,6 +286,7 @@ private:
         return {unit(n.normal1), unit(n.normal2), unit(n.normal3)};
     }
 
+    /// Of the triangle that was added last.
     void add_normals(const CornerNormals& n) {
         world_.normals_of.resize(world_.triangles.size(), no_primitive);
         world_.normals_of.back() = static_cast<std::uint32_t>(world_.normals.size());
