@@ -102,6 +102,12 @@ Box extent(const Object& object) {
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};
 }
 
+Box noticed_within(const Object& object) {
+    const auto* shape = std::get_if<Shape>(&object.form);
+    const bool plane = shape && std::holds_alternative<Plane>(*shape);
+    return object.inverse && !plane ? extent(object) : everywhere();
+}
+
 bool has_needless_bounds(const Object& object) {
     if (!object.confines || object.confines->bounds.empty()) return false;
     if (const auto* shape = std::get_if<Shape>(&object.form))

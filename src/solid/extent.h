@@ -13,6 +13,10 @@ Box extent(const Object&);
 /// The same before it is moved and confined.
 Box own_extent(const Object&);
 
+/// Where POV-Ray notices that a ray begins inside of the object: everywhere, but for what is
+/// inverse and no plane only in the box of what it is the inverse of, though its inside goes on.
+Box noticed_within(const Object&);
+
 /// Whether rays do without what bounds the object, so that all of it is seen even where that is too
 /// small. POV-Ray removes the bounds of single shapes other than polynomials, and of unions that
 /// have an end and are no larger than their bounds.

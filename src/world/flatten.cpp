@@ -343,8 +343,10 @@ private:
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));
         const auto number = static_cast<std::uint32_t>(world_.composites.size());
-        world_.composites.push_back(
-            {composite, static_cast<PrimitiveIndex>(first), visitor.transparent});
+        const Box around = noticed_within(object);
+        world_.composites.push_back({composite, static_cast<PrimitiveIndex>(first),
+                                     visitor.transparent,
+                                     outer.transform ? outer.transform->box(around) : around});
         for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {
             world_.composite_of.push_back(number);
             const Box& seen = composite->leaf_bounds(static_cast<std::uint32_t>(leaf - first));

@@ -39,7 +39,7 @@ public:
 private:
     /// A quick answer, for most objects.
     static bool may_hold(const Object& object, const Vec3& point) {
-        if (object.inverse) return true;
+        if (object.inverse) return contains(noticed_within(object), point);
         const Vec3 within = object.transform ? object.transform->inverse_point(point) : point;
         const auto* shape = std::get_if<Shape>(&object.form);
         const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;

@@ -316,7 +316,7 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point,
     if (item < leaves_begin() && contains_point(item, point)) found.push_back(item);
     if (item < leaves_begin()) return;
     const PlacedComposite& placed = composites[item - leaves_begin()];
-    if (!placed.composite->inside(point)) return;
+    if (!contains(placed.around, point) || !placed.composite->inside(point)) return;
     // What is in the solid is what is behind its first transparent leaf.
     PrimitiveIndex leaf = placed.first_leaf;
     while (placed.transparent && !material(leaf).transparent) ++leaf;

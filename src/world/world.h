@@ -87,6 +87,7 @@ struct PlacedComposite {
     Handle<Composite> composite;
     PrimitiveIndex first_leaf = 0;
     bool transparent = false;  ///< a leaf is
+    Box around;  ///< out of this no ray begins inside of it, as of what is inverse in POV-Ray
 };
 
 /// Solids that rays must know of by where they are, for cameras whose rays begin anywhere.

@@ -60,7 +60,9 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"light_source { 0, 1 } #for (I, 1, 5) sphere { I*x, 0.4 } #end camera { location "
          "4*x look_at 0 }",
          "camera-inside "},
-        {"light_source { 0, 1 } box { 3, 4 inverse } camera { location z look_at 0 }",
+        {"light_source { 0, 1 } box { 3, 4 inverse } camera { location z look_at 0 }", ""},
+        {"light_source { 0, 1 } intersection { box { 3, 4 inverse } sphere { 0, 9 } } camera { "
+         "location z look_at 0 }",
          "camera-inside "},
         {"#default { camera { location -z } } plane { y, -1 } light_source { 0, 1 }", "no-camera "},
     }));
