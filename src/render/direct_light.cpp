@@ -109,8 +109,7 @@ std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double t
     for (int passed = 0; passed < most_passed; ++passed) {
         if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
         const double distance = dot(hit.position - ray.origin, ray.direction);
-        const Material& material = world_.material(hit.primitive);
-        if (!material.transparent && !material.no_shadow)
+        if (world_.material(hit.primitive).stops_light())
             return LightSight{distance, hit.normal, hit.tolerance, {}, 0};
         tolerance = distance + hit.tolerance;
     }
@@ -186,8 +185,7 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
         const Vec3 seen = weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
         credit_luminaire(rays, met.light, seen, 1);
         sum += seen;
-        const Material& material = world_.material(luminaire.primitive);
-        if (!material.transparent && !material.no_shadow) break;
+        if (world_.material(luminaire.primitive).stops_light()) break;
     }
     return sum;
 }
@@ -279,8 +277,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
             first = false;
             sum += seen;
         }
-        const Material& material = world_.material(hit.primitive);
-        if (!material.transparent && !material.no_shadow) break;
+        if (world_.material(hit.primitive).stops_light()) break;
         from = distance + hit.tolerance;
     }
     if (first && !rays.lights.empty()) ++rays.lights.back().rays;

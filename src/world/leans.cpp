@@ -39,8 +39,7 @@ bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ra
     for (int passed = 0; passed < most_passed; ++passed) {
         if (!world.first_hit(ray, start, RayKind::light, hit)) return true;
         const double distance = dot(hit.position - ray.origin, ray.direction);
-        const Material& material = world.material(hit.primitive);
-        if (!material.transparent && !material.no_shadow) {
+        if (world.material(hit.primitive).stops_light()) {
             if (distance < far) return false;
             const bool with_eye = eye && world.contains_point(hit.primitive, *eye);
             return with_eye ||

@@ -208,10 +208,7 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
 
 bool World::opaque_between(std::uint32_t item, const Ray& ray, const Slabs& slabs,
                            const Interval& range) const {
-    const auto blocks = [&](PrimitiveIndex primitive) {
-        const Material& m = material(primitive);
-        return !m.no_shadow && !m.transparent;
-    };
+    const auto blocks = [&](PrimitiveIndex primitive) { return material(primitive).stops_light(); };
     Candidate nearest{range.max};
     if (item >= leaves_begin())
         meet_composite(item - leaves_begin(), ray, range, nearest, blocks);
@@ -266,8 +263,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     };
     for (const EndlessPlane& plane : planes) {
         if (!range.contains(plane.meet(ray))) continue;
-        const Material& m = material(plane.primitive);
-        if (!m.transparent && !m.no_shadow) return Vec3(0);
+        if (material(plane.primitive).stops_light()) return Vec3(0);
         clear.push_back(plane.primitive);
     }
     if (std::ranges::any_of(endless, blocks)) return Vec3(0);

@@ -42,6 +42,9 @@ struct Material {
     /// that they enter and leave in turn, as in POV-Ray. 0: the interior is its own.
     std::uint32_t shared_interior = 0;
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
+
+    /// Nothing behind it is lit.
+    bool stops_light() const { return !transparent && !no_shadow; }
 };
 
 struct SpherePrimitive {
