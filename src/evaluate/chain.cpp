@@ -21,6 +21,7 @@ private:
     void directive(const Tree&, NodeId);
     void macro(const Tree&, const node::Call&, NodeId);
     void operand(const Tree&, NodeId);
+    void join(Operator sign);
 
     State& state_;
     FunctionRef<void(const Operand&)> take_;
@@ -36,7 +37,7 @@ void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool
     const auto* binary = std::get_if<node::Binary>(&content);
     if (binary && (binary->open || (text && binary->sign <= Operator::divide))) {
         expression(tree, binary->left, text);
-        sign_ = binary->sign;
+        join(binary->sign);
         expression(tree, binary->right, text);
     } else if (const auto* unary = std::get_if<node::Unary>(&content);
                unary && unary->sign != Operator::no) {
@@ -53,10 +54,18 @@ void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool
     }
 }
 
+/// An operator; behind another one it is the sign of the next operand.
+void Evaluator::State::OperandWalk::join(Operator sign) {
+    if (sign_ && (sign == Operator::add || sign == Operator::subtract))
+        negative_ ^= sign == Operator::subtract;
+    else
+        sign_ = sign;
+}
+
 void Evaluator::State::OperandWalk::chain(const Tree& tree, NodeId first) {
     for (NodeId id = first; id != no_node && !state_.stopped_; id = tree[id].next) {
         const auto* joined = tree.get_if<node::Joined>(id);
-        if (joined) sign_ = joined->sign;
+        if (joined) join(joined->sign);
         expression(tree, joined ? joined->operand : id);
     }
 }

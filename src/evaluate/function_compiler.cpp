@@ -80,6 +80,7 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expre
         case kind<node::Broken>:
             return std::nullopt;
         default:
+            if (tree.gives_elements(id)) return open(tree, id);
             return wrong(tree.span(id), "a function computes with single numbers only");
     }
 }

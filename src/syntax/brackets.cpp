@@ -25,14 +25,6 @@ constexpr const char* macro_braces =
     "a macro closes what it opens and nothing else; what is to stand in its braces can be a "
     "parameter: #macro In(Parts) union { object { Parts } } #end";
 
-/// Whether a directive that comes now stands where a value is wanted.
-bool wants_operand(TokenKind before) {
-    using enum TokenKind;
-    return is_sign(before) || before == both || before == either || before == question ||
-           before == colon || before == no || before == colour_prefix || before == hash_message ||
-           before == continues;
-}
-
 /// Which tokens one may have to be put in front of: few.
 constexpr auto may_be_marked = [] {
     std::array<bool, 256> result{};
@@ -71,16 +63,37 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
         if (token.kind == minus && (old || (last_.kind == text && in_braces()))) return comma;
         return !open_.empty() && begins_part(open_.back()) ? std::optional(joins) : std::nullopt;
     }
-    if (wants_operand(last_.kind)) return between;
-    if (!has_parts(token.kind)) return std::nullopt;
-    Open& directive = open_.back();
-    if (open_.size() > 1 && begins_part(open_[open_.size() - 2])) {
-        directive.goes_on = true;
-    } else if (ends_operand() && tokens_.goes_on_with_sign()) {
-        directive.goes_on = true;
-        return goes_on;
+    if (has_parts(token.kind)) {
+        Open& directive = open_.back();
+        if (open_.size() > 1 && begins_part(open_[open_.size() - 2])) {
+            directive.goes_on = true;
+            return std::nullopt;
+        }
+        if (ends_operand() && tokens_.goes_on_with_sign()) {
+            directive.goes_on = true;
+            return goes_on;
+        }
+        const bool marked = last_.kind >= between;
+        if (!marked && gives_value()) return gives;
     }
-    return std::nullopt;
+    return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
+}
+
+/// Whether the directive that has just begun is the left side of an operator, as in
+/// `(#if (A) 1 #else 2 #end * 3)`.
+bool Brackets::gives_value() {
+    using enum TokenKind;
+    const auto around = std::find_if(open_.rbegin() + 1, open_.rend(),
+                                     [](const Open& o) { return !has_parts(o.token.kind); });
+    // Outside of all brackets most directives hold parts of the scene.
+    const bool outside = around == open_.rend();
+    if (outside && last_.kind != less && last_.kind != comma) return false;
+    const TokenKind kind = tokens_.behind_value();
+    const bool compares = kind == less || kind == less_equal || kind == greater_equal ||
+                          kind == equal || kind == not_equal || kind == both || kind == either ||
+                          kind == question;
+    return is_sign(kind) || kind == dot ||
+           (compares && !outside && around->token.kind == open_parenthesis);
 }
 
 /// The same for what ends a part of a condition; it has had its effect.
@@ -91,7 +104,7 @@ std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
     const bool sign = is_sign(last_.kind) && last_.first > 0 && text_[last_.first - 1] != '+' &&
                       text_[last_.first - 1] != '-';
     const bool hangs = sign || last_.kind == TokenKind::continues;
-    if (is_condition(directive.token.kind) && (hangs || last_.kind == TokenKind::nothing)) {
+    if (has_parts(directive.token.kind) && (hangs || last_.kind == TokenKind::nothing)) {
         directive.hangs = true;
         if (hangs) return TokenKind::nothing;
     }
@@ -112,9 +125,8 @@ bool Brackets::begins_head() {
 bool Brackets::ends_operand() const {
     using enum TokenKind;
     const TokenKind kind = last_.kind;
-    return kind == number || kind == literal || kind == name || kind == constant ||
-           (kind == close_parenthesis && !closed_.head) || kind == close_bracket ||
-           kind == greater || (kind == hash_end && closed_.goes_on);
+    if (kind == close_parenthesis) return !closed_.head;
+    return (may_end_value(kind) && kind != channel) || (kind == hash_end && closed_.goes_on);
 }
 
 /// Whether what comes now begins a part of a directive that goes on with an expression, or stands
@@ -144,6 +156,8 @@ Token Brackets::match() {
             const bool head = token.kind == TokenKind::open_parenthesis && begins_head();
             open_.push_back({token});
             open_.back().head = head;
+            // The lexer has spoken of a directive without #, and what it opens is not meant so.
+            open_.back().blamed = opens_directive(token.kind) && text_[token.first] != '#';
         } else if (closes(token.kind)) {
             fits = accept_closer(token);
         } else if (divides_directive(token.kind)) {

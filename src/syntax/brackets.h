@@ -59,6 +59,7 @@ private:
     std::optional<TokenKind> mark_before_end(const Token&);
     bool begins_head();
     bool ends_operand() const;
+    bool gives_value();
     bool begins_part(const Open& directive) const;
     bool accept_closer(const Token&);
     bool accept_else(const Token&);

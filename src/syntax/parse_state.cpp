@@ -72,7 +72,7 @@ bool ParseState::may_be_text(NodeId operand) const {
     if (const auto* binary = tree.get_if<node::Binary>(operand)) return binary->open;
     const auto* call = tree.get_if<node::Call>(operand);
     return call ? !names.reserved(call->name)
-                : tree.get_if<node::If>(operand) || tree.get_if<node::Nothing>(operand);
+                : tree.gives_elements(operand) || tree.get_if<node::Nothing>(operand);
 }
 
 NodeId ParseState::binary(Operator sign, NodeId left, NodeId right, Stretch place) {

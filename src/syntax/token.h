@@ -79,12 +79,13 @@ enum class TokenKind : std::uint8_t {
     dot,
     comma,
     semicolon,
-    // put in by Brackets
+    // put in by Brackets, behind all others
     between,    // before a directive that follows an operator
     goes_on,    // before a directive that goes on with the expression in front of it
     joins,      // before an operator at the beginning of a part of such a directive
     nothing,    // behind an operator at the end of a part of a condition
     continues,  // behind a condition with such a part: the other operand follows
+    gives,      // before a directive that gives a value for the operator behind it
 };
 
 struct Token {

@@ -62,6 +62,21 @@ constexpr bool is_sign(TokenKind kind) {
     return kind == plus || kind == minus || kind == times || kind == divide;
 }
 
+/// Whether a directive behind it stands where a value is wanted.
+constexpr bool wants_operand(TokenKind before) {
+    using enum TokenKind;
+    return is_sign(before) || before == both || before == either || before == question ||
+           before == colon || before == no || before == colour_prefix || before == hash_message ||
+           before == continues;
+}
+
+/// What may be the last token of a value.
+constexpr bool may_end_value(TokenKind kind) {
+    using enum TokenKind;
+    return kind == number || kind == literal || kind == name || kind == constant ||
+           kind == close_parenthesis || kind == close_bracket || kind == greater || kind == channel;
+}
+
 constexpr TokenKind closer_of(TokenKind opener) {
     using enum TokenKind;
     if (opener == open_brace) return close_brace;

@@ -10,6 +10,9 @@ namespace {
 /// Copies double with each condition of this kind behind another; what needs more is not copied.
 constexpr std::size_t most_ahead = 100'000;
 
+/// Directives of more tokens are no operands.
+constexpr std::size_t longest_value = 500;
+
 /// How many braces are open, where each directive that is closed counts as its first part does.
 class Balance {
 public:
@@ -286,6 +289,27 @@ bool TokenStream::takes_sign(Tokens& taken) {
         }
     }
     return false;
+}
+
+TokenKind TokenStream::behind_value() {
+    Tokens taken;
+    const TokenKind result = take_behind_value(taken);
+    give_back(taken);
+    return result;
+}
+
+TokenKind TokenStream::take_behind_value(Tokens& taken) {
+    using enum TokenKind;
+    for (std::size_t open = 1; open > 0;) {
+        const TokenKind before = taken.empty() ? hash_if : taken.back().kind;
+        const TokenKind kind = take(taken).kind;
+        if (kind == open_brace || kind == end_of_file || taken.size() > longest_value)
+            return end_of_file;
+        if (opens_directive(kind)) ++open;
+        const bool value = may_end_value(before) || before == hash_end || before == hash_break;
+        if (kind == hash_end && --open == 0 && !value) return end_of_file;
+    }
+    return take(taken).kind;
 }
 
 bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,

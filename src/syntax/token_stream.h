@@ -48,6 +48,9 @@ public:
     /// To be called behind the word of a directive: whether its first part begins with a sign, not
     /// counting declarations.
     bool goes_on_with_sign();
+    /// The same: what stands behind its #end, when there is a value before #end and the directive
+    /// is short enough to be one.
+    TokenKind behind_value();
 
 private:
     using Tokens = std::vector<Token>;
@@ -68,6 +71,7 @@ private:
     /// Behind #if: takes the tokens of a first branch away that is never read.
     bool drop_false_branch();
     bool takes_sign(Tokens& taken);
+    TokenKind take_behind_value(Tokens& taken);
     bool take_parentheses(Tokens& taken);
 
     Lexer& lexer_;

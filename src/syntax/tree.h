@@ -277,6 +277,11 @@ struct Tree {
     const T* get_if(NodeId id) const {
         return id == no_node ? nullptr : std::get_if<T>(&(*this)[id].content);
     }
+    /// A directive with parts.
+    bool gives_elements(NodeId id) const {
+        return get_if<node::If>(id) || get_if<node::While>(id) || get_if<node::For>(id) ||
+               get_if<node::Switch>(id);
+    }
     Span span(NodeId id) const { return {source, (*this)[id].first, (*this)[id].last}; }
 
     NodeId add(Span span, NodeContent content) {
