@@ -201,16 +201,10 @@ void ItemReader::take_count(const Element& element) {
 
 void ItemReader::begin_entries(int count) {
     entry_count_ = entries_left_ = count;
-    switch (info_->fields[next_].type) {
-        case FieldType::points:
-            entries_ = std::vector<Vec2>();
-            break;
-        case FieldType::balls:
-            entries_ = std::vector<Ball>();
-            break;
-        default:
-            entries_ = std::vector<Vec3>();
-    }
+    const FieldType type = info_->fields[next_].type;
+    entries_ = type == FieldType::points  ? FieldValue(std::vector<Vec2>())
+               : type == FieldType::balls ? FieldValue(std::vector<Ball>())
+                                          : FieldValue(std::vector<Vec3>());
 }
 
 void ItemReader::take_entry(const Element& element) {
@@ -341,7 +335,8 @@ void ItemReader::missing_value() {
         return;
     }
     block_.report(error(Fault::missing, word_span_,
-                        message(of_block(field), " needs ", kind_name(info_->fields[field].type)))
+                        message(of_block(field), follows(field) ? " is missing, " : " needs ",
+                                kind_name(info_->fields[field].type)))
                       .with_help(help(field)));
 }
 
@@ -387,14 +382,18 @@ void ItemReader::read_list(int field, const Element& element) {
 }
 
 std::string ItemReader::of_block(int field) const {
-    return message('`', info_->fields[field].name, "` of ", block_.quoted());
+    const std::string_view further = further_value(*info_, static_cast<std::size_t>(field));
+    if (further.empty()) return message('`', info_->fields[field].name, "` of ", block_.quoted());
+    const std::size_t word = word_of(*info_, static_cast<std::size_t>(field));
+    return message(further, " of `", info_->fields[word].name, '`');
 }
 
 std::string ItemReader::help(int field) const {
-    const FieldInfo& info = info_->fields[field];
-    const std::string values = ::values(*info_, static_cast<std::size_t>(field));
-    if (info.unnamed()) return message(block_.help(), "   ", info.name, ": ", values);
-    return message(block_.name, " { ... ", info.name, ' ',
-                   info.type == FieldType::number || info.type == FieldType::integer ? "n" : "v",
-                   " ... }   ", info.name, ": ", values);
+    const auto at = static_cast<std::size_t>(field);
+    const std::string_view name = info_->fields[at].name, further = further_value(*info_, at);
+    const std::string values =
+        message(further.empty() ? name : further, ": ", ::values(*info_, at));
+    if (info_->fields[at].unnamed()) return message(block_.help(), "   ", values);
+    const std::string written = term(*info_, word_of(*info_, at));
+    return message(block_.name, " { ... ", written, " ... }   ", values);
 }

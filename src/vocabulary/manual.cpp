@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace {
 
@@ -108,6 +109,11 @@ std::string default_text(const ItemInfo& item, std::size_t field) {
     return written(value, info.type);
 }
 
+/// What stands for a value.
+char letter(FieldType type) {
+    return type == FieldType::number || type == FieldType::integer ? 'n' : 'v';
+}
+
 /// The field as it stands in the text of its item.
 std::string form(const FieldInfo& field) {
     const std::string name(field.name);
@@ -129,8 +135,7 @@ std::string form(const FieldInfo& field) {
         case Placement::item:
             break;
     }
-    return message(name, ' ',
-                   field.type == FieldType::number || field.type == FieldType::integer ? "n" : "v");
+    return message(name, ' ', letter(field.type));
 }
 
 std::string explanation(const ItemInfo& item, std::size_t field) {
@@ -139,10 +144,19 @@ std::string explanation(const ItemInfo& item, std::size_t field) {
     return message(info.help, " (", values(item, field), ")");
 }
 
+/// Whether the field is one more value behind the word of a field before it.
+bool is_further_value(const ItemInfo& item, std::size_t field) {
+    return item.fields[field].place == Placement::following && word_of(item, field) != field;
+}
+
 std::vector<ManualEntry> entries(const ItemInfo& item) {
     std::vector<ManualEntry> result;
-    for (std::size_t i = 0; i < item.fields.size(); ++i)
-        result.push_back({form(item.fields[i]), explanation(item, i)});
+    for (std::size_t i = 0; i < item.fields.size(); ++i) {
+        if (is_further_value(item, i))
+            result.back().help += "; " + explanation(item, i);
+        else
+            result.push_back({term(item, i), explanation(item, i)});
+    }
     return result;
 }
 
@@ -246,9 +260,11 @@ std::string json_groups(std::span<const ItemGroup> groups) {
 std::string usage(const ItemInfo& item, std::string_view block) {
     std::string text = block.empty() ? message(item.name, " {") : message(block, " { ", item.name);
     bool first = true;
-    for (const FieldInfo& field : item.fields) {
+    for (std::size_t i = 0; i < item.fields.size(); ++i) {
+        const FieldInfo& field = item.fields[i];
+        if (field.place == Placement::following) continue;
         const bool positional = field.unnamed();
-        std::string piece = form(field);
+        std::string piece = term(item, i);
         if (!positional || field.may_be_left_out)
             piece = message(positional && !first ? "[, " : "[", piece, "]");
         else if (!first)
@@ -257,6 +273,26 @@ std::string usage(const ItemInfo& item, std::string_view block) {
         first = false;
     }
     return text + " }";
+}
+
+std::size_t word_of(const ItemInfo& item, std::size_t field) {
+    std::size_t word = field;
+    while (word > 0 && item.fields[word].place == Placement::following) --word;
+    return item.fields[word].place == Placement::list ? field : word;
+}
+
+std::string_view further_value(const ItemInfo& item, std::size_t field) {
+    constexpr auto values = std::to_array<std::string_view>(
+        {"", "the second value", "the third value", "the fourth value"});
+    return values.at(field - word_of(item, field));
+}
+
+std::string term(const ItemInfo& item, std::size_t field) {
+    std::string text = form(item.fields[field]);
+    for (std::size_t i = field + 1; i < item.fields.size() && word_of(item, i) == field; ++i)
+        text += message(item.fields[i].may_be_left_out ? "[, " : ", ", letter(item.fields[i].type),
+                        item.fields[i].may_be_left_out ? "]" : "");
+    return text;
 }
 
 std::string takes(const FieldInfo& field) {

@@ -32,6 +32,15 @@ struct ManualEntry {
 /// }".
 std::string usage(const ItemInfo&, std::string_view block = {});
 
+/// The field whose word the value stands behind: itself, unless it is a further value of a word.
+std::size_t word_of(const ItemInfo&, std::size_t field);
+
+/// "the third value", for a further value of a word; otherwise empty.
+std::string_view further_value(const ItemInfo&, std::size_t field);
+
+/// How a field and the further values of its word are written: "area_light v, v, n, n".
+std::string term(const ItemInfo&, std::size_t field);
+
 /// What the field takes: "number above 0".
 std::string takes(const FieldInfo&);
 

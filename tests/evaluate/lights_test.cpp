@@ -71,7 +71,7 @@ TEST_CASE("wrong lights are told of once", "[evaluate]") {
     CHECK(complaint("light_source { 0, 1 no_shadow }") ==
           "error misplaced: `no_shadow` has no place in `light_source`");
     CHECK(complaint("light_source { 0, 1 area_light x, y, 2 }") ==
-          "error missing: `area_size2` of `light_source` needs a whole number");
+          "error missing: the fourth value of `area_light` is missing, a whole number");
     CHECK(complaint("light_source { 0, 1 spotlight point_at 0 }") ==
           "error degenerate: `point_at` must not be the light's own location");
 }
