@@ -121,8 +121,8 @@ std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, const
     for (const int size : array.sizes()) {
         if (used == indices.count) {
             broken(Fault::wrong_count, span,
-                   message("this array has ", array.sizes().size(), " dimensions, and here are ",
-                           dimension, " indices"));
+                   message("this array has ", array.sizes().size(), " dimensions, and here ",
+                           dimension == 1 ? "is 1 index" : message("are ", dimension, " indices")));
             return std::nullopt;
         }
         const double whole = indices.values[used] + tolerance;

@@ -58,8 +58,10 @@ std::string as_vector(const Tree& tree, std::span<const NodeId> numbers, std::st
     return result + ">";
 }
 
+bool is_colour(FieldType type) { return type == FieldType::rgb || type == FieldType::colour; }
+
 std::size_t components(FieldType type) {
-    return type == FieldType::vector3 ? 3 : type == FieldType::vector2 ? 2 : 1;
+    return type == FieldType::vector3 || is_colour(type) ? 3 : type == FieldType::vector2 ? 2 : 1;
 }
 
 /// What is wrong, and how it is written.
@@ -111,6 +113,7 @@ std::optional<Diagnostic> bare_vectors(const Element& element, const ItemInfo& i
         if (count > rest.size()) return std::nullopt;
         const auto* number = tree.get_if<node::Number>(rest.front());
         meant += rest.size() == row.numbers.size() ? " " : ", ";
+        if (is_colour(field.type)) meant += "rgb ";
         meant += count > 1 ? as_vector(tree, rest.first(count), "<x, y, z>")
                  : number  ? message(tree.numbers[number->number])
                            : std::string(field.name);
@@ -137,4 +140,13 @@ std::string moved_without_times(const Element& element, const Names& names) {
     if (!moves) return {};
     return message(names.spelling(word->word), ' ', names.spelling(axis->word), '*',
                    tree->numbers[number->number]);
+}
+
+bool is_told_of(const Element& element, const Diagnostics& diagnostics) {
+    const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::entry;
+    if (!value || diagnostics.all().empty()) return false;
+    const Diagnostic& last = diagnostics.all().back();
+    constexpr std::uint32_t separator = 2;  // a comma and a blank
+    return last.fault == Fault::semicolon && last.span.source == element.span.source &&
+           last.span.last <= element.span.first && element.span.first - last.span.last <= separator;
 }

@@ -20,3 +20,7 @@ std::optional<Diagnostic> bare_vectors(const Element&, const ItemInfo&);
 /// `rotate y 45` and `rotate 45 y`: how a movement along an axis is written, when the value is the
 /// second of the two; empty when not.
 std::string moved_without_times(const Element&, const Names&);
+
+/// Whether the value stands right behind another one that was declared without its `;`, which has
+/// just been reported.
+bool is_told_of(const Element&, const Diagnostics&);

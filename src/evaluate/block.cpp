@@ -203,9 +203,9 @@ void OpenBlock::report(Diagnostic diagnostic) {
 
 bool OpenBlock::passes_over(const Element& element) {
     const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::list;
-    if (value && passing_over_) return true;
-    passing_over_ = false;
-    return false;
+    passing_over_ = (value && passing_over_) ||
+                    (name.empty() && is_told_of(element, binder.evaluator.diagnostics()));
+    return passing_over_;
 }
 
 void OpenBlock::refuse(const Element& element, const WordList& words) {

@@ -96,9 +96,14 @@ Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeI
         const Value base = evaluate(tree, node.base);
         if (base.broken()) return base;
         const Numbers* given = base.numbers();
-        if (!given || given->count == 2)
-            return broken(Fault::wrong_type, tree.span(id),
-                          message("a colour is wanted, but this is ", kind_name(base)));
+        if (!given || given->count == 2) {
+            constexpr const char* quoted = "colours have names without quotes: Red, in colors.inc";
+            report(error(Fault::wrong_type, tree.span(id),
+                         message("a colour is wanted, but this is ", kind_name(base)))
+                       .with_help(base.text() ? quoted : ""));
+            if (diagnostics.full()) stopped_ = true;
+            return Absence::broken;
+        }
         result = given->promoted(5);
     }
     for (NodeId channel = node.channels; channel != no_node; channel = tree[channel].next)

@@ -2,6 +2,8 @@
 // The fast way to numbers: literals and names are read, other expressions run as the programs that
 // compile.cpp makes of them. Whatever has to be reported is left to walk_expression().
 #include "evaluate/state.h"
+#include "text/message.h"
+#include "vocabulary/reserved.h"
 
 #include <algorithm>
 
@@ -61,4 +63,47 @@ bool Evaluator::State::run(Code& code, Numbers& result) {
     for (std::size_t i = 1; i < code.program.results; ++i)
         result.at[i] = registers[code.program.result[i]];
     return true;
+}
+
+namespace {
+
+/// What to say to those who take a word like `x` for a name of their own.
+std::string about_axis(const Tree& tree, NodeId id) {
+    while (const auto* group = tree.get_if<node::Group>(id)) id = group->content;
+    const auto* binary = tree.get_if<node::Binary>(id);
+    for (const NodeId side : {binary ? binary->left : id, binary ? binary->right : id}) {
+        const auto* constant = tree.get_if<node::Constant>(side);
+        if (constant && constant->word == "x"_word)
+            return "`x` is the vector <1, 0, 0>; `X` may be a name";
+        if (constant && constant->word == "y"_word)
+            return "`y` is the vector <0, 1, 0>; `Y` may be a name";
+        if (constant && constant->word == "z"_word)
+            return "`z` is the vector <0, 0, 1>; `Z` may be a name";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
+                                               NameId word) {
+    if (const auto* name = tree.get_if<node::Name>(id)) {
+        note_use(name->name, tree, id);
+        const Value* found = scope.find(name->name);
+        const Numbers* known = found ? found->numbers() : nullptr;
+        if (known && known->is_scalar()) return known->at[0];
+    }
+    Numbers numbers;
+    const bool computed = compute(tree, id, numbers);
+    if (computed && numbers.is_scalar()) return numbers.at[0];
+    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
+    if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
+    const std::string named =
+        word == no_name ? std::string() : message(" `", names.spelling(word), "`");
+    if (value.broken()) return std::nullopt;
+    report(error(Fault::wrong_type, tree.span(id),
+                 message(what, named, " must be a number, but it is ", kind_name(value)))
+               .with_help(about_axis(tree, id)));
+    if (diagnostics.full()) stopped_ = true;
+    return std::nullopt;
 }

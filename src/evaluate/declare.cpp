@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // #declare, #local, #undef.
 #include "evaluate/state.h"
+#include "syntax/foreign.h"
 #include "text/message.h"
 
 Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
@@ -16,6 +17,19 @@ Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
     return one_value(elements, tree.span(id));
 }
 
+namespace {
+
+/// How what follows a value on its line begins when it is one more value; empty: it is none.
+std::string_view value_behind(std::string_view rest) {
+    const std::size_t at = rest.find_first_not_of(" \t");
+    if (at == rest.npos) return {};
+    const bool letter = at == 0 && is_letter(rest[at]);
+    const bool begins = letter || is_digit(rest[at]) || rest[at] == '(' || rest[at] == '[';
+    return begins ? rest.substr(at, 1) : std::string_view();
+}
+
+}  // namespace
+
 /// A value that needs a semicolon has none.
 void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& node) {
     // A macro may end in one.
@@ -25,11 +39,17 @@ void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& n
     Diagnostic problem =
         version >= 3.5 ? error(Fault::semicolon, end, text) : warning(Fault::semicolon, end, text);
     const std::string_view rest = sources.text(tree.source).substr(end.last);
-    const bool decimal_comma = tree.get_if<node::Number>(node.value) && rest.size() > 1 &&
-                               rest[0] == ',' && rest[1] >= '0' && rest[1] <= '9';
+    const bool decimal_comma = tree.get_if<node::Number>(node.value) && rest.starts_with(',');
+    const std::string_view behind = value_behind(rest);
+    if (behind == "[" && tree.get_if<node::Literal>(node.value))
+        problem.message = "only arrays have elements";
+    else if (!behind.empty())
+        problem.message = "between this value and the next an operator is missing, or a `;`";
     report(problem.with_help(
-        decimal_comma ? "a number is written with a point: 1.5, not 1,5"
-                      : "#declare and #local of numbers, vectors and colours end in `;`"));
+        decimal_comma    ? "a number is written with a point, 1.5, and a vector in <1, 2, 3>"
+        : behind == "["  ? "the parts of a vector are V.x, V.y, V.z"
+        : behind.empty() ? "#declare and #local of numbers, vectors and colours end in `;`"
+                         : "a product is written with its sign: 2*(3 + 4), 2*sin(1)"));
 }
 
 /// Numbers for a name or element that does not hold numbers yet.

@@ -103,8 +103,12 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     if (!room(tree, id)) return Absence::broken;
     // Apart, because expressions inside each other must not set aside the room of a message each.
     const auto refuse_tuple = [&]() __attribute__((noinline))->Value {
+        const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
+        const std::size_t last = before.find_last_not_of(" \t");
+        const bool elements = last != before.npos && before[last] == ']';
         report(error(Fault::wrong_count, tree.span(id), "one value is wanted here")
-                   .with_help("a vector is written between `<` and `>`: <1, 2, 3>"));
+                   .with_help(elements ? "the elements of an array stand in braces: { 1, 2, 3 }"
+                                       : "a vector is written between `<` and `>`: <1, 2, 3>"));
         if (diagnostics.full()) stopped_ = true;
         return Absence::broken;
     };
@@ -168,27 +172,6 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
     }
 }
 
-std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
-                                               NameId word) {
-    if (const auto* name = tree.get_if<node::Name>(id)) {
-        note_use(name->name, tree, id);
-        const Value* found = scope.find(name->name);
-        const Numbers* known = found ? found->numbers() : nullptr;
-        if (known && known->is_scalar()) return known->at[0];
-    }
-    Numbers numbers;
-    const bool computed = compute(tree, id, numbers);
-    if (computed && numbers.is_scalar()) return numbers.at[0];
-    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
-    if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
-    const std::string named =
-        word == no_name ? std::string() : message(" `", names.spelling(word), "`");
-    if (!value.broken())
-        broken(Fault::wrong_type, tree.span(id),
-               message(what, named, " must be a number, but it is ", kind_name(value)));
-    return std::nullopt;
-}
-
 Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId id) {
     if (node.sign != Operator::no && macro_call(tree, node.operand))
         return open_expression(tree, id);
@@ -247,6 +230,8 @@ Value Evaluator::State::truth(const Value& left, const Value& right, Operator si
                                        " and ", kind_name(right)));
     if (left.text() && right.text() && sign == Operator::add)
         problem.with_help("strings are joined by concat(a, b)");
+    else if ((left.text() && right.numbers()) || (left.numbers() && right.text()))
+        problem.with_help("val(s) is the number in a string, str(x, 0, 2) is a number as a string");
     report(problem);
     if (diagnostics.full()) stopped_ = true;
     return Absence::broken;

@@ -5,6 +5,19 @@
 #include "evaluate/string_functions.h"
 #include "text/message.h"
 
+namespace {
+
+/// How what is no string becomes one.
+std::string as_text(const Value& value) {
+    const Numbers* numbers = value.numbers();
+    if (!numbers) return {};
+    return numbers->is_scalar()
+               ? "str(x, 0, 2) is the number x as a string"
+               : message("vstr(", numbers->count, ", v, \", \", 0, 2) is the vector v as a string");
+}
+
+}  // namespace
+
 /// Whether concat() or str() is called with as many arguments as it needs, and no directives.
 bool Evaluator::State::has_plain_arguments(const Tree& tree, const node::Call& call) const {
     int count = 0;
@@ -34,12 +47,15 @@ bool Evaluator::State::append_text(const Tree& tree, NodeId id, std::string& tex
         return true;
     }
     const Value value = evaluate(tree, id);
-    if (value.text())
+    if (value.text()) {
         text += *value.text();
-    else if (!value.broken())
-        broken(Fault::wrong_type, tree.span(id),
-               message("`", names.spelling(function), "` takes a string here, but this is ",
-                       kind_name(value)));
+    } else if (!value.broken()) {
+        report(error(Fault::wrong_type, tree.span(id),
+                     message("`", names.spelling(function), "` takes a string here, but this is ",
+                             kind_name(value)))
+                   .with_help(as_text(value)));
+        if (diagnostics.full()) stopped_ = true;
+    }
     return value.text() != nullptr;
 }
 

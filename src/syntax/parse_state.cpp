@@ -210,6 +210,17 @@ std::string_view number_with_comma(std::string_view text) {
     return equal != text.npos && text[equal] == '=' ? text.substr(sign + 1) : std::string_view();
 }
 
+/// Whether a semicolon that comes now is meant to end a declaration of a number; then there will be
+/// a report of what is between the number and it.
+bool ends_declaration(std::string_view text) {
+    const std::string_view line = text.substr(text.find_last_of("\r\n") + 1);
+    const std::size_t hash = line.rfind('#');
+    if (hash == line.npos) return false;
+    const std::string_view rest = line.substr(hash);
+    return (rest.starts_with("#declare") || rest.starts_with("#local")) &&
+           rest.find_first_of(";{}") == rest.npos;
+}
+
 }  // namespace
 
 NodeId ParseState::stray_semicolon(Stretch place) {
@@ -224,6 +235,7 @@ NodeId ParseState::stray_semicolon(Stretch place) {
                                                number.substr(comma + 1))));
         return no_node;
     }
+    if (ends_declaration(text.substr(0, place.first))) return no_node;
     diagnostics.add(warning(Fault::semicolon, span(place), "this `;` has no effect")
                         .with_help("`;` ends a #declare of numbers and nothing else"));
     return no_node;

@@ -174,8 +174,13 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
     if (found == TokenKind::text && directive == "#fopen")
         return "the name of the open file comes first: #fopen File \"data.txt\" write";
-    if (found == TokenKind::equal && directive.starts_with("#for"))
+    const bool no_comma = found == TokenKind::equal || found == TokenKind::semicolon;
+    if (no_comma && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
+    if (found == TokenKind::equal && directive.starts_with("#macro"))
+        return "a parameter that may be left out: #macro M(A, optional B) #ifndef (B) #local B = "
+               "2; "
+               "#end ... #end";
     if (directive == "#default") return "the last part of a #switch is `#else`";
     const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
     if (bracket && expected.value() && before.ends_with('='))
@@ -185,6 +190,12 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
         return message("the arguments of a function stand in parentheses: ", last_word(before),
                        "(...)");
     }
+    if (found == TokenKind::semicolon && wanted == "`}`")
+        return "a function is one expression, without `;`";
+    const std::size_t open = before.rfind('(');
+    if ((found == TokenKind::name || found == TokenKind::constant) && open != before.npos &&
+        ends_in_word(without_blanks(before.substr(0, open)), "function"))
+        return "the parameters of a function are numbers, and only named: function(X, Y) { X*Y }";
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return std::string(change);

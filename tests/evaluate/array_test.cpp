@@ -61,7 +61,7 @@ TEST_CASE("a wrong array gets one message", "[evaluate]") {
          "error: an array has at most 5 dimensions, but this has 6\n"},
         {"#declare A=array[1e6][1e6]", "error: an array has at most 100000000 elements\n"},
         {"#declare A=array[2][2]; #declare b = A[1];",
-         "error: this array has 2 dimensions, and here are 1 indices\n"},
+         "error: this array has 2 dimensions, and here is 1 index\n"},
         {"#declare A=1; #declare b = A[1];",
          "error: only arrays have elements, and this is a number\n"},
         {"#declare b = A[1];", "error: nothing is declared as `A`\n"},

@@ -1,0 +1,2 @@
+#version 3.7;
+#if (x > 3) #debug "more" #end

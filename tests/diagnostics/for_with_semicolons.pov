@@ -1,0 +1,2 @@
+#version 3.7;
+#for (I; 0; 3) #debug "again" #end

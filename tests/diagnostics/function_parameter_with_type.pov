@@ -1,0 +1,2 @@
+#version 3.7;
+#declare F = function (float X) { X*X }
