@@ -5,6 +5,11 @@
 #include <bit>
 #include <cstdint>
 
+#if defined(__x86_64__) && defined(__GNUC__)
+#define CANDELABRA_SHA_INSTRUCTIONS
+#include <immintrin.h>
+#endif
+
 namespace {
 
 using Words = std::array<std::uint32_t, 8>;
@@ -53,19 +58,63 @@ void add_block(Words& hash, const char* block) {
     for (std::size_t i = 0; i < hash.size(); ++i) hash[i] += worked[i];
 }
 
+#ifdef CANDELABRA_SHA_INSTRUCTIONS
+
+bool has_instructions() {
+    return __builtin_cpu_supports("sha") && __builtin_cpu_supports("sse4.1");
+}
+
+/// The same by the processor's own instructions, ten times as fast: each does two rounds, on words
+/// that it wants in the order f e b a and h g d c.
+[[gnu::target("sha,sse4.1")]] void add_block_by_instructions(Words& hash, const char* block) {
+    const auto words = [](const std::uint32_t* four) {
+        return _mm_loadu_si128(reinterpret_cast<const __m128i*>(four));
+    };
+    const auto [a, b, c, d, e, f, g, h] = std::bit_cast<std::array<int, 8>>(hash);
+    const __m128i abef_before = _mm_set_epi32(a, b, e, f), cdgh_before = _mm_set_epi32(c, d, g, h);
+    const __m128i high_byte_first = _mm_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203);
+    __m128i abef = abef_before, cdgh = cdgh_before;
+    std::array<__m128i, 16> w;
+    for (std::size_t i = 0; i < w.size(); ++i) {
+        if (i < 4) {
+            const __m128i read = _mm_loadu_si128(reinterpret_cast<const __m128i*>(block + 16 * i));
+            w[i] = _mm_shuffle_epi8(read, high_byte_first);
+        } else {
+            const __m128i sum = _mm_add_epi32(_mm_sha256msg1_epu32(w[i - 4], w[i - 3]),
+                                              _mm_alignr_epi8(w[i - 1], w[i - 2], 4));
+            w[i] = _mm_sha256msg2_epu32(sum, w[i - 1]);
+        }
+        const __m128i added = _mm_add_epi32(w[i], words(&constants[4 * i]));
+        cdgh = _mm_sha256rnds2_epu32(cdgh, abef, added);
+        abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(added, 0x0e));
+    }
+    std::array<std::uint32_t, 4> feba, hgdc;
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(feba.data()), _mm_add_epi32(abef, abef_before));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(hgdc.data()), _mm_add_epi32(cdgh, cdgh_before));
+    hash = {feba[3], feba[2], hgdc[3], hgdc[2], feba[1], feba[0], hgdc[1], hgdc[0]};
+}
+
+#else
+
+bool has_instructions() { return false; }
+void add_block_by_instructions(Words& hash, const char* block) { add_block(hash, block); }
+
+#endif
+
 }  // namespace
 
-std::string sha256(std::string_view text) {
+std::string sha256(std::string_view text, bool by_instructions) {
+    const auto add = by_instructions && has_instructions() ? add_block_by_instructions : add_block;
     // The first 32 bits behind the point of the square roots of the first 8 primes.
     Words hash{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     const std::uint64_t bits = std::uint64_t{text.size()} * 8;
-    for (; text.size() >= block_size; text.remove_prefix(block_size)) add_block(hash, text.data());
+    for (; text.size() >= block_size; text.remove_prefix(block_size)) add(hash, text.data());
     std::string end(text);
     end += '\x80';
     while (end.size() % block_size != block_size - 8) end += '\0';
     for (int i = 7; i >= 0; --i) end += static_cast<char>(bits >> (8 * i));
-    for (std::size_t at = 0; at < end.size(); at += block_size) add_block(hash, end.data() + at);
+    for (std::size_t at = 0; at < end.size(); at += block_size) add(hash, end.data() + at);
     std::string digits;
     for (const std::uint32_t word : hash)
         for (int shift = 28; shift >= 0; shift -= 4)

@@ -6,5 +6,6 @@
 #include <string>
 #include <string_view>
 
-/// 64 hexadecimal digits.
-std::string sha256(std::string_view text);
+/// 64 hexadecimal digits. The processor's own instructions for it are used where it has them and
+/// nobody forbids it.
+std::string sha256(std::string_view text, bool by_instructions = true);
