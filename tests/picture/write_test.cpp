@@ -160,6 +160,31 @@ TEST_CASE("a grey picture has one channel of the brightness") {
     CHECK(static_cast<unsigned char>(bytes->back()) == quantised(grey(Vec3(1, 0.5, 0)), 255));
 }
 
+TEST_CASE("many values are rounded as each of them is") {
+    Image image(100, 80);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        // Also borders between two bytes, and what is next to them.
+        const double border = srgb_decode((static_cast<double>(i % 255) + 0.5) / 255);
+        image.pixels[i] = Vec3(static_cast<double>(i) / 7000 - 0.05, border,
+                               std::nextafter(border, i % 2 == 0 ? 0.0 : 1.0));
+    }
+    for (const double gamma : {-1.0, 1.0, 2.2}) {
+        Diagnostics diagnostics;
+        PictureFormat format{PictureType::ppm};
+        format.file_gamma = gamma;
+        const auto bytes = encode(image, format, diagnostics);
+        REQUIRE(bytes);
+        const std::size_t head = bytes->size() - 3 * image.pixels.size();
+        bool same = true;
+        for (std::size_t i = 0; i < 3 * image.pixels.size(); ++i) {
+            const double value = image.pixels[i / 3][static_cast<int>(i % 3)];
+            same = same &&
+                   static_cast<unsigned char>((*bytes)[head + i]) == quantised(value, 255, format);
+        }
+        CHECK(same);
+    }
+}
+
 TEST_CASE("what is brighter than its alpha has more alpha") {
     Image image(2, 1);
     image.at(0, 0) = Vec3(0.2);
