@@ -90,6 +90,21 @@ Place place_of(double t) {
     return {{index & hash_mask, (index + 1) & hash_mask}, {fraction, fraction - 1}, {1 - far, far}};
 }
 
+/// The factors of the frequency of each octave, and the weights.
+struct OctaveTerms {
+    std::array<double, Octaves::most> frequency, weight;
+    std::size_t count;
+
+    explicit OctaveTerms(const Octaves& octaves)
+        : count(static_cast<std::size_t>(std::clamp(octaves.count, 1, Octaves::most))) {
+        frequency[0] = weight[0] = 1;
+        for (std::size_t i = 1; i < count; ++i) {
+            frequency[i] = frequency[i - 1] * octaves.lambda;
+            weight[i] = weight[i - 1] * octaves.omega;
+        }
+    }
+};
+
 /// Numbers that are computed with at once.
 using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
 
@@ -134,6 +149,27 @@ double raw_noise(const Vec3& point) {
     std::array<double, 1> noise;
     one_noise(point, noise);
     return noise[0];
+}
+
+CANDELABRA_EVERY_MACHINE void raw_octaves(const Vec3& point, std::span<const double> frequencies,
+                                          double* noises) {
+    for (const double frequency : frequencies) {
+        const Vec3 p = frequency * point;
+        std::array<double, 1> noise;
+        add_corners(usable(p) ? p : Vec3(0), noise);
+        *noises++ = noise[0];
+    }
+}
+
+CANDELABRA_EVERY_MACHINE void sum_octaves(const Vec3& point, const OctaveTerms& terms,
+                                          std::array<double, 3>& sum) {
+    for (std::size_t i = 0; i < terms.count; ++i) {
+        const Vec3 p = terms.frequency[i] * point;
+        std::array<double, 3> noises;
+        add_corners(usable(p) ? p : Vec3(0), noises);
+        for (std::size_t n = 0; n < 3; ++n)
+            sum[n] = i == 0 ? noises[n] : sum[n] + terms.weight[i] * noises[n];
+    }
 }
 
 /// The tables of Perlin's noise: unit vectors, and the indices that choose among them.
@@ -198,16 +234,10 @@ double perlin_noise(const Vec3& point) {
 
 double limited(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// Calls add(factor of the frequency, weight) for the octaves after the first.
-template <class Add>
-void further_octaves(const Octaves& octaves, Add add) {
-    const int count = std::clamp(octaves.count, 1, Octaves::most);
-    double frequency = octaves.lambda, weight = octaves.omega;
-    for (int i = 1; i < count; ++i) {
-        add(frequency, weight);
-        frequency *= octaves.lambda;
-        weight *= octaves.omega;
-    }
+/// By the range of the generator.
+double in_range(double raw, NoiseGenerator generator) {
+    return limited(generator == NoiseGenerator::original ? raw + 0.5
+                                                         : (raw + 1.05242) * 0.48985582);
 }
 
 }  // namespace
@@ -220,15 +250,18 @@ NoiseGenerator noise_generator(double number) {
 
 double noise(const Vec3& point, NoiseGenerator generator) {
     const Vec3 p = usable(point) ? point : Vec3(0);
-    switch (generator) {
-        case NoiseGenerator::original:
-            return limited(raw_noise(p) + 0.5);
-        case NoiseGenerator::perlin:
-            return limited(0.5 * (1.59 * perlin_noise(p) + 0.985));
-        case NoiseGenerator::full_range:
-            break;
+    if (generator == NoiseGenerator::perlin) return limited(0.5 * (1.59 * perlin_noise(p) + 0.985));
+    return in_range(raw_noise(p), generator);
+}
+
+void noises(const Vec3& point, std::span<const double> frequencies, NoiseGenerator generator,
+            double* values) {
+    if (generator == NoiseGenerator::perlin) {
+        for (const double frequency : frequencies) *values++ = noise(frequency * point, generator);
+        return;
     }
-    return limited((raw_noise(p) + 1.05242) * 0.48985582);
+    raw_octaves(point, frequencies, values);
+    for (std::size_t i = 0; i < frequencies.size(); ++i) values[i] = in_range(values[i], generator);
 }
 
 Vec3 vector_noise(const Vec3& point) {
@@ -238,11 +271,9 @@ Vec3 vector_noise(const Vec3& point) {
 }
 
 Vec3 turbulence(const Vec3& point, const Octaves& octaves) {
-    Vec3 sum = vector_noise(point);
-    further_octaves(octaves, [&](double frequency, double weight) {
-        sum += weight * vector_noise(frequency * point);
-    });
-    return sum;
+    std::array<double, 3> sum;
+    sum_octaves(point, OctaveTerms(octaves), sum);
+    return {sum[0], sum[1], sum[2]};
 }
 
 double scalar_turbulence(const Vec3& point, const Octaves& octaves, NoiseGenerator generator) {
@@ -250,10 +281,11 @@ double scalar_turbulence(const Vec3& point, const Octaves& octaves, NoiseGenerat
     // limited again.
     const bool original = generator == NoiseGenerator::original;
     const auto stretched = [&](double value) { return original ? value : 2 * value - 0.5; };
-    double sum = limited(stretched(noise(point, generator)));
-    further_octaves(octaves, [&](double frequency, double weight) {
-        sum += weight * stretched(noise(frequency * point, generator));
-    });
+    const OctaveTerms terms(octaves);
+    std::array<double, Octaves::most> values;
+    noises(point, {terms.frequency.data(), terms.count}, generator, values.data());
+    double sum = limited(stretched(values[0]));
+    for (std::size_t i = 1; i < terms.count; ++i) sum += terms.weight[i] * stretched(values[i]);
     return sum;
 }
 

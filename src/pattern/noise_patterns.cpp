@@ -6,6 +6,7 @@
 #include "pattern/waveform.h"
 
 #include <algorithm>
+#include <array>
 
 const ItemInfo Bozo::vocabulary =
     described<Bozo>([] { return schema<Bozo>("bozo", "Smooth noise: soft spots of all values."); });
@@ -35,6 +36,29 @@ const ItemInfo Agate::vocabulary = described<Agate>([] {
                            "how much the bands are disturbed, beside any turbulence"});
 });
 
+namespace {
+
+/// Frequencies from the first on, each twice the one before.
+template <std::size_t count>
+constexpr std::array<double, count> doubled(double first) {
+    std::array<double, count> result{};
+    for (double& frequency : result) {
+        frequency = first;
+        first *= 2;
+    }
+    return result;
+}
+
+template <std::size_t count>
+std::array<double, count> noises_at(const PatternPoint& at,
+                                    const std::array<double, count>& frequencies) {
+    std::array<double, count> values;
+    noises(at.position, frequencies, at.noise_generator(), values.data());
+    return values;
+}
+
+}  // namespace
+
 double evaluate(const Bozo&, const PatternPoint& at) {
     return noise(at.position, at.noise_generator());
 }
@@ -49,25 +73,24 @@ double evaluate(const Dents&, const PatternPoint& at) {
 }
 
 double evaluate(const Wrinkles&, const PatternPoint& at) {
-    const NoiseGenerator generator = at.noise_generator();
-    const bool original = generator == NoiseGenerator::original;
-    double sum = 0, frequency = 1;
-    for (int i = 0; i < 10; ++i, frequency *= 2) {
-        const double value = noise(frequency * at.position, generator);
-        sum += (original ? value : std::clamp(2 * value - 0.5, 0.0, 1.0)) / frequency;
-    }
+    const bool original = at.noise_generator() == NoiseGenerator::original;
+    static constexpr auto octaves = doubled<10>(1);
+    const auto values = noises_at(at, octaves);
+    double sum = 0;
+    for (std::size_t i = 0; i < octaves.size(); ++i)
+        sum += (original ? values[i] : std::clamp(2 * values[i] - 0.5, 0.0, 1.0)) / octaves[i];
     return sum / 2;
 }
 
 double evaluate(const Granite&, const PatternPoint& at) {
-    const NoiseGenerator generator = at.noise_generator();
-    const bool original = generator == NoiseGenerator::original;
-    double sum = 0, frequency = 1;
-    for (int i = 0; i < 6; ++i, frequency *= 2) {
-        const double value = noise(4 * frequency * at.position, generator);
+    const bool original = at.noise_generator() == NoiseGenerator::original;
+    static constexpr auto octaves = doubled<6>(4);
+    const auto values = noises_at(at, octaves);
+    double sum = 0;
+    for (std::size_t i = 0; i < octaves.size(); ++i) {
         const double folded =
-            original ? std::abs(0.5 - value) : std::min(0.5, std::abs(1 - 2 * value));
-        sum += folded / frequency;
+            original ? std::abs(0.5 - values[i]) : std::min(0.5, std::abs(1 - 2 * values[i]));
+        sum += folded / (octaves[i] / 4);
     }
     return sum;
 }

@@ -112,6 +112,18 @@ TEST_CASE("scalar turbulence stretches the generators of full range", "[noise]")
           2 * noise(p, now) - 0.5 + 0.25 * (2 * noise(3.0 * p, now) - 0.5));
 }
 
+TEST_CASE("noises at many frequencies are those at each", "[noise]") {
+    const std::array frequencies{1.0, 2.0, 3.7, -1.0, 1e18};
+    for (const Vec3& point : {Vec3(0.3, -1.7, 2.2), Vec3(1e3, 0.25, -7)})
+        for (const auto generator :
+             {NoiseGenerator::original, NoiseGenerator::full_range, NoiseGenerator::perlin}) {
+            std::array<double, frequencies.size()> values{};
+            noises(point, frequencies, generator, values.data());
+            for (std::size_t i = 0; i < frequencies.size(); ++i)
+                CHECK(values[i] == noise(frequencies[i] * point, generator));
+        }
+}
+
 TEST_CASE("noise is between 0 and 1 and has no jumps", "[noise]") {
     for (const double number : {1.0, 2.0, 3.0})
         for (int i = 0; i < 2000; ++i) {
