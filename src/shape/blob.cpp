@@ -7,6 +7,9 @@
 #include "base/roots.h"
 
 #include <algorithm>
+#include <array>
+#include <memory_resource>
+#include <utility>
 
 const ItemInfo BlobSphere::vocabulary = described<BlobSphere>([] {
     using F = Field<BlobSphere>;
@@ -159,14 +162,72 @@ Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
     return sum;
 }
 
+/// Room for what most rays meet; more comes from the heap.
+struct Space {
+    std::array<std::byte, 4096> bytes;
+    std::pmr::monotonic_buffer_resource memory{bytes.data(), bytes.size()};
+};
+
+using Stretches = std::pmr::vector<Stretch>;
+
 /// The sum of the fields that reach over a stretch, less the threshold.
-Quartic sum_over(const std::vector<Stretch>& stretches, const Interval& range, double threshold) {
+Quartic sum_over(const Stretches& stretches, const Interval& range, double threshold) {
     Quartic sum{-threshold, 0, 0, 0, 0};
     const double middle = 0.5 * (range.min + range.max);
     for (const Stretch& each : stretches)
         if (each.range.contains(middle))
             for (std::size_t i = 0; i < 5; ++i) sum[i] += each.field[i];
     return sum;
+}
+
+enum class Wanted { all, nearest };
+
+/// The crossings in the range, or the nearest of them, and maybe others.
+void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wanted how,
+            Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0) || blob.sources.empty()) return;
+    // From the point nearest to the middle, where a far origin costs no digits.
+    const Vec3 u = ray.direction / speed;
+    const double start = dot(blob.index.bounds().centre() - ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    const auto parameter = [&](double s) { return (start + s) / speed; };
+    Space space;
+    Stretches stretches(&space.memory);
+    std::pmr::vector<double> ends(&space.memory);
+    blob.index.along(near, whole_line, [&](std::uint32_t i) {
+        const auto met = stretch(blob.sources[i], near);
+        if (!met) return;
+        stretches.push_back(*met);
+        ends.insert(ends.end(), {met->range.min, met->range.max});
+    });
+    std::sort(ends.begin(), ends.end());
+    // What is so near to each other is the same but for rounding: a rod's end and the ball there.
+    const double same = 1e-12 * length(blob.index.bounds().size());
+    ends.erase(
+        std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a <= same; }),
+        ends.end());
+    double before = -blob.threshold;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const Interval range{ends[i], ends[i + 1]};
+        if (parameter(range.min) >= wanted.max) return;
+        const Quartic sum = sum_over(stretches, range, blob.threshold);
+        // The sum is continuous: what it is at one end, it is at the start of the next stretch.
+        const bool last = i + 2 == ends.size();
+        const double after = last ? -blob.threshold : polynomial(sum, range.max);
+        const double at_start = std::exchange(before, after);
+        if (parameter(range.max) <= wanted.min) continue;
+        bool met = false;
+        for (const double s : sign_changes(sum, range, at_start, after)) {
+            const double t = parameter(s);
+            if (!wanted.contains(t)) continue;
+            const Vec3 normal = unit(-gradient(blob, near.at(s)));
+            if (normal == Vec3(0)) continue;
+            found.add({t, normal, dot(u, normal) < 0});
+            met = true;
+        }
+        if (met && how == Wanted::nearest) return;
+    }
 }
 
 }  // namespace
@@ -217,39 +278,17 @@ std::string vanishes(const Blob& blob) {
 Box bounds(const BuiltBlob& blob) { return blob.index.bounds(); }
 
 void crossings(const BuiltBlob& blob, const Ray& ray, Crossings& found) {
-    const double speed = length(ray.direction);
-    if (!(speed > 0) || blob.sources.empty()) return;
-    // From the point nearest to the middle, where a far origin costs no digits.
-    const Vec3 u = ray.direction / speed;
-    const double start = dot(blob.index.bounds().centre() - ray.origin, u);
-    const Ray near{ray.origin + start * u, u};
-    std::vector<Stretch> stretches;
-    std::vector<double> ends;
-    blob.index.along(near, whole_line, [&](std::uint32_t i) {
-        const auto met = stretch(blob.sources[i], near);
-        if (!met) return;
-        stretches.push_back(*met);
-        ends.insert(ends.end(), {met->range.min, met->range.max});
-    });
-    std::sort(ends.begin(), ends.end());
-    // What is so near to each other is the same but for rounding: a rod's end and the ball there.
-    const double same = 1e-12 * length(blob.index.bounds().size());
-    ends.erase(
-        std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a <= same; }),
-        ends.end());
-    double before = -blob.threshold;
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        const Interval range{ends[i], ends[i + 1]};
-        const Quartic sum = sum_over(stretches, range, blob.threshold);
-        // The sum is continuous: what it is at one end, it is at the start of the next stretch.
-        const bool last = i + 2 == ends.size();
-        const double after = last ? -blob.threshold : polynomial(sum, range.max);
-        for (const double s : sign_changes(sum, range, before, after)) {
-            const Vec3 normal = unit(-gradient(blob, near.at(s)));
-            if (normal != Vec3(0)) found.add({(start + s) / speed, normal, dot(u, normal) < 0});
-        }
-        before = after;
-    }
+    search(blob, ray, whole_line, Wanted::all, found);
+}
+
+void crossings_between(const BuiltBlob& blob, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    search(blob, ray, range, Wanted::all, found);
+}
+
+void nearest_crossings(const BuiltBlob& blob, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    search(blob, ray, range, Wanted::nearest, found);
 }
 
 double strength_at(const Source& source, const Vec3& point) {

@@ -76,6 +76,8 @@ std::string vanishes(const Blob&);
 
 Box bounds(const BuiltBlob&);
 void crossings(const BuiltBlob&, const Ray&, Crossings&);
+void crossings_between(const BuiltBlob&, const Ray&, const Interval& range, Crossings&);
+void nearest_crossings(const BuiltBlob&, const Ray&, const Interval& range, Crossings&);
 bool inside(const BuiltBlob&, const Vec3&);
 
 /// What the field of one source is at a point.

@@ -76,6 +76,42 @@ std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, cons
     return both;
 }
 
+enum class Wanted { all, nearest };
+
+/// The crossings in the range, or the nearest of them, and maybe others.
+void search(const BuiltIsosurface& surface, const Ray& ray, const Interval& range, Wanted how,
+            Crossings& found) {
+    const double speed = length(ray.direction);
+    if (!(speed > 0)) return;
+    // From the point nearest to the middle, where a far origin costs no digits.
+    const Vec3 u = ray.direction / speed;
+    const double start = dot(bounds(surface).centre() - ray.origin, u);
+    const Ray near{ray.origin + start * u, u};
+    const Interval wanted{range.min * speed - start, range.max * speed - start};
+    const auto walls = stay(surface, near);
+    if (!walls || (*walls)[0].t > wanted.max || (*walls)[1].t < wanted.min) return;
+    const Crossing &first = (*walls)[0], &last = (*walls)[1];
+    const auto add = [&](double t, const Vec3& normal, bool entering) {
+        found.add({(start + t) / speed, normal, entering});
+    };
+    const auto at = [&](double t) { return value_at(surface, near.at(t)); };
+    const auto slopes = [&](const Interval& part) { return within(surface, near, part); };
+    const bool nearest = how == Wanted::nearest;
+    if (!surface.open && first.t > wanted.min && is_below(at(first.t))) {
+        add(first.t, first.normal, true);
+        if (nearest) return;
+    }
+    bool met = false;
+    const auto changes = nearest ? nearest_changes : changes_between;
+    for (const SignChange& change :
+         changes({at, slopes}, {first.t, last.t}, surface.accuracy, wanted)) {
+        add(change.t, normal_at(surface, near.at(change.t), u, change.below), change.below);
+        met |= nearest && change.t > wanted.min;
+    }
+    if (!met && !surface.open && last.t < wanted.max && is_below(at(last.t)))
+        add(last.t, last.normal, false);
+}
+
 }  // namespace
 
 ContainerShape container_shape(const std::vector<Container>& containers) {
@@ -117,55 +153,17 @@ Box bounds(const BuiltIsosurface& surface) {
 
 void nearest_crossings(const BuiltIsosurface& surface, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    const double speed = length(ray.direction);
-    if (!(speed > 0)) return;
-    const Vec3 u = ray.direction / speed;
-    const double start = dot(bounds(surface).centre() - ray.origin, u);
-    const Ray near{ray.origin + start * u, u};
-    const Interval wanted{range.min * speed - start, range.max * speed - start};
-    const auto walls = stay(surface, near);
-    if (!walls || (*walls)[0].t > wanted.max || (*walls)[1].t < wanted.min) return;
-    const Crossing &first = (*walls)[0], &last = (*walls)[1];
-    const auto add = [&](double t, const Vec3& normal, bool entering) {
-        found.add({(start + t) / speed, normal, entering});
-    };
-    const auto at = [&](double t) { return value_at(surface, near.at(t)); };
-    const auto slopes = [&](const Interval& part) { return within(surface, near, part); };
-    if (!surface.open && first.t > wanted.min && is_below(at(first.t)))
-        return add(first.t, first.normal, true);
-    bool met = false;
-    for (const SignChange& change :
-         nearest_changes({at, slopes}, {first.t, last.t}, surface.accuracy, wanted)) {
-        add(change.t, normal_at(surface, near.at(change.t), u, change.below), change.below);
-        met |= change.t > wanted.min;
-    }
-    if (!met && !surface.open && is_below(at(last.t))) add(last.t, last.normal, false);
+    search(surface, ray, range, Wanted::nearest, found);
+}
+
+void crossings_between(const BuiltIsosurface& surface, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    search(surface, ray, range, Wanted::all, found);
 }
 
 void crossings(const BuiltIsosurface& surface, const Ray& ray, Crossings& found) {
-    const double speed = length(ray.direction);
-    if (!(speed > 0)) return;
-    // From the point nearest to the middle, where a far origin costs no digits.
-    const Vec3 u = ray.direction / speed;
-    const double start = dot(bounds(surface).centre() - ray.origin, u);
-    const Ray near{ray.origin + start * u, u};
-    const auto walls = stay(surface, near);
-    if (!walls) return;
-    const Crossing &first = (*walls)[0], &last = (*walls)[1];
-    const auto add = [&](double t, const Vec3& normal, bool entering) {
-        found.add({(start + t) / speed, normal, entering});
-    };
-    const auto at = [&](double t) { return value_at(surface, near.at(t)); };
-    const auto slopes = [&](const Interval& range) { return within(surface, near, range); };
-    const std::vector<double> roots =
-        sign_changes({at, slopes}, {first.t, last.t}, surface.accuracy);
-    bool below = is_below(at(first.t));
-    if (below && !surface.open) add(first.t, first.normal, true);
-    for (const double t : roots) {
-        below = !below;
-        add(t, normal_at(surface, near.at(t), u, below), below);
-    }
-    if (below && !surface.open) add(last.t, last.normal, false);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    crossings_between(surface, ray, {-infinity, infinity}, found);
 }
 
 bool inside(const BuiltIsosurface& surface, const Vec3& point) {

@@ -49,6 +49,7 @@ BuiltIsosurface build(const Isosurface&);
 
 Box bounds(const BuiltIsosurface&);
 /// See crossings_in() of BuiltShape.
+void crossings_between(const BuiltIsosurface&, const Ray&, const Interval& range, Crossings&);
 void nearest_crossings(const BuiltIsosurface&, const Ray&, const Interval& range, Crossings&);
 void crossings(const BuiltIsosurface&, const Ray&, Crossings&);
 bool inside(const BuiltIsosurface&, const Vec3&);

@@ -68,9 +68,26 @@ double border(const JuliaSet& julia, const Ray& ray, double first, double last, 
     return 0.5 * (first + last);
 }
 
+/// Moves `t` on in steps of that size, as long as the set is there and before the end, as far as it
+/// is quickly known; gives the number of steps.
+int pass_inside(const JuliaSet& julia, const Ray& ray, double step, double end, double& t) {
+    int steps = 0;
+    for (int stays = 4; stays == 4 && steps < most_steps; steps += stays) {
+        std::array<double, 4> places;
+        for (double before = t; double& place : places) before = place = before + step;
+        if (!(places[3] < end)) break;
+        stays = julia_stays(julia, ray, places);
+        if (stays > 0) t = places[static_cast<std::size_t>(stays - 1)];
+    }
+    return steps;
+}
+
+enum class Start { anywhere, surface };
+
 /// Calls take(crossing) for the crossings in the range, in their order, as long as it is true.
 template <class Take>
-void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Take take) {
+void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Start begins,
+          Take take) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
     const Vec3 u = ray.direction / speed;
@@ -88,8 +105,10 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, Ta
     JuliaOrbit here = julia_orbit(julia, near.at(t));
     here.stays = here.stays && t > first;
     // A ray that leaves the surface may begin in a part of it that is smaller than what is seen.
-    if (here.stays) here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
+    if (here.stays && begins == Start::surface)
+        here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
     for (int n = 0; n < most_steps && t < until; ++n) {
+        if (here.stays) n += pass_inside(julia, near, least, std::fmin(until, last), t);
         const double next = std::fmin(last, t + std::fmax(least, here.stays ? 0 : here.step));
         const JuliaOrbit there = next < last ? julia_orbit(julia, near.at(next)) : JuliaOrbit{};
         if (there.stays != here.stays) {
@@ -123,7 +142,12 @@ Box bounds(const JuliaFractal& julia) {
 
 void crossings(const JuliaFractal& julia, const Ray& ray, Crossings& found) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    walk(julia, ray, {-infinity, infinity}, [&](const Crossing& crossing) {
+    crossings_between(julia, ray, {-infinity, infinity}, found);
+}
+
+void crossings_between(const JuliaFractal& julia, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    walk(julia, ray, range, Start::anywhere, [&](const Crossing& crossing) {
         found.add(crossing);
         return true;
     });
@@ -131,7 +155,7 @@ void crossings(const JuliaFractal& julia, const Ray& ray, Crossings& found) {
 
 void nearest_crossings(const JuliaFractal& julia, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    walk(julia, ray, range, [&](const Crossing& crossing) {
+    walk(julia, ray, range, Start::surface, [&](const Crossing& crossing) {
         found.add(crossing);
         return !range.contains(crossing.t);
     });

@@ -47,5 +47,6 @@ std::string problem(const JuliaFractal&);
 
 Box bounds(const JuliaFractal&);
 void crossings(const JuliaFractal&, const Ray&, Crossings&);
+void crossings_between(const JuliaFractal&, const Ray&, const Interval&, Crossings&);
 void nearest_crossings(const JuliaFractal&, const Ray&, const Interval&, Crossings&);
 bool inside(const JuliaFractal&, const Vec3&);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_orbit.h"
 
+#include "base/every_machine.h"
+
 #include <algorithm>
 #include <complex>
 
@@ -76,18 +78,23 @@ bool by_formula(const JuliaFractal& julia) {
            function_of(julia) != julia_cube;
 }
 
-Vec4 hypercomplex_square(const Vec4& q) {
+// The polynomials, for numbers or several numbers at once.
+
+template <class Quaternion>
+Quaternion hypercomplex_square(const Quaternion& q) {
     return {q.x * q.x - q.y * q.y - q.z * q.z + q.w * q.w, 2 * (q.x * q.y - q.z * q.w),
             2 * (q.x * q.z - q.y * q.w), 2 * (q.x * q.w + q.y * q.z)};
 }
 
-Vec4 square(const Vec4& q) {
+template <class Quaternion>
+Quaternion square(const Quaternion& q) {
     return {q.x * q.x - q.y * q.y - q.z * q.z - q.w * q.w, 2 * q.x * q.y, 2 * q.x * q.z,
             2 * q.x * q.w};
 }
 
-Vec4 cube(const Vec4& q) {
-    const double d = q.y * q.y + q.z * q.z + q.w * q.w, sum = 3 * q.x * q.x - d;
+template <class Quaternion>
+Quaternion cube(const Quaternion& q) {
+    const auto d = q.y * q.y + q.z * q.z + q.w * q.w, sum = 3 * q.x * q.x - d;
     return {q.x * (q.x * q.x - 3 * d), q.y * sum, q.z * sum, q.w * sum};
 }
 
@@ -145,6 +152,47 @@ private:
     Vec2 product2_ = Vec2(1);
 };
 
+/// Numbers that are computed with at once.
+using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+
+struct FourPoints {
+    Four x, y, z, w;
+};
+
+/// How many of the first of four orbits stay; each of them is computed as julia_orbit() does.
+template <class Image>
+[[gnu::always_inline]] inline int staying(const JuliaSet& set, const Ray& ray,
+                                          const std::array<double, 4>& places, Image image) {
+    const Four t{places[0], places[1], places[2], places[3]};
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    const Vec4 &s = set.slice, &c = set.julia.parameter;
+    FourPoints q{o.x + t * d.x, o.y + t * d.y, o.z + t * d.z, {}};
+    q.w = (set.julia.distance - s.x * q.x - s.y * q.y - s.z * q.z) / s.w;
+    int stays = 4;
+    for (int n = 0; n < set.julia.max_iteration; ++n) {
+        const Four size2 = (q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w);
+        for (int i = 0; i < stays; ++i)
+            if (size2[i] > set.limit2) stays = i;
+        if (stays == 0) return 0;
+        q = image(q);
+        q = {q.x + c.x, q.y + c.y, q.z + c.z, q.w + c.w};
+    }
+    return stays;
+}
+
+CANDELABRA_EVERY_MACHINE int squares_stay(const JuliaSet& set, const Ray& ray,
+                                          const std::array<double, 4>& places) {
+    return staying(set, ray, places, [](const FourPoints& q) { return square(q); });
+}
+CANDELABRA_EVERY_MACHINE int cubes_stay(const JuliaSet& set, const Ray& ray,
+                                        const std::array<double, 4>& places) {
+    return staying(set, ray, places, [](const FourPoints& q) { return cube(q); });
+}
+CANDELABRA_EVERY_MACHINE int hypercomplex_squares_stay(const JuliaSet& set, const Ray& ray,
+                                                       const std::array<double, 4>& places) {
+    return staying(set, ray, places, [](const FourPoints& q) { return hypercomplex_square(q); });
+}
+
 double limit2(const JuliaFractal& julia) {
     if (julia.algebra == hypercomplex_numbers) return 16;
     const double radius = julia_radius(julia);
@@ -178,6 +226,14 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
         }
         return {true, size2(q), 0};
     });
+}
+
+int julia_stays(const JuliaSet& set, const Ray& ray, const std::array<double, 4>& places) {
+    if (set.by_formula) return 0;
+    if (set.julia.algebra == hypercomplex_numbers)
+        return hypercomplex_squares_stay(set, ray, places);
+    return function_of(set.julia) == julia_sqr ? squares_stay(set, ray, places)
+                                               : cubes_stay(set, ray, places);
 }
 
 double julia_size(const JuliaSet& set, const Vec3& point) {

@@ -5,6 +5,8 @@
 
 #include "shape/julia_fractal.h"
 
+#include <array>
+
 struct JuliaOrbit {
     bool stays = false;    ///< within max_iteration steps the orbit does not get far
     double distance2 = 0;  ///< from 0, of the last point
@@ -22,6 +24,10 @@ struct JuliaSet {
 };
 
 JuliaOrbit julia_orbit(const JuliaSet&, const Vec3&);
+
+/// How many of the first of four points of a ray are known to stay in the set: a quick look ahead,
+/// which need not see any.
+int julia_stays(const JuliaSet&, const Ray&, const std::array<double, 4>& places);
 
 /// The square of the distance from 0 after all steps, also behind the escape: what normals are the
 /// slope of.

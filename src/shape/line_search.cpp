@@ -2,7 +2,8 @@
 #include "shape/line_search.h"
 
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <utility>
 
 namespace {
 
@@ -31,11 +32,14 @@ public:
     Search(const LineFunction& f, double detail, double precision)
         : f_(f), detail_(detail), precision_(precision) {}
 
-    /// Of what is found, only the first one in this is of interest.
-    void want(const Interval& wanted) { wanted_ = wanted; }
+    /// Of what is found, only what is in this is of interest, or the first of it.
+    void want(const Interval& wanted, bool first) {
+        wanted_ = wanted;
+        first_ = first;
+    }
 
     void look(const Place& first, const Place& last) {
-        if (wanted_ && (done_ || last.t < wanted_->min || first.t > wanted_->max)) return;
+        if (done_ || last.t < wanted_.min || first.t > wanted_.max) return;
         const bool crosses = is_below(first.value) != is_below(last.value);
         const double length = last.t - first.t;
         const Enclosure known = f_.within({first.t, last.t});
@@ -53,12 +57,16 @@ public:
         look(between, last);
     }
 
+    void look_at(const Interval& range) {
+        look({range.min, f_.at(range.min)}, {range.max, f_.at(range.max)});
+    }
+
     std::vector<SignChange> found;
 
 private:
     void take(const SignChange& change) {
         found.push_back(change);
-        done_ = wanted_ && change.t > wanted_->min;
+        done_ = first_ && change.t > wanted_.min;
     }
 
     /// The change between two places of different signs: the false position, and the middle
@@ -79,13 +87,18 @@ private:
 
     const LineFunction& f_;
     double detail_, precision_;
-    std::optional<Interval> wanted_;
-    bool done_ = false;
+    Interval wanted_{-std::numeric_limits<double>::infinity()};
+    bool first_ = false, done_ = false;
     int stretches_ = 0;
 };
 
 double precision_in(const Interval& range) {
     return 1e-14 * std::max(std::abs(range.min), std::abs(range.max));
+}
+
+std::vector<SignChange> found_by(Search search, const Interval& range) {
+    search.look_at(range);
+    return std::move(search.found);
 }
 
 }  // namespace
@@ -100,17 +113,22 @@ Vec3 normal_against(const Vec3& slope, const Vec3& direction, bool entering) {
 }
 
 std::vector<double> sign_changes(const LineFunction& f, const Interval& range, double detail) {
-    Search search(f, detail, precision_in(range));
-    search.look({range.min, f.at(range.min)}, {range.max, f.at(range.max)});
     std::vector<double> places;
-    for (const SignChange& change : search.found) places.push_back(change.t);
+    for (const SignChange& change : found_by(Search(f, detail, precision_in(range)), range))
+        places.push_back(change.t);
     return places;
+}
+
+std::vector<SignChange> changes_between(const LineFunction& f, const Interval& range, double detail,
+                                        const Interval& wanted) {
+    Search search(f, detail, precision_in(range));
+    search.want(wanted, false);
+    return found_by(std::move(search), range);
 }
 
 std::vector<SignChange> nearest_changes(const LineFunction& f, const Interval& range, double detail,
                                         const Interval& wanted) {
     Search search(f, detail, precision_in(range));
-    search.want(wanted);
-    search.look({range.min, f.at(range.min)}, {range.max, f.at(range.max)});
-    return std::move(search.found);
+    search.want(wanted, true);
+    return found_by(std::move(search), range);
 }

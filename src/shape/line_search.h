@@ -34,6 +34,10 @@ struct SignChange {
     bool below;  ///< behind it
 };
 
+/// Those of them that are in `wanted`, and maybe others.
+std::vector<SignChange> changes_between(const LineFunction&, const Interval& range, double detail,
+                                        const Interval& wanted);
+
 /// Those of them that lie about the beginning of `wanted`, up to the first one in it, if there is
 /// one.
 std::vector<SignChange> nearest_changes(const LineFunction&, const Interval& range, double detail,

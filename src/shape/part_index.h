@@ -7,6 +7,9 @@
 #include "index/kdtree.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory_resource>
 
 class PartIndex {
 public:
@@ -20,12 +23,14 @@ public:
     /// Calls take(part) for each part whose box the ray meets in the range.
     template <class Take>
     void along(const Ray& ray, const Interval& range, Take take) const {
+        const Vec3 inverse = Vec3(1) / ray.direction;
         if (tree_.nodes().empty()) {
             for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-                if (meets(ray, boxes_[i], range)) take(i);
+                if (meets(ray, inverse, boxes_[i], range)) take(i);
             return;
         }
-        std::vector<std::uint32_t> found;
+        Space space;
+        std::pmr::vector<std::uint32_t> found(&space.memory);
         tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
             found.insert(found.end(), items.begin(), items.end());
             return false;
@@ -33,7 +38,7 @@ public:
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
         for (const std::uint32_t i : found)
-            if (meets(ray, boxes_[i], range)) take(i);
+            if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
     /// Calls take(part) for each part whose box contains the point.
@@ -46,7 +51,8 @@ public:
             return;
         }
         // A ray without length visits the cells at its origin, which may share items.
-        std::vector<std::uint32_t> found;
+        Space space;
+        std::pmr::vector<std::uint32_t> found(&space.memory);
         tree_.traverse(Ray{point, Vec3(1)}, {0, 0},
                        [&](std::span<const std::uint32_t> items, Interval&) {
                            found.insert(found.end(), items.begin(), items.end());
@@ -59,9 +65,23 @@ public:
     }
 
 private:
-    static bool meets(const Ray& ray, const Box& box, const Interval& range) {
-        const Interval within = clip(ray, box, range);
-        return within.min <= within.max;
+    /// Room for a few hundred numbers of parts; more come from the heap.
+    struct Space {
+        std::array<std::byte, 2048> bytes;
+        std::pmr::monotonic_buffer_resource memory{bytes.data(), bytes.size()};
+    };
+
+    /// clip(ray, box, range) leaves something; `inverse` is 1 / the ray's direction.
+    static bool meets(const Ray& ray, const Vec3& inverse, const Box& box, Interval range) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool back = std::signbit(inverse[axis]);
+            const double low = (box.low[axis] - ray.origin[axis]) * inverse[axis];
+            const double high = (box.high[axis] - ray.origin[axis]) * inverse[axis];
+            const double near = back ? high : low, far = back ? low : high;
+            range.min = near > range.min ? near : range.min;
+            range.max = far < range.max ? far : range.max;
+        }
+        return range.min <= range.max;
     }
 
     std::vector<Box> boxes_;  ///< a little larger than given, so that rounding loses nothing

@@ -196,7 +196,8 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
     } else {
         const PlacedShape& placed = shapes[item - spheres.size() - triangles.size()];
         Crossings all;
-        crossings(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray, all);
+        all_crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
+                         range, all);
         for (std::size_t i = 0; i < all.size(); ++i)
             if (range.contains(all[i].t))
                 found.push_back(

@@ -68,6 +68,8 @@ TEST_CASE("the surface of a blob is where the fields reach the threshold", "[sha
             const Ray ray{from, draw.between(0.2, 5) * (draw.point(1) - from)};
             const auto found = hits(built, ray);
             met += found.size();
+            const double some = draw.between(0, 2);
+            CHECK(agree_in({some, some + draw.between(0, 2)}, built, ray));
             for (std::size_t k = 0; k < found.size(); ++k) {
                 const Vec3 p = ray.at(found[k].t);
                 CHECK(field(built, p) == Approx(0.4).margin(1e-6));

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/isosurface.h"
 
+#include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
 
 namespace {
 
@@ -31,6 +34,26 @@ TEST_CASE("an isosurface is closed by its container, unless it is open", "[shape
     CHECK(hits(build(surface), {Vec3(0, -0.5, -5), z}).empty());
     CHECK(answers(build(surface), {{Vec3(0.1, 5, 0), -y}, {{5, y, true}}}));
     CHECK(answers(build(surface), {{Vec3(0.1, -5, 0), y}, {{5, y, false}}}));
+}
+
+TEST_CASE("parts of rays meet of an isosurface what they do as wholes", "[shape]") {
+    Isosurface surface;
+    surface.function = make_handle<Formula>(3, 1, [](const double* p, double* value) {
+        *value = std::sin(7 * p[0]) + std::sin(8 * p[1]) + p[2];
+        return true;
+    });
+    surface.max_gradient = 12;
+    const BuiltIsosurface built = build(surface);
+    Draw draw(3);
+    std::size_t met = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 from = draw.point(2);
+        const Ray ray{from, draw.between(0.2, 5) * (draw.point(1) - from)};
+        const double some = draw.between(0, 2);
+        CHECK(agree_in({some, some + draw.between(0, 2)}, built, ray));
+        met += hits(built, ray).size();
+    }
+    CHECK(met > 300);
 }
 
 TEST_CASE("what is wrong with an isosurface", "[shape]") {
