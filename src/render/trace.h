@@ -6,6 +6,7 @@
 #include "render/direct_light.h"
 
 #include "base/function_ref.h"
+#include "base/short_list.h"
 #include "surface/dispersion.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ public:
 
 private:
     /// What a ray is inside of, in the order of entering.
-    using Solids = std::vector<PrimitiveIndex>;
+    using Solids = ShortList<PrimitiveIndex, 6>;
 
     struct Path {
         Ray ray;

@@ -4,6 +4,8 @@
 #include "shape/moved.h"
 #include "shape/slabs.h"
 
+#include "base/short_list.h"
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -324,22 +326,20 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
 }
 
 void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
-                    std::vector<Meeting>& met) const {
+                    FunctionRef<void(const Meeting&)> take) const {
     const Slabs slabs(ray);
-    std::vector<std::uint32_t> candidates;
+    ShortList<std::uint32_t, 32> candidates;
     for (const std::uint32_t leaf : apart_)
         if (!slabs.miss(seen_[leaf], range)) candidates.push_back(leaf);
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
-        candidates.insert(candidates.end(), items.begin(), items.end());
+        for (const std::uint32_t item : items) candidates.push_back(item);
         return false;
     });
-    std::ranges::sort(candidates);
+    std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     Cut last;
     for (const std::uint32_t leaf : candidates) {
         const Interval here = common(range, cut(leaf, ray, last));
-        if (wanted(leaf))
-            meet_leaf(leaf, ray, here, slabs.within(seen_[leaf], here),
-                      [&](const Meeting& each) { met.push_back(each); });
+        if (wanted(leaf)) meet_leaf(leaf, ray, here, slabs.within(seen_[leaf], here), take);
     }
 }

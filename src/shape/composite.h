@@ -50,7 +50,7 @@ public:
     /// The nearest point of the surface in the range.
     std::optional<Meeting> first(const Ray&, const Interval&, Wanted) const;
     /// All points of the surface in the range, in any order.
-    void all(const Ray&, const Interval&, Wanted, std::vector<Meeting>&) const;
+    void all(const Ray&, const Interval&, Wanted, FunctionRef<void(const Meeting&)> take) const;
 
     bool inside(const Vec3&) const;
 

@@ -164,17 +164,16 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
 }
 
 void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
-                    std::vector<Passage>& found) const {
+                    Passages& found) const {
     if (item >= leaves_begin()) {
         const PlacedComposite& placed = composites[item - leaves_begin()];
         const auto passed = [&](std::uint32_t leaf) {
             const Material& m = material(placed.first_leaf + leaf);
             return m.transparent && !m.no_shadow;
         };
-        std::vector<Composite::Meeting> met;
-        placed.composite->all(ray, range, passed, met);
-        for (const auto& each : met)
+        placed.composite->all(ray, range, passed, [&](const Composite::Meeting& each) {
             found.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
+        });
         return;
     }
     if (material(item).no_shadow) return;
@@ -225,13 +224,15 @@ bool World::may_pass(std::uint32_t item) const {
 
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
-Vec3 World::dimmed(std::vector<Passage>& passages, std::span<const PrimitiveIndex> solids) const {
+Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+    std::sort(passages.begin(), passages.end(), [](const Passage& a, const Passage& b) {
+        return std::pair(a.t, a.primitive) < std::pair(b.t, b.primitive);
+    });
     std::vector<std::uint32_t> around;
     for (const PrimitiveIndex each : solids) around.push_back(solid(each));
     const auto left_behind = [&](const Passage& passage) {
@@ -256,7 +257,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     const Slabs slabs(ray);
-    std::vector<std::uint32_t> clear;
+    ShortList<std::uint32_t, 16> clear;
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     const auto blocks = [&](std::uint32_t item) {
         if (any_transparent && may_pass(item)) clear.push_back(item);
@@ -282,10 +283,10 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 
     // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that
     // the product never depends on the tree.
-    std::ranges::sort(clear);
+    std::sort(clear.begin(), clear.end());
     clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
     Vec3 left(1);
-    std::vector<Passage> found;
+    Passages found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
     for (const Passage& each : found) left *= passed(each, ray);
     return left * dimmed(found, around);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "backdrop/sky_light.h"
+#include "base/short_list.h"
 #include "camera/camera.h"
 #include "index/kdtree.h"
 #include "lighting/sampler.h"
@@ -301,6 +302,7 @@ private:
         Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
+    using Passages = ShortList<Passage, 8>;
     /// Adds the transparent primitive that a primitive or composite stands for, if the point is in
     /// it.
     void add_if_inside(std::uint32_t item, const Vec3& point, std::vector<PrimitiveIndex>&) const;
@@ -313,9 +315,9 @@ private:
                         Wanted) const;
     bool left_out(PrimitiveIndex, RayKind) const;
     Hit complete(const Ray&, const Candidate&) const;
-    void collect(std::uint32_t item, const Ray&, const Interval&, std::vector<Passage>&) const;
+    void collect(std::uint32_t item, const Ray&, const Interval&, Passages&) const;
     Vec3 passed(const Passage&, const Ray&) const;
-    Vec3 dimmed(std::vector<Passage>&, std::span<const PrimitiveIndex> around) const;
+    Vec3 dimmed(Passages&, std::span<const PrimitiveIndex> around) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };

@@ -69,7 +69,8 @@ struct Maker {
 
 std::vector<Composite::Meeting> meetings(const Composite& composite, const Ray& ray) {
     std::vector<Composite::Meeting> met;
-    composite.all(ray, {-100, 100}, everything, met);
+    composite.all(ray, {-100, 100}, everything,
+                  [&](const Composite::Meeting& each) { met.push_back(each); });
     std::ranges::sort(met, {}, &Composite::Meeting::t);
     return met;
 }
@@ -195,7 +196,8 @@ TEST_CASE("leaves that are not wanted are not there, but still cut", "[shape]") 
     const Composite pair = made(Combination::common, {{Sphere{o, 1}}, {Sphere{x, 1}}});
     const auto only_first = [](std::uint32_t leaf) { return leaf == 0; };
     std::vector<Composite::Meeting> met;
-    pair.all({-5.0 * x, x}, ahead, only_first, met);
+    pair.all({-5.0 * x, x}, ahead, only_first,
+             [&](const Composite::Meeting& each) { met.push_back(each); });
     REQUIRE(met.size() == 1);
     CHECK(met[0].t == 6);
     CHECK(pair.first({-5.0 * x, x}, ahead, only_first)->t == 6);
