@@ -302,13 +302,15 @@ Ray Projection::through_lens(const Ray& ray, Vec2 place) const {
 }
 
 Ray Projection::ray(double u, double v) const {
+    if (lens == Lens::flat || lens == Lens::mesh)
+        return {location, unit(direction + u * right + v * up)};
     const double a = u * angle, b = v * angle * length(up) / length(right);
     const Vec3 side = unit(right), above = unit(up), ahead = unit(direction);
     const auto from_here = [&](const Vec3& towards) { return Ray{location, unit(towards)}; };
     switch (lens) {
         case Lens::flat:
         case Lens::mesh:
-            break;
+            break;  // above
         case Lens::parallel:
             return {location + u * right + v * up, ahead};
         case Lens::fisheye:
@@ -335,5 +337,5 @@ Ray Projection::ray(double u, double v) const {
         case Lens::spherical:
             return from_here(spherical(*this, u, v));
     }
-    return from_here(direction + u * right + v * up);
+    return {location, ahead};
 }

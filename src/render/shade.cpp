@@ -91,6 +91,14 @@ Vec3 own_radiance(const World& world, const Shading& s, bool glowing) {
             (glowing ? s.finish->emission : Vec3(0)));
 }
 
+namespace {
+
+/// Whether a highlight's cosine to that power is above 10^-20, as far as is quickly told; far from
+/// highlights it is not, and powers take long.
+bool shows(double cosine, double power) { return cosine > 0 && (1 - cosine) * power < 46; }
+
+}  // namespace
+
 Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double grain) {
     const Finish& f = *s.finish;
     const double signed_cosine = dot(s.normal, to_light);
@@ -110,11 +118,13 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
         f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
     if (f.phong > 0) {
         const double alignment = dot(mirrored(s.view, s.normal), to_light);
-        if (alignment > 0) result += f.phong * std::pow(alignment, f.phong_size) * tint;
+        if (shows(alignment, f.phong_size))
+            result += f.phong * std::pow(alignment, f.phong_size) * tint;
     }
     if (f.specular > 0) {
         const double alignment = dot(s.normal, unit(to_light - s.view));
-        if (alignment > 0) result += f.specular * std::pow(alignment, 1 / f.roughness) * tint;
+        if (shows(alignment, 1 / f.roughness))
+            result += f.specular * std::pow(alignment, 1 / f.roughness) * tint;
     }
     return result;
 }
@@ -125,7 +135,8 @@ Vec3 reflectivity(const Shading& s, double ior_ratio) {
     // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
     // angles.
     const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
-    const double grazing = !r.fresnel   ? std::pow(1 - cosine, r.falloff)
+    const double grazing = !r.fresnel
+                               ? (r.falloff == 1 ? 1 - cosine : std::pow(1 - cosine, r.falloff))
                            : cosine < 0 ? 1
                                         : fresnel(cosine, 1 / ior_ratio);
     const Vec3 amount = r.least + (r.greatest - r.least) * grazing;

@@ -27,9 +27,9 @@ struct Share {
 
     /// Whether the pixel belongs to this share.
     bool owns(int x, int y) const {
+        if (!region.contains(x, y)) return false;
         const int tiles = (width + tile_size - 1) / tile_size;
-        return region.contains(x, y) &&
-               (y / tile_size * tiles + x / tile_size) % tile_step == first_tile;
+        return tile_step == 1 || (y / tile_size * tiles + x / tile_size) % tile_step == first_tile;
     }
     friend bool operator==(const Share&, const Share&) = default;
 };
