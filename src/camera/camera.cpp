@@ -115,7 +115,8 @@ Lens lens_of(const CylinderCamera& camera) {
 Lens lens_of(const SphericalCamera&) { return Lens::spherical; }
 Lens lens_of(const MeshCamera&) { return Lens::mesh; }
 
-Projection untransformed(const View& view, Lens lens) {
+/// `sizes`: what is seen of parallel rays may be as large as it is from the place of the camera.
+Projection untransformed(const View& view, Lens lens, bool sizes = true) {
     const bool parallel = lens == Lens::parallel;
     const bool flat = parallel || lens == Lens::flat;
     Projection f{
@@ -145,7 +146,7 @@ Projection untransformed(const View& view, Lens lens) {
             f.right *= handedness;
         }
     }
-    if (parallel && ((!view.up && !view.right) || view.angle)) {
+    if (sizes && parallel && ((!view.up && !view.right) || view.angle)) {
         const double size =
             length(view.look_at.value_or(Vec3(0, 0, 1)) - view.location) / length(f.direction);
         f.right *= size;
@@ -175,10 +176,11 @@ Handle<MeshLens> lens_of_meshes(const MeshCamera& camera) {
 void settle(Camera& camera) {
     const Lens lens = std::visit([](const auto& c) { return lens_of(c); }, camera);
     View& view = view_of(camera);
-    const bool narrows = view.angle && lens == Lens::flat;
-    const bool turns = view.look_at && *view.look_at != view.location && lens != Lens::parallel;
-    if (!narrows && !turns) return;
-    const Projection now = untransformed(view, lens);
+    const bool parallel = lens == Lens::parallel;
+    const bool narrows = view.angle && (parallel || lens == Lens::flat);
+    const bool turns = view.look_at && *view.look_at != view.location;
+    if (!narrows && !turns && !parallel) return;
+    const Projection now = untransformed(view, lens, false);
     view.direction = now.direction;
     view.right = now.right;
     view.up = now.up;

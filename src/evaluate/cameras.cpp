@@ -109,7 +109,7 @@ public:
                                      ? Kinds<Camera>::find(block_.spelling(element.word))
                                      : Kinds<Camera>::count;
         if (kind == Kinds<Camera>::count) return take_field(element);
-        if (block_.taken > 0) {
+        if (block_.taken > 0 && !in_order()) {
             block_.report(error(Fault::misplaced, element.span,
                                 message("the type `", Kinds<Camera>::infos[kind]->name,
                                         "` must come first in `camera`"))
@@ -119,6 +119,7 @@ public:
         const View view = view_of(camera_);
         camera_ = Kinds<Camera>::make(kind);
         view_of(camera_) = view;
+        if (in_order()) settle_type();
         follow();
         if (meshes) {
             MeshRays rays;
@@ -150,13 +151,30 @@ private:
         const bool taken = fields_.take(element);
         std::optional<double>& angle = view_of(camera_).angle;
         if (angle == 0.0) angle.reset();
-        if (taken && block_.binder.evaluator.version() < 3.5) settle(camera_);
-        return taken;
+        if (!taken || !in_order()) return taken;
+        looked_at_ = view_of(camera_).look_at.value_or(looked_at_);
+        settle(camera_);
+        return true;
     }
+
+    /// The effect of the type: parallel rays see as much as others do at what is looked at, by what
+    /// has been said up to there.
+    void settle_type() {
+        settle(camera_);
+        auto* parallel = std::get_if<Orthographic>(&camera_);
+        if (!parallel) return;
+        const double size = length(looked_at_ - parallel->location) / length(*parallel->direction);
+        *parallel->right *= size;
+        *parallel->up *= size;
+    }
+
+    /// Before language version 3.5 each word had its effect at once, and the type might come late.
+    bool in_order() const { return block_.binder.evaluator.version() < 3.5; }
 
     OpenBlock& block_;
     Camera& camera_;
     ItemReader fields_;
+    Vec3 looked_at_ = Vec3(0, 0, 1);
 };
 
 /// normal { ... }
