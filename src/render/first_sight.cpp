@@ -4,6 +4,8 @@
 #include "render/shade.h"
 #include "render/trace.h"
 
+#include <algorithm>
+
 namespace {
 
 struct Place {
@@ -16,8 +18,9 @@ Place on_screen(const PicturePoint& at, Vec2 place) {
 }
 
 Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint32_t sample) {
+    // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last never.
     return world.camera.mesh->ray(
-        {at.x, at.y, at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
+        {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }
 
 }  // namespace
