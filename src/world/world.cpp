@@ -306,7 +306,9 @@ bool World::is_noted_solid(std::uint32_t item) const {
     if (item >= spheres.size() && item < spheres.size() + triangles.size()) return false;
     const auto* placed = item < leaves_begin() ? nullptr : &composites[item - leaves_begin()];
     const Material& outer = material(placed ? placed->first_leaf : item);
-    return (has_air() && !outer.hollow) || (placed ? placed->transparent : outer.transparent);
+    // What is opaque may be around the camera, or have holes that it is seen through.
+    return (has_air() && !outer.hollow) || outer.interior ||
+           (placed ? placed->transparent : outer.transparent);
 }
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point,
