@@ -161,6 +161,8 @@ private:
                 &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
         else if (object.texture)
             here.inner = nullptr;
+        // Components with textures of their own show these from inside, too, as in POV-Ray.
+        if (has_component_looks(object)) here.inner = nullptr;
         if (object.interior) {
             const auto* group = std::get_if<Union>(&object.form);
             const bool shared = group && group->csg == Csg::together;
