@@ -3,7 +3,7 @@
 # Installs what the build needs on Debian 12, where it is missing. Called by tests/run.sh and examples/run.sh.
 set -euo pipefail
 
-packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-dev libpng-dev nettle-dev libfreetype-dev libcgal-dev fonts-povray nlohmann-json3-dev catch2 binutils)
+packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-dev libpng-dev nettle-dev libfreetype-dev libcgal-dev libboost-dev fonts-povray nlohmann-json3-dev catch2 binutils)
 
 missing=()
 for package in "${packages[@]}"; do

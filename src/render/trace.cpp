@@ -101,7 +101,7 @@ Tracer::Tracer(const World& world, const Tracing& wanted)
     : world_(world), direct_light_(world, wanted.shadow_rays), clear_sky_(wanted.clear_sky) {
     if (wanted.counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
     if (world.notes_solids() && !world.camera.parallel)
-        around_camera_.assign(world.containing(world.camera.location));
+        around_camera_ = world.containing(world.camera.location);
 }
 
 Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
@@ -111,10 +111,8 @@ Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
     Path path;
     path.ray = ray;
     path.key = key;
-    if (world_.notes_solids() && world_.camera.parallel)
-        path.solids.assign(world_.containing(ray.origin));
-    else
-        path.solids = around_camera_;
+    path.solids = world_.notes_solids() && world_.camera.parallel ? world_.containing(ray.origin)
+                                                                  : around_camera_;
     return follow(path);
 }
 
@@ -207,7 +205,7 @@ void Tracer::take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> u
 /// What all textures that are mixed at a hit show together.
 Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     Shading s = shading_at(world_, path.ray, hit);
-    s.around = path.solids;
+    s.around = {path.solids.data(), path.solids.size()};
     const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
     const auto show = [&](double share, const Texture& texture) {

@@ -6,7 +6,6 @@
 #include "render/direct_light.h"
 
 #include "base/function_ref.h"
-#include "base/short_list.h"
 #include "surface/dispersion.h"
 
 #include <algorithm>
@@ -47,8 +46,7 @@ public:
     void take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> use);
 
 private:
-    /// What a ray is inside of, in the order of entering.
-    using Solids = ShortList<PrimitiveIndex, 6>;
+    using Solids = EnteredSolids;
 
     struct Path {
         Ray ray;

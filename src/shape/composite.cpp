@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/composite.h"
 
+#include "base/short_list.h"
 #include "shape/moved.h"
 #include "shape/slabs.h"
-
-#include "base/short_list.h"
 
 namespace {
 
@@ -332,10 +331,10 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
     for (const std::uint32_t leaf : apart_)
         if (!slabs.miss(seen_[leaf], range)) candidates.push_back(leaf);
     tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
-        for (const std::uint32_t item : items) candidates.push_back(item);
+        candidates.insert(candidates.end(), items.begin(), items.end());
         return false;
     });
-    std::sort(candidates.begin(), candidates.end());
+    std::ranges::sort(candidates);
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     Cut last;
     for (const std::uint32_t leaf : candidates) {

@@ -230,9 +230,7 @@ Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) c
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::sort(passages.begin(), passages.end(), [](const Passage& a, const Passage& b) {
-        return std::pair(a.t, a.primitive) < std::pair(b.t, b.primitive);
-    });
+    std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     std::vector<std::uint32_t> around;
     for (const PrimitiveIndex each : solids) around.push_back(solid(each));
     const auto left_behind = [&](const Passage& passage) {
@@ -283,7 +281,7 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 
     // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that
     // the product never depends on the tree.
-    std::sort(clear.begin(), clear.end());
+    std::ranges::sort(clear);
     clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
     Vec3 left(1);
     Passages found;
@@ -311,8 +309,7 @@ bool World::is_noted_solid(std::uint32_t item) const {
            (placed ? placed->transparent : outer.transparent);
 }
 
-void World::add_if_inside(std::uint32_t item, const Vec3& point,
-                          std::vector<PrimitiveIndex>& found) const {
+void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& found) const {
     if (item < leaves_begin() && contains_point(item, point)) found.push_back(item);
     if (item < leaves_begin()) return;
     const PlacedComposite& placed = composites[item - leaves_begin()];
@@ -323,8 +320,8 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point,
     found.push_back(leaf);
 }
 
-std::vector<PrimitiveIndex> World::containing(const Vec3& point) const {
-    std::vector<PrimitiveIndex> found;
+EnteredSolids World::containing(const Vec3& point) const {
+    EnteredSolids found;
     if (camera.parallel) {
         for (const std::uint32_t item : clear_solids.unbounded) add_if_inside(item, point, found);
         clear_solids.index.around(point, [&](std::uint32_t part) {

@@ -22,6 +22,9 @@ class Slabs;
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
 
+/// What a ray is inside of, in the order of entering.
+using EnteredSolids = ShortList<PrimitiveIndex, 6>;
+
 /// The look of some primitives and what they do to rays; many primitives share one.
 struct Material {
     Handle<Texture> texture;  ///< in world space; never null
@@ -156,7 +159,7 @@ public:
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
     /// The transparent primitives that the point lies inside of.
-    std::vector<PrimitiveIndex> containing(const Vec3&) const;
+    EnteredSolids containing(const Vec3&) const;
 
     const Material& material(PrimitiveIndex primitive) const {
         return materials[material_of[primitive]];
@@ -305,7 +308,7 @@ private:
     using Passages = ShortList<Passage, 8>;
     /// Adds the transparent primitive that a primitive or composite stands for, if the point is in
     /// it.
-    void add_if_inside(std::uint32_t item, const Vec3& point, std::vector<PrimitiveIndex>&) const;
+    void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
     /// A leaf of a composite, by its number among all leaves.
     const CompositeLeaf& leaf(std::uint32_t) const;
     void meet(PrimitiveIndex, const Ray&, const Slabs&, const Interval&, Candidate&) const;

@@ -125,8 +125,7 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
     Draw draw(3);
     for (int i = 0; i < 3000; ++i) {
         const Vec3 point = draw.point(60);
-        std::vector<PrimitiveIndex> found = parallel.containing(point),
-                                    expected = other.containing(point);
+        EnteredSolids found = parallel.containing(point), expected = other.containing(point);
         std::ranges::sort(found);
         std::ranges::sort(expected);
         CAPTURE(point.x, point.y, point.z);
