@@ -338,7 +338,7 @@ private:
     };
 
     void add_composite(const Object& object, const Inherited& outer) {
-        const std::size_t first = leaf_materials_.size();
+        const auto first = static_cast<PrimitiveIndex>(leaf_materials_.size());
         CompositeBuilder builder;
         LeafVisitor visitor{*this, {outer}, object.interior ? 0 : outer.shared_interior};
         const PartRef root =
@@ -346,8 +346,7 @@ private:
         const auto composite = make_handle<Composite>(builder.finish(root));
         const auto number = static_cast<std::uint32_t>(world_.composites.size());
         const Box around = noticed_within(object);
-        world_.composites.push_back({composite, static_cast<PrimitiveIndex>(first),
-                                     visitor.transparent,
+        world_.composites.push_back({composite, first, visitor.transparent,
                                      outer.transform ? outer.transform->box(around) : around});
         for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {
             world_.composite_of.push_back(number);
