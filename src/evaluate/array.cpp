@@ -149,7 +149,6 @@ bool Evaluator::State::check_array(const Value& value, Span span) {
         problem.with_help("the parts of a vector V are V.x, V.y and V.z");
     if (value.text()) problem.with_help("substr(S, 1, 1) is the first letter of a string");
     report(std::move(problem));
-    if (diagnostics.full()) stopped_ = true;
     return false;
 }
 

@@ -198,7 +198,6 @@ std::string OpenBlock::help() const {
 void OpenBlock::report(Diagnostic diagnostic) {
     broken |= diagnostic.severity == Severity::error;
     binder.evaluator.report(std::move(diagnostic));
-    if (binder.evaluator.diagnostics().full()) binder.evaluator.stop();
 }
 
 bool OpenBlock::passes_over(const Element& element) {

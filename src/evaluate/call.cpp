@@ -112,7 +112,6 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
                               : " arguments",
                           ", but here ", count == 1 ? "is " : "are ", count))
                 .with_help(message(name, "(", function->arguments, "): ", function->help)));
-        if (diagnostics.full()) stopped_ = true;
         return Absence::broken;
     }
     FunctionCall call(name, values, places, tree.span(id), world);

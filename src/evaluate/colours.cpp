@@ -39,7 +39,6 @@ Value Evaluator::State::member(const Tree& tree, const node::Member& node, NodeI
                    .with_help(value.array()  ? "dimension_size(A, 1) is the size of an array"
                               : value.text() ? "strlen(S) is the length of a string"
                                              : ""));
-        if (diagnostics.full()) stopped_ = true;
         return Absence::broken;
     }
     const int component = component_of(name);
@@ -101,7 +100,6 @@ Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeI
             report(error(Fault::wrong_type, tree.span(id),
                          message("a colour is wanted, but this is ", kind_name(base)))
                        .with_help(base.text() ? quoted : ""));
-            if (diagnostics.full()) stopped_ = true;
             return Absence::broken;
         }
         result = given->promoted(5);

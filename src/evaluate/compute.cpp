@@ -73,12 +73,11 @@ std::string about_axis(const Tree& tree, NodeId id) {
     const auto* binary = tree.get_if<node::Binary>(id);
     for (const NodeId side : {binary ? binary->left : id, binary ? binary->right : id}) {
         const auto* constant = tree.get_if<node::Constant>(side);
-        if (constant && constant->word == "x"_word)
-            return "`x` is the vector <1, 0, 0>; `X` may be a name";
-        if (constant && constant->word == "y"_word)
-            return "`y` is the vector <0, 1, 0>; `Y` may be a name";
-        if (constant && constant->word == "z"_word)
-            return "`z` is the vector <0, 0, 1>; `Z` may be a name";
+        for (const auto& [axis, help] :
+             {std::pair{"x"_word, "`x` is the vector <1, 0, 0>; `X` may be a name"},
+              std::pair{"y"_word, "`y` is the vector <0, 1, 0>; `Y` may be a name"},
+              std::pair{"z"_word, "`z` is the vector <0, 0, 1>; `Z` may be a name"}})
+            if (constant && constant->word == axis) return help;
     }
     return {};
 }
@@ -104,6 +103,5 @@ std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std:
     report(error(Fault::wrong_type, tree.span(id),
                  message(what, named, " must be a number, but it is ", kind_name(value)))
                .with_help(about_axis(tree, id)));
-    if (diagnostics.full()) stopped_ = true;
     return std::nullopt;
 }

@@ -198,7 +198,6 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
         const std::string_view name = names.spelling(index.name);
         report(error(Fault::unknown_name, span, message("there is no array `", name, "`"))
                    .with_help(message("make it first: #declare ", name, " = array[10];")));
-        if (diagnostics.full()) stopped_ = true;
         return;
     }
     const Place place = edit_element(*array, places, span);

@@ -223,7 +223,6 @@ bool Evaluator::State::no_room(const Tree& tree, NodeId node) {
 
 Value Evaluator::State::broken(Fault fault, Span span, std::string message) {
     report(error(fault, span, std::move(message)));
-    if (diagnostics.full()) stopped_ = true;
     return Absence::broken;
 }
 
@@ -254,7 +253,6 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     else
         problem.with_help(message("declare it first: #declare ", names.spelling(name), " = ...;"));
     report(problem);
-    if (diagnostics.full()) stopped_ = true;
     return Absence::broken;
 }
 
@@ -316,7 +314,6 @@ Value Evaluator::State::report_count(std::size_t count, Span span) {
     report(error(Fault::missing, span, "a value is wanted here, and this macro gives none")
                .with_help("a macro gives what stands in it without a directive: "
                           "#macro Twice(A) (2*A) #end"));
-    if (diagnostics.full()) stopped_ = true;
     return Absence::broken;
 }
 

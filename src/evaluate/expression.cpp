@@ -109,7 +109,6 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         report(error(Fault::wrong_count, tree.span(id), "one value is wanted here")
                    .with_help(elements ? "the elements of an array stand in braces: { 1, 2, 3 }"
                                        : "a vector is written between `<` and `>`: <1, 2, 3>"));
-        if (diagnostics.full()) stopped_ = true;
         return Absence::broken;
     };
     const NodeContent& content = tree[id].content;
@@ -233,7 +232,6 @@ Value Evaluator::State::truth(const Value& left, const Value& right, Operator si
     else if ((left.text() && right.numbers()) || (left.numbers() && right.text()))
         problem.with_help("val(s) is the number in a string, str(x, 0, 2) is a number as a string");
     report(problem);
-    if (diagnostics.full()) stopped_ = true;
     return Absence::broken;
 }
 

@@ -91,7 +91,6 @@ Handle<DataFile> Evaluator::State::open_file_named(NameId name, Span span) {
                      message("no file is open as `", names.spelling(name), "`"))
                    .with_help(message("#fopen ", names.spelling(name),
                                       " \"...\" opens one; at its end it is closed")));
-        if (diagnostics.full()) stopped_ = true;
         return nullptr;
     }
     Handle<DataFile> file = found->handle<DataFile>();

@@ -78,7 +78,6 @@ void Evaluator::State::report_arguments(const MacroData& macro, std::size_t coun
                          count == 1 ? "is " : "are ", count))
                .pointing(macro.defined,
                          message("defined as ", names.spelling(macro.name), "(", list, ")")));
-    if (diagnostics.full()) stopped_ = true;
 }
 
 /// What a macro gives as arguments of another: perhaps several.

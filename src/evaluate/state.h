@@ -68,7 +68,11 @@ struct Evaluator::State {
         return !stack_end || &here > stack_end || no_room(tree, id);
     }
     bool no_room(const Tree&, NodeId);
-    void report(Diagnostic diagnostic) { diagnostics.add(std::move(diagnostic)); }
+    /// Stops the evaluation, too, when no further errors are told.
+    void report(Diagnostic diagnostic) {
+        diagnostics.add(std::move(diagnostic));
+        if (diagnostics.full()) stopped_ = true;
+    }
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);

@@ -54,7 +54,6 @@ bool Evaluator::State::append_text(const Tree& tree, NodeId id, std::string& tex
                      message("`", names.spelling(function), "` takes a string here, but this is ",
                              kind_name(value)))
                    .with_help(as_text(value)));
-        if (diagnostics.full()) stopped_ = true;
     }
     return value.text() != nullptr;
 }

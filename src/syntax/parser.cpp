@@ -178,9 +178,8 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     if (no_comma && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
     if (found == TokenKind::equal && directive.starts_with("#macro"))
-        return "a parameter that may be left out: #macro M(A, optional B) #ifndef (B) #local B = "
-               "2; "
-               "#end ... #end";
+        return "a parameter that may be left out: "
+               "#macro M(A, optional B) #ifndef (B) #local B = 2; #end ... #end";
     if (directive == "#default") return "the last part of a #switch is `#else`";
     const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
     if (bracket && expected.value() && before.ends_with('='))
