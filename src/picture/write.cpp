@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -76,60 +75,33 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
     return result;
 }
 
-/// quantised() for bytes, of which a picture has so many that a table of their borders pays.
-class Bytes {
-public:
-    explicit Bytes(const PictureFormat& format) {
-        for (unsigned i = 1; i <= most; ++i) least_[i] = least(i, format);
-        least_[most + 1] = std::numeric_limits<double>::infinity();
-        unsigned level = 0;
-        for (std::size_t i = 0; i < start_.size(); ++i) {
-            const double value = static_cast<double>(i) / static_cast<double>(start_.size() - 1);
-            while (least_[level + 1] <= value) ++level;
-            start_[i] = static_cast<std::uint8_t>(level);
+/// The least values that become each byte but 0: in large pictures it is quicker to look a value up
+/// among them than to compute its power.
+std::array<double, 255> byte_borders(const PictureFormat& format) {
+    std::array<double, 255> borders;
+    for (unsigned byte = 1; byte <= borders.size(); ++byte) {
+        double below = 0, there = 1, middle = 0.5;
+        while (middle != below && middle != there) {
+            (quantised(middle, 255, format) >= byte ? there : below) = middle;
+            middle = 0.5 * (below + there);
         }
+        borders[byte - 1] = there;
     }
-
-    std::uint8_t operator()(double value) const {
-        if (!(value > 0)) return 0;
-        const auto steps = static_cast<double>(start_.size() - 1);
-        std::uint8_t level = start_[static_cast<std::size_t>(std::min(value, 1.0) * steps)];
-        while (least_[level + 1u] <= value) ++level;
-        return level;
-    }
-
-private:
-    static constexpr unsigned most = 255;
-
-    /// The least value that becomes such a byte: near to what that stands for, or between 0 and 1.
-    static double least(unsigned byte, const PictureFormat& format) {
-        const auto becomes = [&](double value) { return quantised(value, most, format) >= byte; };
-        const double shown = (byte - 0.5) / most;
-        const double near =
-            format.encoded ? from_linear(to_linear(shown, format.file_gamma), format.gamma) : shown;
-        double below = near * (1 - 1e-13), there = near * (1 + 1e-13);
-        if (becomes(below) || !becomes(there)) below = 0, there = 1;
-        for (;;) {
-            const double middle = 0.5 * (below + there);
-            if (middle == below || middle == there) return there;
-            (becomes(middle) ? there : below) = middle;
-        }
-    }
-
-    /// For each byte, and one that nothing reaches.
-    std::array<double, most + 2> least_ = {};
-    /// The bytes of multiples of a thousandth or so: there the search for that of a value begins.
-    std::array<std::uint8_t, 1025> start_ = {};
-};
+    return borders;
+}
 
 template <class Integer>
 std::vector<Integer> integers(const Image& image, const PictureFormat& format,
                               std::span<const double> alpha) {
-    // The table takes as long as some thousands of values.
-    constexpr std::size_t many = 5000;
-    if constexpr (sizeof(Integer) == 1)
-        if (image.pixels.size() > many)
-            return channels_of<Integer>(image, format, alpha, Bytes(format));
+    if constexpr (sizeof(Integer) == 1) {
+        constexpr std::size_t large = 50'000;
+        if (image.pixels.size() > large)
+            return channels_of<Integer>(
+                image, format, alpha, [borders = byte_borders(format)](double value) {
+                    const auto above = std::upper_bound(borders.begin(), borders.end(), value);
+                    return static_cast<Integer>(value > 0 ? above - borders.begin() : 0);
+                });
+    }
     return channels_of<Integer>(image, format, alpha, [&](double value) {
         return static_cast<Integer>(quantised(value, static_cast<Integer>(~0u), format));
     });
