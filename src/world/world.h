@@ -149,7 +149,8 @@ public:
     Vec3 passed(const Hit&, const Ray&) const;
 
     /// Whether rays must know that they are inside of a primitive, or of a composite by its number
-    /// from leaves_begin() on: it is transparent, or keeps out the fog that there is.
+    /// from leaves_begin() on: it is transparent, has an interior, or keeps out the fog that there
+    /// is.
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be such solids.
     bool notes_solids() const { return any_transparent || has_air(); }
@@ -158,7 +159,7 @@ public:
 
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
-    /// The transparent primitives that the point lies inside of.
+    /// The noted solids that the point lies inside of, by a primitive of each.
     EnteredSolids containing(const Vec3&) const;
 
     const Material& material(PrimitiveIndex primitive) const {
@@ -306,8 +307,7 @@ private:
         std::uint32_t part = 0;
     };
     using Passages = ShortList<Passage, 8>;
-    /// Adds the transparent primitive that a primitive or composite stands for, if the point is in
-    /// it.
+    /// Adds a noted solid, if the point is in it: a composite by the leaf whose interior it has.
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
     /// A leaf of a composite, by its number among all leaves.
     const CompositeLeaf& leaf(std::uint32_t) const;
