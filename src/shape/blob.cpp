@@ -5,10 +5,10 @@
 #include "vocabulary/schema.h"
 
 #include "base/roots.h"
+#include "base/short_list.h"
 
 #include <algorithm>
 #include <array>
-#include <memory_resource>
 #include <utility>
 
 const ItemInfo BlobSphere::vocabulary = described<BlobSphere>([] {
@@ -162,13 +162,7 @@ Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
     return sum;
 }
 
-/// Room for what most rays meet; more comes from the heap.
-struct Space {
-    std::array<std::byte, 4096> bytes;
-    std::pmr::monotonic_buffer_resource memory{bytes.data(), bytes.size()};
-};
-
-using Stretches = std::pmr::vector<Stretch>;
+using Stretches = ShortList<Stretch, 32>;
 
 /// The sum of the fields that reach over a stretch, less the threshold.
 Quartic sum_over(const Stretches& stretches, const Interval& range, double threshold) {
@@ -192,9 +186,8 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wante
     const double start = dot(blob.index.bounds().centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};
     const auto parameter = [&](double s) { return (start + s) / speed; };
-    Space space;
-    Stretches stretches(&space.memory);
-    std::pmr::vector<double> ends(&space.memory);
+    Stretches stretches;
+    ShortList<double, 64> ends;
     blob.index.along(near, whole_line, [&](std::uint32_t i) {
         const auto met = stretch(blob.sources[i], near);
         if (!met) return;

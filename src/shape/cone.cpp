@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+#include "shape/ends.h"
+
 const ItemInfo Cone::vocabulary = described<Cone>([] {
     using F = Field<Cone>;
     return schema<Cone>(
@@ -92,14 +94,6 @@ Interval within_side_centred(const Line& line) {
     const double shift = -line.b() / a;
     const Interval around = within_side(line.moved(shift));
     return {around.min + shift, around.max + shift};
-}
-
-/// Where the line is between the planes of the ends; below and above are the heights over the one
-/// and under the other.
-Interval between_ends(double below, double above, double rise) {
-    if (rise == 0) return below >= 0 && above >= 0 ? everywhere : nowhere;
-    const double base = -below / rise, cap = above / rise;
-    return rise > 0 ? Interval{base, cap} : Interval{cap, base};
 }
 
 }  // namespace

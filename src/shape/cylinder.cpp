@@ -4,6 +4,7 @@
 #include "vocabulary/schema.h"
 
 #include "shape/cone.h"
+#include "shape/ends.h"
 
 const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
     using F = Field<Cylinder>;
@@ -17,13 +18,6 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Where a + t * b lies between 0 and 1.
-Interval between_ends(double a, double b) {
-    if (b == 0) return a >= 0 && a <= 1 ? Interval{-infinity, infinity} : Interval{1, 0};
-    const double first = -a / b, last = (1 - a) / b;
-    return b > 0 ? Interval{first, last} : Interval{last, first};
-}
 
 }  // namespace
 
@@ -44,7 +38,7 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
     const double per_length2 = 1 / dot(axis, axis);
     const double height = dot(from, axis) * per_length2, rise = dot(direction, axis) * per_length2;
     const Vec3 away = from - height * axis, step = direction - rise * axis;
-    const Interval ends = between_ends(height, rise);
+    const Interval ends = between_ends(height, 1 - height, rise);
     // Around where the ray is deepest.
     const double step2 = dot(step, step);
     Interval side{-infinity, infinity};

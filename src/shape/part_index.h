@@ -4,12 +4,10 @@
 // number.
 #pragma once
 
+#include "base/short_list.h"
 #include "index/kdtree.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory_resource>
 
 class PartIndex {
 public:
@@ -29,15 +27,7 @@ public:
                 if (meets(ray, inverse, boxes_[i], range)) take(i);
             return;
         }
-        Space space;
-        std::pmr::vector<std::uint32_t> found(&space.memory);
-        tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
-            found.insert(found.end(), items.begin(), items.end());
-            return false;
-        });
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        for (const std::uint32_t i : found)
+        for (const std::uint32_t i : in_cells(ray, range))
             if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
@@ -51,25 +41,13 @@ public:
             return;
         }
         // A ray without length visits the cells at its origin, which may share items.
-        Space space;
-        std::pmr::vector<std::uint32_t> found(&space.memory);
-        tree_.traverse(Ray{point, Vec3(1)}, {0, 0},
-                       [&](std::span<const std::uint32_t> items, Interval&) {
-                           found.insert(found.end(), items.begin(), items.end());
-                           return false;
-                       });
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        for (const std::uint32_t i : found)
+        for (const std::uint32_t i : in_cells(Ray{point, Vec3(1)}, {0, 0}))
             if (contains(boxes_[i], point)) take(i);
     }
 
 private:
-    /// Room for a few hundred numbers of parts; more come from the heap.
-    struct Space {
-        std::array<std::byte, 2048> bytes;
-        std::pmr::monotonic_buffer_resource memory{bytes.data(), bytes.size()};
-    };
+    /// The parts in the cells that the ray passes, each once and in order.
+    ShortList<std::uint32_t, 512> in_cells(const Ray&, const Interval&) const;
 
     /// clip(ray, box, range) leaves something; `inverse` is 1 / the ray's direction.
     static bool meets(const Ray& ray, const Vec3& inverse, const Box& box, Interval range) {
