@@ -4,21 +4,20 @@
 #include "base/running_sums.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 
 namespace {
 
-/// Points that each cell is asked at, in each direction.
-constexpr int asked = 2;
-/// Share of a cell's brightness that is what its neighbours have: bright spots reach into cells
-/// whose points miss them.
-constexpr double neighbours = 0.3;
+using std::numbers::pi;
 
-bool within(const BrightFace& face, double along1, double along2) {
-    const double x = 2 * along1 - 1, y = 2 * along2 - 1, r2 = x * x + y * y;
+/// The patches of a sphere, from its lower pole to the upper one and around it.
+constexpr std::size_t bands = 6, sectors = 12;
+
+bool within(const BrightFace& face, const Vec2& place) {
+    const double x = 2 * place.x - 1, y = 2 * place.y - 1, r2 = x * x + y * y;
     switch (face.outline) {
         case BrightFace::triangle:
-            return along1 + along2 <= 1;
+            return place.x + place.y <= 1;
         case BrightFace::disc:
             return r2 <= 1 && r2 >= face.hole * face.hole;
         default:
@@ -26,16 +25,16 @@ bool within(const BrightFace& face, double along1, double along2) {
     }
 }
 
-using Sums = std::span<const double>;
-
-/// The sums within a row of cells.
-Sums columns_of(const std::vector<double>& all, std::size_t row, std::size_t count) {
-    return Sums(all).subspan(row * count, count);
+/// The point of a sphere of radius 1.
+Vec3 direction_at(double height, double turn) {
+    const double across = std::sqrt(std::fmax(0, 1 - height * height));
+    return {across * std::cos(2 * pi * turn), height, across * std::sin(2 * pi * turn)};
 }
 
-std::size_t cell_at(double along, std::size_t count) {
-    const auto cell = static_cast<std::size_t>(along * static_cast<double>(count));
-    return std::min(cell, count - 1);
+/// The share of a whole turn that leads to a direction, from 0 to 1.
+double turn_of(const Vec3& direction) {
+    const double turn = std::atan2(direction.z, direction.x) / (2 * pi);
+    return turn < 0 ? turn + 1 : turn;
 }
 
 }  // namespace
@@ -43,7 +42,7 @@ std::size_t cell_at(double along, std::size_t count) {
 Brightness::Brightness(const std::vector<BrightFace>& faces, bool solid, int cells,
                        FunctionRef<double(const Vec3&)> luminance)
     : solid_(solid) {
-    double longest = 0, lit_area = 0, power = 0;
+    double longest = 0;
     for (const BrightFace& face : faces)
         longest = std::max({longest, length(face.side1), length(face.side2)});
     for (const BrightFace& face : faces) {
@@ -52,130 +51,161 @@ Brightness::Brightness(const std::vector<BrightFace>& faces, bool solid, int cel
         const auto cells_along = [&](const Vec3& side) {
             return static_cast<std::size_t>(std::ceil(cells * length(side) / longest));
         };
-        Face made{face.corner, face.side1, face.side2};
-        made.normal = unit(upright);
         const Vec3 first = cross(face.side2, upright), second = cross(face.side1, upright);
-        made.across1 = first / dot(first, face.side1);
-        made.across2 = second / dot(second, face.side2);
-        made.area = length(upright);
-        made.row_count = cells_along(face.side1);
-        made.column_count = cells_along(face.side2);
-        lit_area += made.area * ask(face, made, luminance);
-        power += made.power;
-        faces_.push_back(std::move(made));
+        const Flat flat{face.corner,
+                        face.side1,
+                        face.side2,
+                        unit(upright),
+                        first / dot(first, face.side1),
+                        second / dot(second, face.side2)};
+        faces_.push_back({flat, length(upright),
+                          BrightCells(cells_along(face.side1), cells_along(face.side2),
+                                      [&](const Vec2& place) -> std::optional<double> {
+                                          if (!within(face, place)) return {};
+                                          return luminance(flat.at(place));
+                                      })});
     }
-    mean_ = lit_area > 0 ? power / lit_area : 0;
+    take_means();
 }
 
-/// Fills in how bright the cells are. Returns the share of the parallelogram that is the face.
-double Brightness::ask(const BrightFace& face, Face& made,
-                       FunctionRef<double(const Vec3&)> luminance) {
-    std::vector<double> seen(made.row_count * made.column_count, 0);
-    double inside = 0, all = 0;
-    const auto part = [](std::size_t cell, int n, std::size_t count) {
-        return (static_cast<double>(cell) + (n + 0.5) / asked) / static_cast<double>(count);
+Brightness::Brightness(const Vec3& centre, double radius, int cells,
+                       FunctionRef<double(const Vec3&)> luminance)
+    : solid_(true) {
+    const auto cells_of = [&](std::size_t parts) {
+        return (static_cast<std::size_t>(cells) + parts - 1) / parts;
     };
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        for (int n = 0; n < asked * asked; ++n) {
-            const double along1 = part(i / made.column_count, n / asked, made.row_count),
-                         along2 = part(i % made.column_count, n % asked, made.column_count);
-            if (!within(face, along1, along2)) continue;
-            inside += 1;
-            seen[i] +=
-                std::fmax(luminance(made.corner + along1 * made.side1 + along2 * made.side2), 0);
-        }
-    const auto at = [&](std::size_t row, std::size_t column) {
-        return seen[std::min(row, made.row_count - 1) * made.column_count +
-                    std::min(column, made.column_count - 1)];
-    };
+    constexpr double rise = 2.0 / bands, turn = 1.0 / sectors;
+    for (std::size_t i = 0; i < bands * sectors; ++i) {
+        const double low = rise * static_cast<double>(i / sectors) - 1,
+                     start = turn * static_cast<double>(i % sectors);
+        const Vec3 outwards = direction_at(low + rise / 2, start + turn / 2);
+        const double corner_cosine = std::fmin(dot(outwards, direction_at(low, start)),
+                                               dot(outwards, direction_at(low + rise, start)));
+        const double corner_sine = std::sqrt(1 - corner_cosine * corner_cosine);
+        const Patch patch{centre, radius,   low,           rise,       start,
+                          turn,   outwards, corner_cosine, corner_sine};
+        faces_.push_back({patch, 4 * pi * radius * radius / (bands * sectors),
+                          BrightCells(cells_of(bands), cells_of(sectors), [&](const Vec2& place) {
+                              return luminance(patch.at(place));
+                          })});
+    }
+    take_means();
+}
+
+void Brightness::take_means() {
+    double area = 0;
+    for (const Face& face : faces_) {
+        area += face.area * face.cells.covered();
+        mean_ += face.area * face.cells.mean();
+        mean_square_ += face.area * face.cells.mean_square();
+    }
+    if (!(area > 0)) return;
+    mean_ /= area;
+    mean_square_ /= area;
+}
+
+Vec3 Brightness::Flat::at(const Vec2& place) const {
+    return corner + place.x * side1 + place.y * side2;
+}
+
+Vec2 Brightness::Flat::place_of(const Vec3& position) const {
+    return {dot(position - corner, across1), dot(position - corner, across2)};
+}
+
+double Brightness::Patch::height(const Vec3& point) const {
+    const Vec3 offset = point - centre;
+    const double along = dot(offset, outwards), square = dot(offset, offset);
+    if (square <= radius * radius) return along - radius;
+    // Over the point of the patch that is nearest; on average it is less.
+    const double distance = std::sqrt(square);
+    double most = distance - radius;
+    if (along < distance * reach_cosine) {
+        const double across = std::sqrt(std::fmax(square - along * along, 0));
+        most = along * reach_cosine + across * reach_sine - radius;
+    }
+    return most > 0 ? 0.5 * (most + std::fmax(along - radius, 0)) : most;
+}
+
+Vec3 Brightness::Patch::at(const Vec2& place) const {
+    return centre + radius * direction_at(low + place.x * rise, start + place.y * turn);
+}
+
+Vec2 Brightness::Patch::place_of(const Vec3& position) const {
+    const Vec3 direction = normal_at(position);
+    return {(direction.y - low) / rise, (turn_of(direction) - start) / turn};
+}
+
+Brightness::View::View(const Brightness& map, const Vec3& from)
+    : map_(map), from_(from), sides_(map.solid_ ? 1 : 0) {
+    if (map_.faces_.empty()) return;
+    const auto* patch = std::get_if<Patch>(&map_.faces_.front().shape);
+    if (patch && length(from - patch->centre) < patch->radius) sides_ = -1;
     double sum = 0;
-    for (std::size_t row = 0; row < made.row_count; ++row) {
-        double of_row = 0;
-        for (std::size_t column = 0; column < made.column_count; ++column) {
-            const double beside =
-                at(row + 1, column) + at(row - std::min<std::size_t>(row, 1), column) +
-                at(row, column + 1) + at(row, column - std::min<std::size_t>(column, 1));
-            of_row += (1 - neighbours) * at(row, column) + neighbours / 4 * beside;
-            made.columns.push_back(of_row);
-            all += at(row, column);
-        }
-        sum += of_row;
-        made.rows.push_back(sum);
-    }
-    const double points = static_cast<double>(seen.size()) * asked * asked;
-    made.power = made.area * all / points;
-    return inside / points;
-}
-
-Brightness::View::View(const Brightness& map, const Vec3& from) : map_(map), from_(from) {
-    for (std::size_t i = 0; i < map_.faces_.size(); ++i) total_ += weight(i);
+    for (const Face& face : map_.faces_) weights_.push_back(sum += weight(face));
 }
 
 /// By what each face gives, roughly.
-double Brightness::View::weight(std::size_t i) const {
-    const Face& face = map_.faces_[i];
-    const double height = dot(from_ - face.corner, face.normal);
-    const Vec3 offset = face.corner + 0.5 * (face.side1 + face.side2) - from_;
-    const double square = dot(offset, offset) + 0.1 * face.area;
-    if (map_.solid_ && !(height > 0)) return 0;
-    return face.power * std::abs(height) / (square * std::sqrt(square));
+double Brightness::View::weight(const Face& face) const {
+    return std::visit(
+        [&](const auto& shape) {
+            const double height = seen(shape.height(from_));
+            const Vec3 offset = shape.middle() - from_;
+            const double square = dot(offset, offset) + 0.1 * face.area;
+            if (!(height > 0)) return 0.0;
+            return face.area * face.cells.mean() * height / (square * std::sqrt(square));
+        },
+        face.shape);
 }
 
-double Brightness::View::density(std::size_t i, const Vec3& position, double share) const {
-    const Face& face = map_.faces_[i];
+/// `of_face`: the density of the position among those of the face, 1 where all are alike.
+double Brightness::View::density(std::size_t index, const Vec3& position, double of_face) const {
+    const Face& face = map_.faces_[index];
     const Vec3 offset = position - from_;
-    const double square = dot(offset, offset), height = std::abs(dot(offset, face.normal));
-    const double cells = static_cast<double>(face.row_count * face.column_count);
+    const Vec3 normal =
+        std::visit([&](const auto& shape) { return shape.normal_at(position); }, face.shape);
+    const double square = dot(offset, offset), height = seen(-dot(offset, normal));
     if (!(height > 0)) return 0;
-    return weight(i) / total_ * share * cells / face.area * square * std::sqrt(square) / height;
+    return share_of(weights(), index) * of_face / face.area * square * std::sqrt(square) / height;
 }
 
-Brightness::View::Drawn Brightness::View::draw(Vec2 u) const {
-    double left = u.x * total_, own = 0;
-    std::size_t last = 0;
-    for (std::size_t i = 0; i < map_.faces_.size(); ++i) {
-        const double here = weight(i);
-        if (!(here > 0)) continue;
-        last = i;
-        own = here;
-        if (left < here) break;
-        left -= here;
-    }
-    const Face& face = map_.faces_[last];
-    const Sums rows(face.rows);
-    const DrawnShare row = drawn_share(rows, std::fmin(left / own, 1 - 0x1p-53));
-    const Sums columns = columns_of(face.columns, row.index, face.column_count);
-    const DrawnShare column = drawn_share(columns, u.y);
-    const auto along = [](const DrawnShare& drawn, std::size_t count) {
-        return (static_cast<double>(drawn.index) + drawn.within) / static_cast<double>(count);
-    };
-    const Vec3 position = face.corner + along(row, face.row_count) * face.side1 +
-                          along(column, face.column_count) * face.side2;
-    return {position,
-            density(last, position, share_of(rows, row.index) * share_of(columns, column.index))};
+Brightness::View::Drawn Brightness::View::draw(const Vec2& u) const {
+    const DrawnShare drawn = drawn_share(weights(), u.x);
+    const Face& face = map_.faces_[drawn.index];
+    const BrightCells::Drawn cell = face.cells.draw({drawn.within, u.y});
+    const Vec3 position =
+        std::visit([&](const auto& shape) { return shape.at(cell.at); }, face.shape);
+    return {position, density(drawn.index, position, cell.density)};
 }
 
 double Brightness::View::density(const Vec3& position) const {
-    if (!any()) return 0;
-    // Of the faces that are turned here, the one in whose plane the point lies.
+    const std::size_t index = any() ? face_at(position) : map_.faces_.size();
+    if (index == map_.faces_.size() || !(map_.faces_[index].cells.mean() > 0)) return 0;
+    const Face& face = map_.faces_[index];
+    const Vec2 place =
+        std::visit([&](const auto& shape) { return shape.place_of(position); }, face.shape);
+    return density(index, position, face.cells.density(place));
+}
+
+/// Of the faces that are turned here, the one in whose plane the point lies; of a sphere, the
+/// patch. Behind the last one when there is none.
+std::size_t Brightness::View::face_at(const Vec3& position) const {
+    if (const auto* patch = std::get_if<Patch>(&map_.faces_.front().shape)) {
+        const Vec3 direction = patch->normal_at(position);
+        const auto part = [](double along, std::size_t count) {
+            const double at = std::clamp(along, 0.0, 1.0) * static_cast<double>(count);
+            return std::min(static_cast<std::size_t>(at), count - 1);
+        };
+        return part((direction.y + 1) / 2, bands) * sectors + part(turn_of(direction), sectors);
+    }
     std::size_t nearest = map_.faces_.size();
     double least = INFINITY;
     for (std::size_t i = 0; i < map_.faces_.size(); ++i) {
-        const Face& face = map_.faces_[i];
-        const double off = std::abs(dot(position - face.corner, face.normal));
-        if (off < least && (!map_.solid_ || dot(from_ - face.corner, face.normal) > 0)) {
-            least = off;
+        const Flat& flat = std::get<Flat>(map_.faces_[i].shape);
+        const double height = std::abs(flat.height(position));
+        if (height < least && (!map_.solid_ || flat.height(from_) > 0)) {
+            least = height;
             nearest = i;
         }
     }
-    if (nearest == map_.faces_.size() || !(map_.faces_[nearest].power > 0)) return 0;
-    const Face& face = map_.faces_[nearest];
-    const Vec3 offset = position - face.corner;
-    const double along1 = std::clamp(dot(offset, face.across1), 0.0, 1.0),
-                 along2 = std::clamp(dot(offset, face.across2), 0.0, 1.0);
-    const std::size_t row = cell_at(along1, face.row_count),
-                      column = cell_at(along2, face.column_count);
-    const Sums columns = columns_of(face.columns, row, face.column_count);
-    if (!(columns.back() > 0)) return 0;
-    return density(nearest, position, share_of(Sums(face.rows), row) * share_of(columns, column));
+    return nearest;
 }

@@ -64,6 +64,14 @@ std::optional<LightPoint> sample_bright(const Luminaire& luminaire, const Bright
     return {};
 }
 
+std::vector<BrightFace> faces_of(const Emitter& emitter) {
+    if (const auto* t = std::get_if<TriangleEmitter>(&emitter))
+        return {
+            {t->corner1, t->corner2 - t->corner1, t->corner3 - t->corner1, BrightFace::triangle}};
+    const auto* area = std::get_if<AreaEmitter>(&emitter);
+    return area ? flat_faces(*area) : std::vector<BrightFace>();
+}
+
 }  // namespace
 
 double luminance(const Vec3& radiance) {
@@ -120,16 +128,18 @@ double emitting_area(const Emitter& emitter) {
     return std::visit([](const auto& e) { return emitting_area(e); }, emitter);
 }
 
-std::vector<BrightFace> flat_faces(const Emitter& emitter) {
-    if (const auto* t = std::get_if<TriangleEmitter>(&emitter))
-        return {
-            {t->corner1, t->corner2 - t->corner1, t->corner3 - t->corner1, BrightFace::triangle}};
-    const auto* area = std::get_if<AreaEmitter>(&emitter);
-    return area ? flat_faces(*area) : std::vector<BrightFace>();
+std::size_t face_count(const Emitter& emitter) {
+    constexpr std::size_t of_sphere = 8;
+    return std::holds_alternative<SphereEmitter>(emitter) ? of_sphere : faces_of(emitter).size();
 }
 
 Handle<Brightness> brightness_of(const Luminaire& luminaire, int cells,
                                  FunctionRef<double(const Vec3&)> luminance) {
-    const std::vector<BrightFace> faces = flat_faces(luminaire.emitter);
+    if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter)) {
+        Brightness map(sphere->centre, sphere->radius, cells, luminance);
+        return map.unevenness() > Brightness::uneven ? make_handle<Brightness>(std::move(map))
+                                                     : nullptr;
+    }
+    const std::vector<BrightFace> faces = faces_of(luminaire.emitter);
     return make_handle<Brightness>(faces, faces.size() > 1, cells, luminance);
 }

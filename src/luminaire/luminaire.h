@@ -72,7 +72,6 @@ struct SourceEmitter {
 };
 
 class Brightness;
-struct BrightFace;
 
 using Emitter =
     std::variant<SphereEmitter, TriangleEmitter, AreaEmitter, CompositeEmitter, SourceEmitter>;
@@ -138,9 +137,10 @@ void meet(const Luminaire&, const ShadingPoint&, const Vec3& direction, LightMee
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);
 
-/// The flat faces of boxes, discs and triangles, which a map of brightness can be made of. None for
-/// other emitters.
-std::vector<BrightFace> flat_faces(const Emitter&);
-/// A map of the brightness of a luminaire that has such faces: see there.
+/// How many faces a map of the brightness has, which boxes, discs, triangles and spheres can have
+/// (a sphere's counts as many); 0 for other emitters.
+std::size_t face_count(const Emitter&);
+/// A map of the brightness of a luminaire that has such faces: see there. Null for a sphere that
+/// glows so evenly that its formula is better. Precondition: face_count() > 0.
 Handle<Brightness> brightness_of(const Luminaire&, int cells,
                                  FunctionRef<double(const Vec3&)> luminance);

@@ -166,11 +166,11 @@ void map_brightness(World& world) {
     constexpr double most_points = 1 << 19, least_cells = 4;
     double faces = 0;
     for (const Luminaire& luminaire : world.luminaires)
-        if (luminaire.varying) faces += static_cast<double>(flat_faces(luminaire.emitter).size());
+        if (luminaire.varying) faces += static_cast<double>(face_count(luminaire.emitter));
     const double cells = std::fmin(std::sqrt(most_points / (4 * faces)), Brightness::most_cells);
     if (!(faces > 0 && cells >= least_cells)) return;
     for (Luminaire& luminaire : world.luminaires)
-        if (luminaire.varying && !flat_faces(luminaire.emitter).empty())
+        if (luminaire.varying && face_count(luminaire.emitter) > 0)
             luminaire.brightness =
                 brightness_of(luminaire, static_cast<int>(cells), [&](const Vec3& point) {
                     return luminance(world.emission(luminaire.primitive, point));

@@ -12,23 +12,21 @@ namespace {
 /// So many luminaires without a formula may take some time and memory.
 constexpr int most_guides = 64;
 
-/// From here on cylinders and cones whose glow varies get a guide to where they are bright in the
-/// place of their formula. (Spheres keep theirs: points nearby see little of them, which the
-/// formula knows and a guide does not.)
-constexpr double uneven = 3;
-
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
         : world_(world), guides_left_(guided ? most_guides : 0) {}
 
+    /// Cylinders and cones whose glow is uneven get a guide to where they are bright in the place
+    /// of their formula.
     Emitter of(const GlowingPrimitive& glow, const Luminaire& look) {
         const Emitter plain = by_shape(glow, look);
         if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
-            !flat_faces(plain).empty())
+            face_count(plain) > 0)
             return plain;
         CompositeEmitter bright = alone(world_.shapes[glow.index], look);
-        return bright.guide && bright.unevenness > uneven ? Emitter(std::move(bright)) : plain;
+        return bright.guide && bright.unevenness > Brightness::uneven ? Emitter(std::move(bright))
+                                                                      : plain;
     }
 
 private:

@@ -59,6 +59,12 @@ const std::vector<Emitter>& flat_emitters() {
     return all;
 }
 
+std::vector<Emitter> mapped_emitters() {
+    std::vector<Emitter> all = flat_emitters();
+    all.push_back(SphereEmitter{Vec3(0.2, 0, 0.1), 1.8});
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("a screen with few bright spots makes little noise, and the same light",
@@ -72,6 +78,34 @@ TEST_CASE("a screen with few bright spots makes little noise, and the same light
             CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
             CHECK(even.relative_variance > 20 * mapped.relative_variance);
         }
+}
+
+TEST_CASE("a globe with few bright spots makes little noise, and the same light, also inside it",
+          "[luminaire][claim-26]") {
+    const auto glow = [](const Vec3& p) {
+        return std::sin(9 * p.x) * std::sin(9 * p.y + 1) * std::sin(9 * p.z) > 0.7 ? 100 : 0.01;
+    };
+    const SphereEmitter globe{Vec3(0.3, -0.2, 0.1), 2};
+    Luminaire known = glowing(globe, 100);
+    known.brightness = brightness_of(known, 128, glow);
+    REQUIRE(known.brightness);
+    // A point that nearly touches the globe sees so little of it that the map may be no gain.
+    const std::vector<std::pair<Vec3, double>> places = {
+        {Vec3(0.5, 0.3, -4), 8},    {Vec3(-60, 30, 50), 8},    {Vec3(0.4, -2.4, -0.7), 2.5},
+        {Vec3(0.4, -2.22, 0.1), 0}, {Vec3(0.8, 0.5, -0.7), 5}, {Vec3(1.5, 0.9, -0.8), 5}};
+    for (const auto& [place, gain] : places) {
+        const ShadingPoint point{place, unit(globe.centre + Vec3(0.1, 0.2, 0) - place)};
+        const Moments even = moments(glowing(globe, 100), point, 2000, glow),
+                      mapped = moments(known, point, 700, glow);
+        CAPTURE(place.x, place.y, even.relative_variance, mapped.relative_variance);
+        CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
+        CHECK(even.relative_variance >= gain * mapped.relative_variance - 1e-9);
+    }
+}
+
+TEST_CASE("a globe that glows nearly evenly keeps its formula", "[luminaire]") {
+    const auto glow = [](const Vec3& p) { return 2 + std::sin(9 * p.x); };
+    CHECK_FALSE(brightness_of(glowing(SphereEmitter{Vec3(0), 2}, 3), 128, glow));
 }
 
 TEST_CASE("a curved lamp with few bright spots makes less noise, and the same light",
@@ -106,7 +140,7 @@ TEST_CASE("a curved lamp with few bright spots makes less noise, and the same li
 TEST_CASE("points of a screen are met again with the density that they were drawn with",
           "[luminaire]") {
     Draw draw(1);
-    for (const Emitter& emitter : flat_emitters()) {
+    for (const Emitter& emitter : mapped_emitters()) {
         const Luminaire luminaire = lamp(emitter, true);
         for (int i = 0; i < 2000; ++i) {
             const ShadingPoint point{5.0 * draw.point(), draw.direction()};
