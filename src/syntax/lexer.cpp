@@ -206,8 +206,15 @@ Token Lexer::read_directive(const char* hash) {
                        "this `#` has no effect, for no word follows it"));
         return scan();
     }
-    // A setting that the oldest scenes write so.
-    if (spelling == "max_trace_level") return read_word(first);
+    // As in POV-Ray, for `#global_settings` is what some programs write, and the oldest scenes
+    // write a setting so.
+    if (const NameId id = names_.find(spelling); id != no_name && names_.reserved(id)) {
+        if (spelling != "max_trace_level")
+            report(
+                warning(Fault::syntax, span(hash, hash + 1),
+                        message("this `#` has no effect, for `", spelling, "` is no directive")));
+        return read_word(first);
+    }
     return read_unknown_directive(hash, spelling);
 }
 
@@ -331,8 +338,8 @@ Token Lexer::read_text(const char* first) {
         tree_.verbatim.push_back(index);
         tree_.texts.emplace_back(raw);
     } else {
-        tree_.texts.push_back(
-            quiet_ ? std::string(raw) : unescaped(raw, source_, offset(first + 1), diagnostics_));
+        tree_.texts.push_back(quiet_ ? std::string(raw)
+                                     : unescaped(raw, source_, offset(first + 1), diagnostics_));
     }
     return token(TokenKind::text, first, index);
 }

@@ -116,8 +116,8 @@ TEST_CASE("a setting outside of global_settings is read as within", "[evaluate]"
 TEST_CASE("what is wrong in a branch counts only when the branch is taken", "[evaluate]") {
     const std::string wrong =
         GENERATE(as<std::string>(), "@ $ % \\ ' ` ~ ^", "don't do this", "\"bad \\q escape\"",
-                 "#rgb", "a == b && c || d", "#declare = 1;", ", ,", "1 + * 2", "sphere { 0", "(a",
-                 "a ) b", "#for (a #end", "#if #end");
+                 "#colours", "a == b && c || d", "#declare = 1;", ", ,", "1 + * 2", "sphere { 0",
+                 "(a", "a ) b", "#for (a #end", "#if #end");
     INFO(wrong);
     const auto messages = [&](const std::string& condition) {
         return run("#version 3.7; " + condition + " " + wrong + " #end sphere { 0, 1 }").text;

@@ -122,6 +122,8 @@ TEST_CASE("what is no token is reported and left out", "[syntax]") {
         {"\"abc", "this string has no end", "string"},
         {R"("\q")", "a string has no such escape", "string"},
         {"#delcare a", "there is no directive `#delcare`", "#declare name"},
+        {"#sphere 1", "this `#` has no effect, for `sphere` is no directive", "word number"},
+        {"#\trgb 1", "this `#` has no effect, for `rgb` is no directive", "colour prefix number"},
         {"1 # 2", "this `#` has no effect, for no word follows it", "number number"},
         {"declare a", "`declare` should have a # before it", "#declare name"},
         {"a == b", "this language writes `=`, not `==`", "name = name"},
