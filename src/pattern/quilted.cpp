@@ -36,6 +36,6 @@ Vec3 quilted_tilt(const Quilted& quilted, const Vec3& point) {
 
 double evaluate(const Quilted& quilted, const Vec3& point) {
     const Vec3 offset(from_middle(point.x), from_middle(point.y), from_middle(point.z));
-    return height(quilted, length(offset)) *
+    return std::abs(height(quilted, length(offset))) *
            (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z)) / 3;
 }
