@@ -133,10 +133,15 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     PatternScene scene = pattern_scene(passage.primitive, passage.part, point);
     scene.view = &view;
     Vec3 sum(0);
-    for_textures(passage.primitive, passage.part, point, [&](double share, const Texture& texture) {
+    const auto pass = [&](double share, const Texture& texture) {
         sum += share * (power != 0 || m.focuses ? passing(texture, point, scene, light)
                                                 : passing(texture, point, scene));
-    });
+    };
+    // The ray leads to the light: what it leaves it sees from inside.
+    if (m.inner && light.normal != normal)
+        pass(1, *m.inner);
+    else
+        for_textures(passage.primitive, passage.part, point, pass);
     return sum;
 }
 
