@@ -117,7 +117,7 @@ Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
 }
 
 const Interior& Tracer::interior(const Solids& solids) const {
-    static const Interior atmosphere;
+    static const Interior atmosphere{.ior = 1};
     if (solids.empty()) return atmosphere;
     const auto& inside = world_.material(solids.back()).interior;
     return inside ? *inside : atmosphere;

@@ -68,7 +68,8 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
           "what is reflected does not also pass through"},
         F{"ior", &Finish::ior, item, "index of refraction, as scenes before version 3.1 have it",
           at_least(0)},
-        F{"caustics", &Finish::caustics, item, "exponent of bright spots in shadows, as old"},
+        F{"caustics", &Finish::caustics, item,
+          "exponent of bright spots in shadows, instead of the interior's, as old"},
         F{"refraction", &Finish::refraction, item, "share of what is seen through it, as old",
           at_least(0)});
 });

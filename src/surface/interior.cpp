@@ -7,7 +7,7 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
     using F = Field<Interior>;
     return schema<Interior>(
         "interior", "What is inside a solid.",
-        F{"ior", &Interior::ior, item, "index of refraction", above(0)},
+        F{"ior", &Interior::ior, item, "index of refraction; 0: 1, and no dispersion", at_least(0)},
         F{"fade_distance", &Interior::fade_distance, item,
           "way by which light is dimmed to half; 0: it is not", at_least(0)},
         F{"fade_power", &Interior::fade_power, item,

@@ -5,7 +5,7 @@
 #include "vocabulary/item_info.h"
 
 struct Interior {
-    double ior = 1;
+    double ior = 0;            ///< 0: that of the air, and no dispersion
     double fade_distance = 0;  ///< 0: light is not dimmed
     double fade_power = 0;
     Vec3 fade_color = Vec3(0);
@@ -15,6 +15,10 @@ struct Interior {
 
     static const ItemInfo vocabulary;
 };
+
+/// How fast bright spots fade with the angle, where caustics are 1. As in POV-Ray, where one of its
+/// tables counts so.
+constexpr double caustics_power = 45;
 
 /// The share of light that is left after a distance inside, per channel. From a power of 1000 on it
 /// falls exponentially, else by 1 / (1 + (distance / fade_distance)^fade_power).

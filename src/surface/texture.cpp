@@ -197,13 +197,6 @@ bool lets_light_in(const Texture& texture) {
         texture, [](const Finish& finish) { return finish.subsurface.translucency != Vec3(0); });
 }
 
-bool focuses(const Texture& texture) {
-    if (texture.choice)
-        return std::ranges::any_of(texture.choice->map,
-                                   [](const TextureStop& stop) { return focuses(*stop.texture); });
-    return texture.finish.caustics != 0;  // as in POV-Ray, that of the top layer holds for all
-}
-
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
     if (texture.choice) {
         Vec3 sum(0);
@@ -220,17 +213,15 @@ Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scen
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene,
              const FocusedLight& light) {
     Vec3 sum(0);
-    for_layers(
-        texture, point, light.normal, scene, [&](double weight, std::span<const Layer> layers) {
-            Vec3 left(weight);
-            const double power = light.power != 0 ? light.power : layers.front().finish->caustics;
-            for (const Layer& layer : layers) {
-                const double cosine = std::abs(dot(layer.normal, light.direction));
-                const double focused = power == 0 ? 1 : 1 + std::pow(cosine, power);
-                left *= focused * layer.colour.passing();
-            }
-            sum += left;
-        });
+    for_layers(texture, point, light.normal, scene,
+               [&](double weight, std::span<const Layer> layers) {
+                   Vec3 left(weight);
+                   for (const Layer& layer : layers) {
+                       const double cosine = std::abs(dot(layer.normal, light.direction));
+                       left *= (1 + std::pow(cosine, light.power)) * layer.colour.passing();
+                   }
+                   sum += left;
+               });
     return sum;
 }
 

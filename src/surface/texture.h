@@ -64,8 +64,8 @@ Vec3 passing(const Texture&, const Vec3& point, const PatternScene&);
 /// Light on its way through a surface that focuses it where it comes straight on.
 struct FocusedLight {
     Vec3 direction;
-    Vec3 normal;       ///< of the surface; unit, on the side that the direction points away from
-    double power = 0;  ///< of the interior's caustics; 0: the top finish's own
+    Vec3 normal;   ///< of the surface; unit, on the side that the direction points away from
+    double power;  ///< not 0
 };
 
 /// The same with bright spots in the shadow, by the angle to each layer's own normal.
@@ -76,9 +76,6 @@ bool scatters(const Texture&);
 
 /// Whether one of its finishes has light spread below the surface, if the scene wants that.
 bool lets_light_in(const Texture&);
-
-/// Whether one of its finishes has caustics.
-bool focuses(const Texture&);
 
 /// The radiance that all layers emit at a point. `opacity` is the share of a layer's colour that is
 /// its own, which depends on the version of the language.

@@ -123,8 +123,7 @@ Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) 
 /// What one surface leaves of light that passes through it.
 Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     const Material& m = material(passage.primitive);
-    // As in POV-Ray, where one of its tables counts so.
-    const double power = m.interior ? 45 * m.interior->caustics : 0;
+    const double power = m.interior ? caustics_power * m.interior->caustics : 0;
     const Vec3 normal = unit(passage.normal);
     const FocusedLight light{ray.direction, dot(normal, ray.direction) > 0 ? -normal : normal,
                              power};
@@ -134,8 +133,8 @@ Vec3 World::passed(const Passage& passage, const Ray& ray) const {
     scene.view = &view;
     Vec3 sum(0);
     const auto pass = [&](double share, const Texture& texture) {
-        sum += share * (power != 0 || m.focuses ? passing(texture, point, scene, light)
-                                                : passing(texture, point, scene));
+        sum += share * (power != 0 ? passing(texture, point, scene, light)
+                                   : passing(texture, point, scene));
     };
     // The ray leads to the light: what it leaves it sees from inside.
     if (m.inner && light.normal != normal)

@@ -3,6 +3,25 @@
 
 #include "surface/simplified.h"
 
+namespace {
+
+/// The interior as a solid of that texture has it. As in POV-Ray, a finish has the last word where
+/// the texture is a plain one, and what has no index of refraction of its own splits no light.
+Handle<Interior> settled(const Handle<Interior>& interior, const Texture& texture) {
+    const bool bends = !texture.choice && texture.finish.ior != 0;
+    const bool focuses = !texture.choice && texture.finish.caustics >= 0;
+    if (!bends && !focuses && (!interior || interior->ior != 0)) return interior;
+    Interior result = interior ? *interior : Interior();
+    if (bends || result.ior == 0) {
+        result.ior = bends ? texture.finish.ior : 1;
+        result.dispersion = 1;
+    }
+    if (focuses) result.caustics = texture.finish.caustics / caustics_power;
+    return make_handle<Interior>(result);
+}
+
+}  // namespace
+
 std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
@@ -59,14 +78,8 @@ void Materials::add(const Inherited& look) {
     material.texture = lit(*look.texture);
     const Texture& texture = *material.texture;
     if (look.inner) material.inner = simplified(*look.inner, world_.quality);
-    if (look.interior) material.interior = *look.interior;
-    if (!texture.choice && texture.finish.ior != 0) {
-        material.interior =
-            make_handle<Interior>(material.interior ? *material.interior : Interior());
-        material.interior.edit().ior = texture.finish.ior;
-    }
+    material.interior = settled(look.interior ? *look.interior : nullptr, texture);
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
-    material.focuses = focuses(texture);
     material.light_group = look.light_group;
     material.shared_interior = look.shared_interior;
     material.no_shadow = look.no_shadow || world_.quality < quality_shadows;
@@ -107,7 +120,6 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
 /// A material of which a part has another look.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
     world_.materials[material].transparent |= world_.materials[part].transparent;
-    world_.materials[material].focuses |= world_.materials[part].focuses;
     world_.materials[material].uv |= world_.materials[part].uv;
     glows_[material] = glows_[material] || glows_[part];
 }

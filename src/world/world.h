@@ -39,7 +39,6 @@ struct Material {
     bool double_illuminate = false;
     bool hollow = false;
     bool uv = false;                  ///< a texture asks for u and v
-    bool focuses = false;             ///< a finish of its texture has caustics
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
     std::uint32_t light_group = 0;    ///< in World::light_groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays take them for one solid

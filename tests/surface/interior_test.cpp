@@ -5,9 +5,11 @@
 
 #include <catch2/catch.hpp>
 
-TEST_CASE("an interior starts as air and is written in its own words", "[surface]") {
+TEST_CASE(
+    "an interior starts without an index of refraction of its own and is written in its own words",
+    "[surface]") {
     Interior interior;
-    CHECK(interior.ior == 1);
+    CHECK(interior.ior == 0);
     CHECK(written_fields(Interior::vocabulary, &interior).empty());
     interior.ior = 1.5;
     CHECK(written_fields(Interior::vocabulary, &interior) == "ior 1.5");
