@@ -19,7 +19,7 @@ const ItemInfo Fog::vocabulary = described<Fog>([] {
         F{"distance", &Fog::distance, item, "where 37 % of what is behind are left; 0: no fog",
           at_least(0)},
         F{"fog_offset", &Fog::fog_offset, item, "up to this height it has its full density"},
-        F{"fog_alt", &Fog::fog_alt, item, "this much higher it has half of it", at_least(0)},
+        F{"fog_alt", &Fog::fog_alt, item, "this much higher it has half of it; below 0: lower"},
         F{"up", &Fog::up, item, "the direction in which heights are measured"},
         F{"turbulence", &Fog::turbulence, item, "how much it is disturbed along each axis"},
         F{"turb_depth", &Fog::turb_depth, item, "how strongly the disturbance counts"},
@@ -40,7 +40,7 @@ double mean_density(const Fog& fog, const Ray& ray, double distance) {
     if (fog.fog_type == 1) return 1;
     const Vec3 up = unit(fog.up);
     const auto height = [&](double along) {
-        return (along - fog.fog_offset) / std::max(fog.fog_alt, 1e-10);
+        return (along - fog.fog_offset) / (fog.fog_alt == 0 ? 1e-10 : fog.fog_alt);
     };
     const double start = height(dot(ray.origin, up));
     const double rise = dot(ray.direction, up);
