@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/brackets.h"
 
+#include "syntax/misindented.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -19,11 +20,6 @@ constexpr auto plain = [] {
     }
     return result;
 }();
-
-/// The way out for those who want to open a block by one macro and to close it by another.
-constexpr const char* macro_braces =
-    "a macro closes what it opens and nothing else; what is to stand in its braces can be a "
-    "parameter: #macro In(Parts) union { object { Parts } } #end";
 
 /// Which tokens one may have to be put in front of: few.
 constexpr auto may_be_marked = [] {
@@ -76,6 +72,7 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
         const bool marked = last_.kind >= between;
         if (!marked && gives_value()) return gives;
     }
+    if (token.kind == hash_declare && last_.kind == equal) return leads;
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
 }
 
@@ -110,6 +107,10 @@ std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
     }
     if (whole) hangs_ = directive.hangs;
     return std::nullopt;
+}
+
+bool Brackets::in_directive() const {
+    return std::ranges::any_of(open_, [](const Open& o) { return opens_directive(o.token.kind); });
 }
 
 /// Whether a parenthesis that comes now belongs to the beginning of a directive or of a case.
@@ -151,6 +152,9 @@ Token Brackets::match() {
     for (;;) {
         const Token token = tokens_.next();
         if (plain[static_cast<std::size_t>(token.kind)]) return token;
+        if (token.kind == TokenKind::hash_macro && !in_directive() &&
+            tokens_.define_open_macro(token))
+            continue;
         bool fits = true;
         if (opens(token.kind)) {
             const bool head = token.kind == TokenKind::open_parenthesis && begins_head();
@@ -162,7 +166,7 @@ Token Brackets::match() {
             fits = accept_closer(token);
         } else if (divides_directive(token.kind)) {
             fits = accept_else(token);
-        } else if (token.kind == TokenKind::end_of_file && !open_.empty()) {
+        } else if (token.kind == TokenKind::end_of_file) {
             end_of_file(token);
         }
         if (fits) return pending_.empty() ? token : take();
@@ -202,8 +206,8 @@ bool Brackets::accept_closer(const Token& closer) {
                                message("`", spelling(closer), "` closes nothing that is open"));
     if (!open_.empty()) problem.pointing(span(open_.back().token), "the innermost that is open");
     if (!open_.empty() && open_.back().token.kind == TokenKind::hash_macro)
-        problem.with_help(macro_braces);
-    diagnostics_.add(problem);
+        problem.with_help(OpenMacros::unopened);
+    if (!macros_.blame(closer)) diagnostics_.add(problem);
     return false;
 }
 
@@ -283,6 +287,7 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
                     [](const Open& o) { return o.blamed; }))
         return;
     const Token& opener = open_.back().token;
+    if (macros_.blame(opener)) return;
     const bool branch = opener.kind == TokenKind::open_brace &&
                         (closer.kind == TokenKind::hash_end || divides_directive(closer.kind));
     const std::string_view opened = spelling(opener);
@@ -298,7 +303,7 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
         problem
             .pointing(span(closer),
                       macro ? "the macro ends here" : "the part of the directive ends here")
-            .with_help(macro ? macro_braces
+            .with_help(macro ? OpenMacros::unclosed
                              : "what a part of a directive opens it must close itself");
     } else {
         problem.pointing(span(opener), "still open");
@@ -314,15 +319,21 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
 }
 
 void Brackets::end_of_file(const Token& end) {
+    macros_.report_idle();
+    if (open_.empty()) return;
     const Token opener = open_.back().token;
-    if (!open_.back().blamed) {
+    if (!open_.back().blamed && !macros_.blame_all()) {
         const bool directive = opens_directive(opener.kind);
         Diagnostic problem =
             error(Fault::syntax, span(opener),
                   message("`", spelling(opener), "` has no ", directive ? "`#end`" : "end"));
         if (open_.size() > 1)
             problem.pointing(span(open_[open_.size() - 2].token), "open around it");
-        add_misindented(problem, directive);
+        if (const auto found = misindented(text_, directive)) {
+            problem.pointing(span(found->opener), "perhaps this one is meant:");
+            problem.pointing(span(found->closer),
+                             message("this `", spelling(found->closer), "` stands further left"));
+        }
         diagnostics_.add(problem);
     }
     pending_.push_back(end);
@@ -330,39 +341,6 @@ void Brackets::end_of_file(const Token& end) {
     for (; !open_.empty(); open_.pop_back())
         pending_.push_back({closer_of(open_.back().token.kind), 0, end.first, end.first, 0});
     std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(first), pending_.end());
-}
-
-/// Finds the first `}` or `#end` at the start of a line that stands further left than the line of
-/// what it closes: one before it is missing.
-void Brackets::add_misindented(Diagnostic& problem, bool directives) const {
-    const auto indentation = [&](std::uint32_t at, bool only_blanks) -> int {
-        const std::size_t start = at == 0 ? 0 : text_.find_last_of("\r\n", at - 1) + 1;
-        const std::size_t word = text_.find_first_not_of(" \t", start);
-        return only_blanks && word != at ? -1 : static_cast<int>(word - start);
-    };
-    const auto is_opener = [&](TokenKind kind) {
-        return directives ? opens_directive(kind) : kind == TokenKind::open_brace;
-    };
-    const TokenKind closer = directives ? TokenKind::hash_end : TokenKind::close_brace;
-    std::vector<Token> openers;
-    SourceStore copy;
-    const SourceId id = copy.add("", std::string(text_));
-    Names names;
-    Tree tree;
-    Diagnostics ignored;
-    Lexer lexer(id, copy, names, tree, ignored);
-    for (Token token = lexer.next(); token.kind != TokenKind::end_of_file; token = lexer.next()) {
-        if (is_opener(token.kind)) openers.push_back(token);
-        if (token.kind != closer || openers.empty()) continue;
-        const int here = indentation(token.first, true);
-        if (here >= 0 && here < indentation(openers.back().first, false)) {
-            problem.pointing(span(openers.back()), "perhaps this one is meant:");
-            problem.pointing(span(token),
-                             message("this `", spelling(token), "` stands further left"));
-            return;
-        }
-        openers.pop_back();
-    }
 }
 
 /// Whether an error inside `depth` brackets ends at this token, which has had its effect.

@@ -4,7 +4,7 @@
 // reported once, with both places, and mended by closing what is open or by dropping what closes
 // nothing; the parser never sees it. Only where each branch of a condition opens the same number of
 // braces, or ends in a word whose braces follow, what comes behind its #end is part of every
-// branch, up to where these are closed.
+// branch, up to where these are closed; and macros may open braces for each other.
 #pragma once
 
 #include "syntax/token_stream.h"
@@ -15,9 +15,13 @@
 
 class Brackets {
 public:
-    Brackets(Lexer& lexer, double version, SourceId source, std::string_view text,
+    Brackets(Lexer& lexer, Names& names, double version, SourceId source, std::string_view text,
              Diagnostics& diagnostics)
-        : tokens_(lexer, version), source_(source), text_(text), diagnostics_(diagnostics) {}
+        : macros_(names, source, diagnostics),
+          tokens_(lexer, version, macros_),
+          source_(source),
+          text_(text),
+          diagnostics_(diagnostics) {}
 
     Token next();
     /// Whether the next token comes behind a comma, right inside of braces.
@@ -53,6 +57,7 @@ private:
         return !open_.empty() && open_.back().token.kind == TokenKind::open_brace;
     }
     bool in_elements() const { return open_.empty() || in_braces(); }
+    bool in_directive() const;
     Token take();
     Token match();
     std::optional<TokenKind> mark_before(const Token&);
@@ -69,7 +74,6 @@ private:
     bool close_until(std::size_t depth, const Token& closer);
     void end_of_file(const Token&);
     void report_unclosed(const Token& closer, std::size_t depth);
-    void add_misindented(Diagnostic&, bool directives) const;
     bool boundary(const Token&, std::size_t depth) const;
 
     Span span(const Token& token) const { return {source_, token.first, token.last}; }
@@ -77,6 +81,7 @@ private:
         return text_.substr(token.first, token.last - token.first);
     }
 
+    OpenMacros macros_;
     TokenStream tokens_;
     SourceId source_;
     std::string_view text_;

@@ -341,7 +341,7 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
     Diagnostics found = diagnostics.fresh();
     Lexer lexer(source, sources, names, tree, found);
-    Brackets brackets(lexer, version, source, text, found);
+    Brackets brackets(lexer, names, version, source, text, found);
     ParseState state{tree, names, brackets, found, text, postpones};
     grammar_parse(state);
     for (const Diagnostic& each : found.all()) diagnostics.add(each);

@@ -51,6 +51,15 @@ bool needs_comma(const Tree& tree, NodeId before, NodeId id) {
     return !(word && !channel_word);
 }
 
+/// Whether `( ... )` can hold these: directives, then perhaps a value.
+bool fits_parentheses(const Tree& tree, NodeId first) {
+    NodeId last = first;
+    while (last != no_node && tree[last].next != no_node) last = tree[last].next;
+    return !tree.get_if<node::Block>(last) && !tree.get_if<node::Layers>(last) &&
+           !tree.get_if<node::Array>(last) && !tree.get_if<node::Function>(last) &&
+           !tree.get_if<node::Prefixed>(last) && !tree.get_if<node::Colour>(last);
+}
+
 struct Print {
     const Tree& tree;
     const Names& names;
@@ -107,6 +116,7 @@ struct Print {
     Pieces operator()(const node::Chain& n) const { return {blanks(n.first)}; }
     Pieces operator()(node::Nothing) const { return {}; }
     Pieces operator()(const node::Group& n) const {
+        if (!fits_parentheses(tree, n.content)) return {blanks(n.content)};
         return {say("("), blanks(n.content), say(")")};
     }
     Pieces operator()(const node::Tuple& n) const {

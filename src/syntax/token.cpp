@@ -15,10 +15,10 @@ constexpr auto names = std::to_array<std::string_view>({
     "#range", "#break", "#macro", "#include", "#default", "#version", "#fopen", "#fclose", "#read",
     "#write", "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "=", "!=", "&", "|", "?", ":",
     "+", "-", "*", "/", "!", ".", ",", ";", "between",
-    "goes on", "joins", "nothing", "continues", "gives",
+    "goes on", "joins", "nothing", "continues", "gives", "leads",
 });
 // clang-format on
-static_assert(names.size() == static_cast<std::size_t>(TokenKind::gives) + 1);
+static_assert(names.size() == static_cast<std::size_t>(TokenKind::leads) + 1);
 
 }  // namespace
 

@@ -86,6 +86,7 @@ enum class TokenKind : std::uint8_t {
     nothing,    // behind an operator at the end of a part of a condition
     continues,  // behind a condition with such a part: the other operand follows
     gives,      // before a directive that gives a value for the operator behind it
+    leads,      // before declarations in front of what is declared
 };
 
 struct Token {

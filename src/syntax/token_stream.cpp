@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "syntax/token_stream.h"
 
+#include "syntax/balance.h"
 #include "vocabulary/reserved.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace {
 
@@ -12,40 +14,6 @@ constexpr std::size_t most_ahead = 100'000;
 
 /// Directives of more tokens are no operands.
 constexpr std::size_t longest_value = 500;
-
-/// How many braces are open, where each directive that is closed counts as its first part does.
-class Balance {
-public:
-    int braces = 0;
-
-    std::size_t directives() const { return open_.size(); }
-
-    void add(TokenKind kind) {
-        if (kind == TokenKind::open_brace) ++braces;
-        if (kind == TokenKind::close_brace) --braces;
-        if (opens_directive(kind)) open_.push_back({braces, std::nullopt});
-        if (divides_directive(kind) && !open_.empty()) end_part();
-        if (kind == TokenKind::hash_end && !open_.empty()) {
-            end_part();
-            braces = *open_.back().behind;
-            open_.pop_back();
-        }
-    }
-
-private:
-    struct Directive {
-        int before;
-        std::optional<int> behind;  ///< the first part
-    };
-
-    void end_part() {
-        Directive& directive = open_.back();
-        if (!directive.behind) directive.behind = braces;
-        braces = directive.before;
-    }
-
-    std::vector<Directive> open_;
-};
 
 /// The text from one pair of parentheses to its end, without blanks.
 std::string in_parentheses(std::string_view text) {
@@ -74,7 +42,13 @@ Token TokenStream::next() {
 }
 
 Token TokenStream::fetch() {
-    if (ahead_.empty()) return lexer_.next();
+    while (ahead_.empty()) {
+        const Token token = lexer_.next();
+        const bool defined = std::exchange(names_macro_, token.kind == TokenKind::hash_macro);
+        if (macros_.empty() || token.kind != TokenKind::name || defined || passing_over_ ||
+            !call(token))
+            return token;
+    }
     const Token token = ahead_.front();
     ahead_.pop_front();
     return token;
@@ -89,6 +63,28 @@ void TokenStream::give_back(const Tokens& taken) {
     ahead_.insert(ahead_.begin(), taken.begin(), taken.end());
 }
 
+bool TokenStream::define_open_macro(const Token& opener) {
+    Tokens taken{opener};
+    for (std::size_t open = 1; open > 0;) {
+        const TokenKind kind = take(taken).kind;
+        if (opens_directive(kind)) ++open;
+        if (kind == TokenKind::hash_end) --open;
+        if (kind == TokenKind::end_of_file || taken.size() > most_ahead) break;
+    }
+    if (taken.back().kind == TokenKind::hash_end && macros_.define(taken)) return true;
+    taken.erase(taken.begin());
+    return give_back(taken), false;
+}
+
+bool TokenStream::call(const Token& name) {
+    OpenMacros::Macro* macro = macros_.find(NameId(name.value));
+    if (!macro) return false;
+    Tokens taken;
+    if (!take_parentheses(taken)) return give_back(taken), false;
+    give_back(macros_.expand(*macro, name, taken));
+    return true;
+}
+
 bool TokenStream::drop_false_branch() {
     Tokens taken;
     const TokenKind opener = take(taken).kind;
@@ -100,6 +96,7 @@ bool TokenStream::drop_false_branch() {
     if (opener != TokenKind::open_parenthesis || !never) return give_back(taken), false;
     if (take(taken).kind != TokenKind::close_parenthesis) return give_back(taken), false;
     lexer_.be_quiet(true);
+    passing_over_ = true;
     Token token = fetch();
     dropped_sign_ = is_sign(token.kind);
     bool sign = false, lone_sign = false;  // what the last token was
@@ -112,6 +109,7 @@ bool TokenStream::drop_false_branch() {
         sign = is_sign(token.kind);
     }
     lexer_.be_quiet(false);
+    passing_over_ = false;
     if (lone_sign) taken.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
     taken.push_back(token);
     give_back(taken);

@@ -11,10 +11,12 @@
 //
 // as if only the branches for the language's version were there, and with any other condition that
 // is written twice as `#if (A) merge { B } #else B #end`. What stands behind #if (0) and
-// #if (false) may be anything.
+// #if (false) may be anything. Calls of macros whose braces do not match are replaced by their
+// text.
 #pragma once
 
 #include "syntax/lexer.h"
+#include "syntax/open_macros.h"
 #include "syntax/token_classes.h"
 
 #include <deque>
@@ -26,7 +28,8 @@
 class TokenStream {
 public:
     /// `version`: of the language, until the text names one.
-    TokenStream(Lexer& lexer, double version) : lexer_(lexer), version_(version) {}
+    TokenStream(Lexer& lexer, double version, OpenMacros& macros)
+        : lexer_(lexer), version_(version), macros_(macros) {}
 
     Token next();
     /// Of the language, here.
@@ -44,6 +47,10 @@ public:
     /// its braces, then as #else without them. Otherwise nothing changes, and it is false.
     bool repeat_without_braces(const Token& opener, const Token& end, std::string_view text,
                                int braces);
+
+    /// To be called behind #macro: whether its braces do not match. Then it is defined, and what
+    /// follows its #end comes next; otherwise nothing changes.
+    bool define_open_macro(const Token& opener);
 
     /// To be called behind the word of a directive: whether its first part begins with a sign, not
     /// counting declarations.
@@ -64,6 +71,9 @@ private:
     Token fetch();
     Token take(Tokens& taken);
     void give_back(const Tokens& taken);
+    /// Behind a name: whether it and its arguments were a call of an open macro, whose text comes
+    /// next.
+    bool call(const Token& name);
     /// Behind #if: keeps only the tokens of one branch, if the branches are no whole elements and
     /// the condition is about the version. Otherwise nothing changes, and it is false.
     bool choose_branch();
@@ -76,7 +86,10 @@ private:
 
     Lexer& lexer_;
     double version_;
+    OpenMacros& macros_;
+    bool passing_over_ = false;   ///< what is read now stands behind #if (0)
     bool names_version_ = false;  ///< the last token was #version
+    bool names_macro_ = false;    ///< the last token of the text was #macro
     bool dropped_sign_ = false;   ///< behind the last #if stood a sign, but is never read
     std::deque<Token> ahead_;
 };

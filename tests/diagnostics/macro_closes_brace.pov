@@ -1,3 +1,4 @@
 #version 3.7;
 #macro Close() } #end
-union { sphere { 0, 1 } Close()
+sphere { 0, 1 }
+Close()

@@ -1,4 +1,5 @@
 #version 3.7;
 #macro Open() union { #end
-#macro Close() } #end
-Open() sphere { 0, 1 } Close()
+#for (I, 1, 2)
+    Open() sphere { 0, 1 }
+#end

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "syntax/open_macros.h"
+
+#include "syntax/parsed.h"
+#include "syntax/print.h"
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+namespace {
+
+std::string squeezed(const std::string& text) {
+    std::istringstream words(text);
+    std::string result;
+    for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("macros may open braces for each other", "[syntax]") {
+    const auto [text, meaning] = GENERATE(table<std::string, std::string>({
+        {"#macro A() union { #end #macro B() } #end A() x1 B() x2", "union { x1 }, x2"},
+        {"#macro A(r) union { f(r) #end A(s) }", "union { f(s) }"},
+        {"#macro A(r) union { f(r) #end A(-1) }", "#local r_of_A = -1;, union { f(r_of_A) }"},
+        {"#macro A(r, q) union { #declare r = 2; q #end A(1, <a, 2, 3>) }",
+         "#local r_of_A = 1; #local q_of_A = <a, 2, 3>;, union { #declare r_of_A = 2;, q_of_A }"},
+        {"#macro A(r) union { #local r = r + q; r #end A(s) }", "union { #local s = s + q;, s }"},
+        {"#macro A() union { #local q = 1; q #end A() } q",
+         "union { #local q_of_A = 1;, q_of_A }, q"},
+        {"#declare a = A() }", "#declare a = A(), /* broken */"},
+        {"#macro A(r) union { r #end #declare a = A(1 + 1) }",
+         "#declare a = #local r_of_A = 1 + 1; union { r_of_A }"},
+        {"#macro M() } union { #end merge { a M() b }", "merge { a }, union { b }"},
+        {"#macro A(p) union { p { #end A(sphere { 0, 1 }) } }",
+         "#local p_of_A = sphere { 0, 1 };, union { p_of_A { } }"},
+        // One in another, and one that is defined again.
+        {"#macro A() union { #end #macro B() A() merge { #end B() } }", "union { merge { } }"},
+        {"#macro A() union { #end A() } #macro A() merge { #end A() }", "union { }, merge { }"},
+        {"#macro A() #if (c) union { #else merge { #end #end A() b }",
+         "#if (c) union { b } #else merge { b } #end"},
+        {"#macro A() union { #end #for (i, 1, 2) A() b } #end", "#for (i, 1, 2) union { b } #end"},
+        {"#macro A() union { #end A() } #if (0) A(1) #end", "union { } #if (0) #end"},
+        {"#macro P() + #end (1 P() 2)", "(1 + 2)"},
+        {"#macro H(r) / r #end (1 H(2))", "(1 / 2)"},
+        {"#macro N(r) #if (r) - #end #end (N(1) 5)", "(#if (1) - #end 5)"},
+        // Those whose braces match stay what they are.
+        {"#macro A() union { } #end A()", "#macro A() union { } #end, A()"},
+        {"#macro A() union { #end A() } #macro A() b #end A()", "union { } #macro A() b #end, A()"},
+    }));
+    INFO(text);
+    const Parsed parsed(text);
+    if (meaning.find("broken") == std::string::npos) {
+        CHECK(parsed.messages() == "");
+        CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+    } else {
+        CHECK(parsed.messages() != "");
+    }
+}
+
+TEST_CASE("macros whose braces are an oversight are named", "[syntax]") {
+    const auto [text, says] = GENERATE(table<std::string, std::string>({
+        {"#macro A() union { #end", "this `{` is not closed before `#end`"},
+        {"#macro A() } #end", "`}` closes nothing that is open"},
+        {"#macro A() union { #end A()", "this `{` is not closed before `#end`"},
+        {"#macro A() union { #end merge { A() } A()", "this `{` is not closed before `#end`"},
+        {"#macro A() } #end A()", "`}` closes nothing that is open"},
+        {"#macro A() union { #end #macro B() } #end A(1) B()",
+         "macro `A` takes 0 arguments, but here is 1"},
+        {"#macro A(r) union { #end #macro B() } #end A() B()",
+         "macro `A` takes 1 argument, but here are 0"},
+        // Not the macros' fault: they are called in pairs.
+        {"#macro A() union { #end #macro B() } #end A() B() union {", "`{` has no end"},
+        {"#macro A() #if (c) union { { #else } } #end #end", "`}` closes nothing that is open"},
+        // Which of two is meant is not known before the scene is walked.
+        {"#if (a) #macro A() union { #end #end", "this `{` is not closed before `#end`"},
+    }));
+    INFO(text);
+    CHECK_THAT(Parsed(text).messages(), Catch::Contains(says));
+}
