@@ -289,7 +289,8 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
     bool limits_asked = !limited_;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Crossing& c = found[i];
-        if (!range.contains(c.t) || !seen_at(index, ray.at(c.t))) continue;
+        if (!range.contains(c.t)) continue;
+        if (parents_[index] != nothing && !seen_at(index, ray.at(c.t))) continue;
         if (!limits_asked && !within_limits(index, ray)) return;
         limits_asked = true;
         const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;
@@ -300,7 +301,8 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
 std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interval& range,
                                                    Wanted wanted) const {
     const Slabs slabs(ray);
-    if (slabs.miss(bounds_, range)) return std::nullopt;
+    // A lone leaf has the same bounds.
+    if (leaves_.size() > 1 && slabs.miss(bounds_, range)) return std::nullopt;
     std::optional<Meeting> nearest;
     Interval left = range;
     Cut last;
