@@ -207,8 +207,8 @@ Token Lexer::read_directive(const char* hash) {
         return scan();
     }
     // As in POV-Ray, for `#global_settings` is what some programs write, and the oldest scenes
-    // write a setting so.
-    if (const NameId id = names_.find(spelling); id != no_name && names_.reserved(id)) {
+    // write a setting so. Names that were met before may be declared ones: `object { #Tower }`.
+    if (names_.find(spelling) != no_name) {
         if (spelling != "max_trace_level")
             report(
                 warning(Fault::syntax, span(hash, hash + 1),
