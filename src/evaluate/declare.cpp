@@ -28,12 +28,17 @@ std::string_view value_behind(std::string_view rest) {
     return begins ? rest.substr(at, 1) : std::string_view();
 }
 
+constexpr std::string_view semicolon_rule =
+    "#declare and #local of numbers, vectors and colours end in `;`";
+constexpr std::string_view old_scenes =
+    "; a scene from before version 3.5 may go without, and begins with its version: #version 3.1;";
+
 }  // namespace
 
 /// A value that needs a semicolon has none.
 void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& node) {
-    // A macro may end in one.
-    if (tree.get_if<node::Call>(node.value)) return;
+    // A macro may end in one; and the oldest scenes have none.
+    if (version < 3.1 || tree.get_if<node::Call>(node.value)) return;
     const Span end{tree.source, tree[node.value].last, tree[node.value].last};
     const std::string text = "a `;` is missing after this value";
     Diagnostic problem =
@@ -45,11 +50,15 @@ void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& n
         problem.message = "only arrays have elements";
     else if (!behind.empty())
         problem.message = "between this value and the next an operator is missing, or a `;`";
-    report(problem.with_help(
-        decimal_comma    ? "a number is written with a point, 1.5, and a vector in <1, 2, 3>"
-        : behind == "["  ? "the parts of a vector are V.x, V.y, V.z"
-        : behind.empty() ? "#declare and #local of numbers, vectors and colours end in `;`"
-                         : "a product is written with its sign: 2*(3 + 4), 2*sin(1)"));
+    if (decimal_comma)
+        problem.with_help("a number is written with a point, 1.5, and a vector in <1, 2, 3>");
+    else if (behind == "[")
+        problem.with_help("the parts of a vector are V.x, V.y, V.z");
+    else if (!behind.empty())
+        problem.with_help("a product is written with its sign: 2*(3 + 4), 2*sin(1)");
+    else if (!std::exchange(told_of_semicolons, true))
+        problem.with_help(message(semicolon_rule, version_given ? "" : old_scenes));
+    report(problem);
 }
 
 /// Numbers for a name or element that does not hold numbers yet.

@@ -344,6 +344,7 @@ struct Evaluator::State {
     std::uint64_t written_bytes = 0;
     double version = 3.7;
     bool version_given = false;
+    bool told_of_semicolons = false;  ///< what a missing one means
     std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
     bool stopped_ = false;
