@@ -39,8 +39,8 @@ double value_at(const BuiltIsosurface& surface, const Vec3& p) {
 
 /// Values along a ray whose direction has length 1.
 Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval& range) {
-    if (!surface.function->written())
-        return {all_numbers, {-surface.max_gradient, surface.max_gradient}};
+    const Bounds promised{-surface.max_gradient, surface.max_gradient};
+    if (!surface.function->written()) return {all_numbers, promised};
     const Vec3 first = ray.at(range.min), last = ray.at(range.max);
     std::array<Enclosure, 3> arguments;
     for (int i = 0; i < 3; ++i)
@@ -48,8 +48,10 @@ Enclosure within(const BuiltIsosurface& surface, const Ray& ray, const Interval&
             {std::fmin(first[i], last[i]), std::fmax(first[i], last[i])},
             {ray.direction[i], ray.direction[i]}};
     Enclosure result;
-    if (!surface.function->enclose(arguments.data(), &result)) return Enclosure::unknown();
+    if (!surface.function->enclose(arguments.data(), &result)) return {all_numbers, promised};
     result.value = result.value - Bounds{surface.threshold, surface.threshold};
+    // Near a pole, or where there is no value, the scene knows more.
+    if (result == Enclosure::unknown()) result.slope = promised;
     return result;
 }
 
@@ -66,11 +68,13 @@ Vec3 normal_at(const BuiltIsosurface& surface, const Vec3& p, const Vec3& direct
     return normal_against(slope, direction, entering);
 }
 
-/// Where the ray is in the container, with the normals of its surface there.
+/// Where the ray is in the container, with the normals of its surface there. As in POV-Ray, nothing
+/// is in one without a size in all directions.
 std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, const Ray& ray) {
     Crossings walls;
     std::visit([&](const auto& shape) { crossings(shape, ray, walls); }, surface.container);
-    if (walls.size() != 2) return std::nullopt;
+    const Vec3 size = bounds(surface).size();
+    if (walls.size() != 2 || !(size.x > 0 && size.y > 0 && size.z > 0)) return std::nullopt;
     std::array<Crossing, 2> both{walls[0], walls[1]};
     if (both[0].t > both[1].t) std::swap(both[0], both[1]);
     return both;
@@ -128,12 +132,7 @@ std::string problem(const Isosurface& surface) {
     if (surface.function->parameters() != 3)
         return "the function of an `isosurface` has three parameters, but this one has " +
                std::to_string(surface.function->parameters());
-    const ContainerShape container = container_shape(surface.containers);
-    const Box box = std::visit([](const auto& shape) { return bounds(shape); }, container);
-    const Vec3 size = box.size();
-    return size.x > 0 && size.y > 0 && size.z > 0
-               ? ""
-               : "the container of an `isosurface` needs a size in all directions";
+    return "";
 }
 
 BuiltIsosurface build(const Isosurface& surface) {

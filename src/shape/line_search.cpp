@@ -10,6 +10,9 @@ namespace {
 /// Stretches that are looked at along one line.
 constexpr int most_stretches = 10'000;
 
+/// Of stretches without values, in parts of the whole line, that are looked into.
+constexpr double smallest_gap = 0.01;
+
 struct Place {
     double t, value;
 };
@@ -42,6 +45,8 @@ public:
         if (done_ || last.t < wanted_.min || first.t > wanted_.max) return;
         const bool crosses = is_below(first.value) != is_below(last.value);
         const double length = last.t - first.t;
+        // Between two places without a value that are near each other there is none.
+        if (std::isnan(first.value) && std::isnan(last.value) && length < gap_) return;
         const Enclosure known = f_.within({first.t, last.t});
         if (!crosses && (known.value.low > 0 || known.value.high < 0 ||
                          stays_away(first.value, last.value, known.slope, length)))
@@ -58,6 +63,7 @@ public:
     }
 
     void look_at(const Interval& range) {
+        gap_ = smallest_gap * (range.max - range.min);
         look({range.min, f_.at(range.min)}, {range.max, f_.at(range.max)});
     }
 
@@ -87,6 +93,7 @@ private:
 
     const LineFunction& f_;
     double detail_, precision_;
+    double gap_ = 0;  ///< between stretches that have values
     Interval wanted_{-std::numeric_limits<double>::infinity()};
     bool first_ = false, done_ = false;
     int stretches_ = 0;

@@ -59,9 +59,14 @@ TEST_CASE("parts of rays meet of an isosurface what they do as wholes", "[shape]
 TEST_CASE("what is wrong with an isosurface", "[shape]") {
     CHECK(problem(Isosurface()) == "an `isosurface` needs a function");
     Isosurface surface = ground();
-    surface.containers = {{{}, {}}, {{{Vec3(0), Vec3(1, 0, 1)}}, {}}};
-    CHECK(problem(surface) == "the container of an `isosurface` needs a size in all directions");
     surface.function = make_handle<Formula>(2, 1, [](const double*, double*) { return true; });
     CHECK(problem(surface) ==
           "the function of an `isosurface` has three parameters, but this one has 2");
+}
+
+TEST_CASE("in a container that is flat there is nothing to see", "[shape]") {
+    Isosurface surface = ground();
+    surface.containers = {{{}, {}}, {{{Vec3(-1, 0, -1), Vec3(1, 0, 1)}}, {}}};
+    CHECK(problem(surface).empty());
+    CHECK(hits(build(surface), {Vec3(0, 2, 0), Vec3(0, -1, 0)}).empty());
 }
