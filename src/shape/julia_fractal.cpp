@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_fractal.h"
 
+#include "shape/julia_formula.h"
 #include "shape/julia_orbit.h"
 #include "shape/line_search.h"
 #include "shape/sphere.h"
@@ -47,8 +48,13 @@ namespace {
 constexpr int most_steps = 100'000;
 
 Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool entering) {
-    constexpr double step = 1e-6;
     Vec3 slope;
+    if (julia.by_formula) {
+        slope = formula_slope(julia, p);
+        return normal_against((dot(slope, direction) < 0) == entering ? slope : -slope, direction,
+                              entering);
+    }
+    constexpr double step = 1e-6;
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 aside(0);
         aside[axis] = step;
@@ -63,7 +69,7 @@ double border(const JuliaSet& julia, const Ray& ray, double first, double last, 
     constexpr int enough = 32;
     for (int i = 0; i < enough; ++i) {
         const double middle = 0.5 * (first + last);
-        (julia_orbit(julia, ray.at(middle)).stays == stays ? first : last) = middle;
+        (julia_contains(julia, ray.at(middle)) == stays ? first : last) = middle;
     }
     return 0.5 * (first + last);
 }
@@ -101,15 +107,18 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     const double least = 1 / fractal.precision;
     const double until = std::fmin(last, range.max * speed - start);
     double t = std::fmax(first, range.min * speed - start);
-    // At the sphere nothing stays, whatever rounding says.
-    JuliaOrbit here = julia_orbit(julia, near.at(t));
-    here.stays = here.stays && t > first;
+    // At the sphere nothing stays, whatever rounding says. But as in POV-Ray, a set of a formula,
+    // which may fill space, has no surface there.
+    const bool goes_on = julia.by_formula;
+    JuliaOrbit here = julia_orbit(julia, near.at(goes_on ? t + 1e-7 : t));
+    here.stays = here.stays && (goes_on || t > first);
     // A ray that leaves the surface may begin in a part of it that is smaller than what is seen.
     if (here.stays && begins == Start::surface)
         here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
     for (int n = 0; n < most_steps && t < until; ++n) {
         if (here.stays) n += pass_inside(julia, near, least, std::fmin(until, last), t);
         const double next = std::fmin(last, t + std::fmax(least, here.stays ? 0 : here.step));
+        if (goes_on && next == last) return;
         const JuliaOrbit there = next < last ? julia_orbit(julia, near.at(next)) : JuliaOrbit{};
         if (there.stays != here.stays) {
             const double at = border(julia, near, t, next, here.stays);
@@ -120,7 +129,7 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
         t = next;
     }
     // Out of steps within the set: it ends at the sphere.
-    if (here.stays && t < until) take({(start + last) / speed, u, false});
+    if (here.stays && !goes_on && t < until) take({(start + last) / speed, u, false});
 }
 
 }  // namespace
@@ -163,5 +172,5 @@ void nearest_crossings(const JuliaFractal& julia, const Ray& ray, const Interval
 
 bool inside(const JuliaFractal& julia, const Vec3& point) {
     return dot(point, point) <= julia_radius(julia) * julia_radius(julia) &&
-           julia_orbit(julia, point).stays;
+           julia_contains(julia, point);
 }

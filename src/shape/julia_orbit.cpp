@@ -2,81 +2,13 @@
 #include "shape/julia_orbit.h"
 
 #include "base/every_machine.h"
+#include "shape/julia_formula.h"
 
 #include <algorithm>
-#include <complex>
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr Complex i(0, 1);
-
-/// `pwr` is known by its exponent.
-int function_of(const JuliaFractal& julia) {
-    return julia.exponent == Vec2(0) ? julia.function : int{julia_pwr};
-}
-
 double size2(const Vec4& q) { return glm::dot(q, q); }
-
-Complex logarithm(const Complex& a) { return std::log(a); }
-
-/// F of complex numbers, by the formulas of the behaviour that is reproduced. Where there is no
-/// value (a division by 0), it is not a number.
-Complex value(const JuliaFractal& julia, const Complex& a) {
-    const Complex one = 1;
-    switch (function_of(julia)) {
-        case julia_exp:
-            return std::exp(a);
-        case julia_ln:
-            return logarithm(a);
-        case julia_reciprocal:
-            return one / a;
-        case julia_sin:
-            return std::sin(a);
-        case julia_asin:
-            return -i * logarithm(i * a + std::sqrt(one - a * a));
-        case julia_sinh:
-            return std::sinh(a);
-        case julia_asinh:
-            return logarithm(a + std::sqrt(a * a + one));
-        case julia_cos:
-            return std::cos(a);
-        case julia_acos:
-            return -i * logarithm(a + std::sqrt(a * a - one));
-        case julia_cosh:
-            return std::cosh(a);
-        case julia_acosh:
-            return logarithm(a + std::sqrt(a * a - one));
-        case julia_tan:
-            return std::tan(a);
-        case julia_atan:
-            return 0.5 * i * logarithm((one - i * a) / (one + i * a));
-        case julia_tanh:
-            return std::tanh(a);
-        case julia_atanh:
-            return 0.5 * logarithm((one + a) / (one - a));
-        default:
-            break;
-    }
-    if (a == Complex(0)) return 0;
-    const Complex power = Complex(julia.exponent.x, julia.exponent.y) * logarithm(a);
-    return power.real() < -690 ? 0 : std::exp(power);
-}
-
-/// A hypercomplex number is two complex ones.
-Vec4 by_halves(const JuliaFractal& julia, const Vec4& q) {
-    const Complex a = value(julia, {q.x - q.w, q.y + q.z}),
-                  b = value(julia, {q.x + q.w, q.y - q.z});
-    const Vec4 result = 0.5 * Vec4(a.real() + b.real(), a.imag() + b.imag(), a.imag() - b.imag(),
-                                   b.real() - a.real());
-    return std::isfinite(size2(result)) ? result : q;
-}
-
-bool by_formula(const JuliaFractal& julia) {
-    return julia.algebra == hypercomplex_numbers && function_of(julia) != julia_sqr &&
-           function_of(julia) != julia_cube;
-}
 
 // The polynomials, for numbers or several numbers at once.
 
@@ -101,16 +33,11 @@ Quaternion cube(const Quaternion& q) {
 /// Calls use(F), where F gives the image of a point: it is chosen once for a whole orbit.
 template <class Use>
 auto with_function(const JuliaFractal& julia, Use use) {
-    if (by_formula(julia)) return use([&](const Vec4& q) { return by_halves(julia, q); });
+    if (is_by_formula(julia)) return use([&](const Vec4& q) { return formula_image(julia, q); });
     if (julia.algebra == hypercomplex_numbers)
         return use([](const Vec4& q) { return hypercomplex_square(q); });
     if (function_of(julia) == julia_sqr) return use([](const Vec4& q) { return square(q); });
     return use([](const Vec4& q) { return cube(q); });
-}
-
-Vec4 start(const JuliaSet& set, const Vec3& p) {
-    const Vec4& s = set.slice;
-    return {p.x, p.y, p.z, (set.julia.distance - s.x * p.x - s.y * p.y - s.z * p.z) / s.w};
 }
 
 /// Bounds the distance to the set from below, from an orbit that escapes. Quaternions have one
@@ -208,15 +135,20 @@ double julia_radius(const JuliaFractal& julia) {
 
 JuliaSet::JuliaSet(const JuliaFractal& fractal)
     : julia(fractal),
-      by_formula(::by_formula(fractal)),
+      by_formula(is_by_formula(fractal)),
       slice(fractal.slice / std::sqrt(size2(fractal.slice))),
       limit2(::limit2(fractal)) {}
+
+Vec4 JuliaSet::place(const Vec3& p) const {
+    return {p.x, p.y, p.z,
+            (julia.distance - slice.x * p.x - slice.y * p.y - slice.z * p.z) / slice.w};
+}
 
 JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
     const JuliaFractal& julia = set.julia;
     const bool cubic = function_of(julia) == julia_cube && julia.algebra != hypercomplex_numbers;
     return with_function(julia, [&](const auto& image) -> JuliaOrbit {
-        Vec4 q = start(set, point);
+        Vec4 q = set.place(point);
         DistanceBound bound(julia.algebra == hypercomplex_numbers, cubic);
         for (int n = 0; n < julia.max_iteration; ++n) {
             if (const double distance2 = size2(q); distance2 > set.limit2)
@@ -226,6 +158,10 @@ JuliaOrbit julia_orbit(const JuliaSet& set, const Vec3& point) {
         }
         return {true, size2(q), 0};
     });
+}
+
+bool julia_contains(const JuliaSet& set, const Vec3& point) {
+    return julia_orbit(set, set.by_formula ? formula_place(set.julia, point) : point).stays;
 }
 
 int julia_stays(const JuliaSet& set, const Ray& ray, const std::array<double, 4>& places) {
@@ -239,7 +175,7 @@ int julia_stays(const JuliaSet& set, const Ray& ray, const std::array<double, 4>
 double julia_size(const JuliaSet& set, const Vec3& point) {
     const JuliaFractal& julia = set.julia;
     return with_function(julia, [&](const auto& image) {
-        Vec4 q = start(set, point);
+        Vec4 q = set.place(point);
         for (int n = 0; n < julia.max_iteration && size2(q) < 1e100; ++n)
             q = image(q) + julia.parameter;
         return size2(q);

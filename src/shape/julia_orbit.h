@@ -17,6 +17,9 @@ struct JuliaOrbit {
 struct JuliaSet {
     JuliaSet(const JuliaFractal& fractal);
 
+    /// A point of space as a number.
+    Vec4 place(const Vec3&) const;
+
     const JuliaFractal& julia;
     bool by_formula;  ///< of complex numbers
     Vec4 slice;       ///< unit normal
@@ -24,6 +27,9 @@ struct JuliaSet {
 };
 
 JuliaOrbit julia_orbit(const JuliaSet&, const Vec3&);
+
+/// Whether the point counts as in the set: for functions by formula not what its orbit says.
+bool julia_contains(const JuliaSet&, const Vec3&);
 
 /// How many of the first of four points of a ray are known to stay in the set: a quick look ahead,
 /// which need not see any.

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shape/julia_formula.h"
+
+#include <complex>
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr Complex i(0, 1);
+
+Complex logarithm(const Complex& a) { return std::log(a); }
+
+/// F of complex numbers, by the formulas of the behaviour that is reproduced. Where there is no
+/// value (a division by 0), it is not a number.
+Complex value(const JuliaFractal& julia, const Complex& a) {
+    const Complex one = 1;
+    switch (function_of(julia)) {
+        case julia_exp:
+            return std::exp(a);
+        case julia_ln:
+            return logarithm(a);
+        case julia_reciprocal:
+            return one / a;
+        case julia_sin:
+            return std::sin(a);
+        case julia_asin:
+            return -i * logarithm(i * a + std::sqrt(one - a * a));
+        case julia_sinh:
+            return std::sinh(a);
+        case julia_asinh:
+            return logarithm(a + std::sqrt(a * a + one));
+        case julia_cos:
+            return std::cos(a);
+        case julia_acos:
+            return -i * logarithm(a + std::sqrt(a * a - one));
+        case julia_cosh:
+            return std::cosh(a);
+        case julia_acosh:
+            return logarithm(a + std::sqrt(a * a - one));
+        case julia_tan:
+            return std::tan(a);
+        case julia_atan:
+            return 0.5 * i * logarithm((one - i * a) / (one + i * a));
+        case julia_tanh:
+            return std::tanh(a);
+        case julia_atanh:
+            return 0.5 * logarithm((one + a) / (one - a));
+        default:
+            break;
+    }
+    if (a == Complex(0)) return 0;
+    const Complex power = Complex(julia.exponent.x, julia.exponent.y) * logarithm(a);
+    return power.real() < -690 ? 0 : std::exp(power);
+}
+
+/// A hypercomplex number is two complex ones.
+struct Halves {
+    Complex a, b;
+
+    explicit Halves(const Vec4& q) : a(q.x - q.w, q.y + q.z), b(q.x + q.w, q.y - q.z) {}
+    Halves(const Complex& first, const Complex& second) : a(first), b(second) {}
+
+    Vec4 joined() const {
+        return 0.5 * Vec4(a.real() + b.real(), a.imag() + b.imag(), a.imag() - b.imag(),
+                          b.real() - a.real());
+    }
+};
+
+Halves value(const JuliaFractal& julia, const Halves& q) {
+    return {value(julia, q.a), value(julia, q.b)};
+}
+
+Halves product(const Halves& p, const Halves& q) { return {p.a * q.a, p.b * q.b}; }
+
+}  // namespace
+
+int function_of(const JuliaFractal& julia) {
+    return julia.exponent == Vec2(0) ? julia.function : int{julia_pwr};
+}
+
+bool is_by_formula(const JuliaFractal& julia) {
+    return julia.algebra == hypercomplex_numbers && function_of(julia) != julia_sqr &&
+           function_of(julia) != julia_cube;
+}
+
+Vec4 formula_image(const JuliaFractal& julia, const Vec4& q) {
+    const Vec4 result = value(julia, Halves(q)).joined();
+    return std::isfinite(glm::dot(result, result)) ? result : q;
+}
+
+Vec3 formula_place(const JuliaFractal& julia, const Vec3& p) {
+    return function_of(julia) == julia_reciprocal ? p : Vec3(p.x, p.y, p.y);
+}
+
+Vec3 formula_slope(const JuliaSet& set, const Vec3& point) {
+    const JuliaFractal& julia = set.julia;
+    const bool reciprocal = function_of(julia) == julia_reciprocal;
+    Vec4 counted = set.place(formula_place(julia, point)), other = set.place(point);
+    Halves derivative(counted);
+    bool escaped = false;
+    for (int n = 0; n < julia.max_iteration; ++n) {
+        const Vec4& q = escaped ? other : counted;
+        if (n > 0) {
+            const Halves image = value(julia, Halves(q));
+            derivative = product(derivative, image);
+            if (reciprocal) derivative = product(derivative, Halves(-image.a, -image.b));
+        }
+        escaped = escaped || glm::dot(counted, counted) > set.limit2;
+        if (!escaped) counted = formula_image(julia, counted) + julia.parameter;
+        other = formula_image(julia, other) + julia.parameter;
+    }
+    const Halves last(escaped ? other : counted);
+    const Vec4 slope =
+        product(last, Halves(std::conj(derivative.a), std::conj(derivative.b))).joined();
+    return Vec3(slope) - slope.w / set.slice.w * Vec3(set.slice);
+}
