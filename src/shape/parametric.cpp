@@ -38,6 +38,9 @@ bool finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// How often a mesh is divided.
+constexpr int most_divisions = 12;
+
 bool contains(const ContainerShape& container, const Vec3& p) {
     return std::visit([&](const auto& shape) { return inside(shape, p); }, container);
 }
@@ -80,6 +83,48 @@ std::optional<Place> polished(const BuiltParametric& surface, const Ray& ray, Pl
     return at;
 }
 
+Box box_of(const ParametricPiece& piece) {
+    Box box;
+    for (const Vec3& corner : piece.corners)
+        if (finite(corner)) box = join(box, corner);
+    return box;
+}
+
+/// Both parts of a piece, across the direction in which it reaches further.
+std::array<ParametricPiece, 2> halves(const BuiltParametric& surface, const ParametricPiece& piece,
+                                      int divisions) {
+    const auto& [a, b, c, d] = piece.corners;
+    const double along_u = length(b - a) + length(c - d), along_v = length(d - a) + length(c - b);
+    const bool known = std::isfinite(along_u) && std::isfinite(along_v);
+    const Vec2 step = piece.step;
+    if (known ? along_u > along_v : divisions % 2 == 0) {
+        const Vec2 half(0.5 * step.x, step.y), beyond(half.x, 0);
+        const Vec3 near = surface.at(piece.first + beyond), far = surface.at(piece.first + half);
+        return {ParametricPiece{piece.first, half, {a, near, far, d}},
+                {piece.first + beyond, half, {near, b, c, far}}};
+    }
+    const Vec2 half(step.x, 0.5 * step.y), beyond(0, half.y);
+    const Vec3 near = surface.at(piece.first + beyond), far = surface.at(piece.first + half);
+    return {ParametricPiece{piece.first, half, {a, b, far, near}},
+            {piece.first + beyond, half, {near, far, c, d}}};
+}
+
+/// Adds what of a piece is not far from the container. One that is larger than that is divided;
+/// what is still as large then has a pole in it, and no surface.
+void add(BuiltParametric& surface, const ParametricPiece& piece, int divisions) {
+    const Box room = bounds(surface), box = box_of(piece);
+    const bool whole =
+        std::ranges::all_of(piece.corners, [](const Vec3& corner) { return finite(corner); });
+    if (box.empty() || (whole && clip(room, box).empty())) return;
+    const bool large = length(box.size()) > length(room.size());
+    if (divisions > 0 && (large || !whole)) {
+        for (const ParametricPiece& half : halves(surface, piece, divisions))
+            add(surface, half, divisions - 1);
+    } else if (!large) {
+        surface.pieces.push_back(piece);
+    }
+}
+
 }  // namespace
 
 Vec3 BuiltParametric::at(const Vec2& uv) const {
@@ -110,15 +155,16 @@ BuiltParametric build(const Parametric& surface) {
         result.net.push_back(
             result.at(result.first + result.step * Vec2(static_cast<double>(i % row),
                                                         static_cast<double>(i / row))));
-    std::vector<Box> boxes;
     for (std::size_t v = 0; v < fineness; ++v)
         for (std::size_t u = 0; u < fineness; ++u) {
-            Box box;
-            for (const std::size_t i :
-                 {v * row + u, v * row + u + 1, (v + 1) * row + u, (v + 1) * row + u + 1})
-                if (finite(result.net[i])) box = join(box, result.net[i]);
-            boxes.push_back(box);
+            const std::size_t i = v * row + u;
+            const Vec2 first = result.first + result.step * Vec2(u, v);
+            const auto& net = result.net;
+            add(result, {first, result.step, {net[i], net[i + 1], net[i + row + 1], net[i + row]}},
+                most_divisions);
         }
+    std::vector<Box> boxes;
+    for (const ParametricPiece& piece : result.pieces) boxes.push_back(box_of(piece));
     result.index = PartIndex(std::move(boxes));
     return result;
 }
@@ -130,17 +176,14 @@ Box bounds(const BuiltParametric& surface) {
 void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     const ShearedRay sheared(ray, Edges::one);
-    const auto meet = [&](std::uint32_t part, const std::array<std::size_t, 3>& corners) {
-        const auto& net = surface.net;
-        const TriangleHit hit =
-            sheared.meet(net[corners[0]], net[corners[1]], net[corners[2]], whole_line);
+    const auto meet = [&](std::uint32_t part, bool upper) {
+        const auto& [a, b, c, d] = surface.pieces[part].corners;
+        const TriangleHit hit = sheared.meet(a, upper ? c : b, upper ? d : c, whole_line);
         if (!(hit.t < whole_line.max)) return;
-        const auto place = [&](std::size_t i) {
-            return Vec2(static_cast<double>(i % row), static_cast<double>(i / row));
-        };
-        const Vec2 at = (1 - hit.weight2 - hit.weight3) * place(corners[0]) +
-                        hit.weight2 * place(corners[1]) + hit.weight3 * place(corners[2]);
-        const Place facet{surface.first + surface.step * at, hit.t};
+        // Of the piece.
+        const Vec2 at = upper ? Vec2(hit.weight2, hit.weight2 + hit.weight3)
+                              : Vec2(hit.weight2 + hit.weight3, hit.weight3);
+        const Place facet{surface.pieces[part].first + surface.pieces[part].step * at, hit.t};
         const Place exact = polished(surface, ray, facet).value_or(facet);
         const auto [by_u, by_v] = slopes(surface, exact.uv);
         const Vec3 normal = unit(cross(by_u, by_v));
@@ -150,9 +193,8 @@ void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found)
         found.add({exact.t, normal, dot(ray.direction, normal) < 0, part});
     };
     surface.index.along(ray, whole_line, [&](std::uint32_t part) {
-        const std::size_t first = part / fineness * row + part % fineness;
-        meet(part, {first, first + 1, first + row + 1});
-        meet(part, {first, first + row + 1, first + row});
+        meet(part, false);
+        meet(part, true);
     });
 }
 
@@ -160,16 +202,16 @@ bool inside(const BuiltParametric&, const Vec3&) { return false; }
 
 Vec2 parameters_at(const BuiltParametric& surface, const Vec3& point,
                    std::optional<std::uint32_t> part) {
-    Vec2 mesh(0.5);
+    Vec2 at;
     if (part) {
-        mesh += Vec2(*part % fineness, *part / fineness);
+        at = surface.pieces[*part].middle();
     } else {
         const auto off = [&](const Vec3& p) { return length(p - point); };
         const auto nearest = std::ranges::min_element(surface.net, {}, off) - surface.net.begin();
         const auto i = static_cast<std::size_t>(nearest);
-        mesh = Vec2(static_cast<double>(i % row), static_cast<double>(i / row));
+        at = surface.first + surface.step * Vec2(0.5 + static_cast<double>(i % row),
+                                                 0.5 + static_cast<double>(i / row));
     }
-    Vec2 at = surface.first + surface.step * mesh;
     for (int i = 0; i < 8; ++i) {
         const auto [by_u, by_v] = slopes(surface, at);
         const Vec3 off = point - surface.at(at), normal = cross(by_u, by_v);

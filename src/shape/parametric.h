@@ -20,12 +20,22 @@ struct Parametric {
     static const ItemInfo vocabulary;
 };
 
+/// A mesh of the net of facets, or a part of one where the surface leaves the container for far
+/// away: at a pole of its functions.
+struct ParametricPiece {
+    Vec2 first, step;             ///< in u and v
+    std::array<Vec3, 4> corners;  ///< around it; at the first u and v, the last u, both, the last v
+
+    Vec2 middle() const { return first + 0.5 * step; }
+};
+
 struct BuiltParametric {
     std::array<Handle<Formula>, 3> functions;
-    Vec2 first = Vec2(0), step = Vec2(0);  ///< of the net of facets in u and v
+    Vec2 first = Vec2(0), step = Vec2(0);  ///< of the net in u and v
     std::vector<Vec3> net;                 ///< row by row, u along the rows
     ContainerShape container;
-    PartIndex index;  ///< of the net's meshes
+    std::vector<ParametricPiece> pieces;
+    PartIndex index;  ///< of the pieces
 
     Vec3 at(const Vec2& uv) const;
 };

@@ -5,13 +5,18 @@
 
 #include <catch2/catch.hpp>
 
+namespace {
+
+Handle<Formula> function(double (*code)(double, double)) {
+    return make_handle<Formula>(3, 1, [code](const double* p, double* value) {
+        *value = code(p[0], p[1]);
+        return true;
+    });
+}
+
+}  // namespace
+
 TEST_CASE("rays meet a parametric surface itself, not its facets", "[shape]") {
-    const auto function = [](double (*code)(double, double)) {
-        return make_handle<Formula>(3, 1, [code](const double* p, double* value) {
-            *value = code(p[0], p[1]);
-            return true;
-        });
-    };
     Parametric bowl;
     CHECK(problem(bowl) == "a `parametric` needs three functions");
     bowl.x = function([](double u, double) { return u; });
@@ -31,4 +36,23 @@ TEST_CASE("rays meet a parametric surface itself, not its facets", "[shape]") {
     CHECK(length(parameters_at(built, met, std::nullopt) - Vec2(0.123, 0.321)) < 1e-9);
     // Cut off by the container, which goes from -1 to 1.
     CHECK(hits(built, {Vec3(0.9, 5, 0.9), Vec3(0, -1, 0)}).empty());
+}
+
+TEST_CASE("a parametric surface with a pole has no facets across it", "[shape]") {
+    Parametric wall;
+    wall.x = function([](double u, double) { return u; });
+    wall.y = function([](double u, double) { return std::tan(3 * u); });
+    wall.z = function([](double, double v) { return v; });
+    wall.first = Vec2(-0.99);
+    wall.last = Vec2(1);
+    const BuiltParametric built = build(wall);
+    const double pole = 0.523598775598;
+    CHECK(hits(built, {Vec3(pole, 5, 0.1), Vec3(0, -1, 0)}).empty());
+    // Two branches of the tangent, and nothing between them.
+    CHECK(hits(built, {Vec3(0.5, 0.95, 0.1), Vec3(1, 0, 0)}).size() == 2);
+    for (const ParametricPiece& piece : built.pieces)
+        CHECK(length(piece.corners[2] - piece.corners[0]) < 4);
+    const auto found = hits(built, {Vec3(-0.2, 5, 0.1), Vec3(0, -1, 0)});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].t == Approx(5 - std::tan(-0.6)));
 }
