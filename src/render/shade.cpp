@@ -50,7 +50,8 @@ Shading shading_at(const World& world, const Ray& ray, const Hit& hit) {
     s.view = ray.direction;
     s.true_normal = facing(hit.normal);
     s.tolerance = hit.tolerance;
-    s.normal = facing(hit.smooth_normal);
+    s.smooth_normal = facing(hit.smooth_normal);
+    s.normal = s.smooth_normal;
     s.material = &material;
     s.both_sides = material.double_illuminate;
     return s;

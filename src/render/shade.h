@@ -8,9 +8,10 @@
 /// A hit, seen from a direction, with the look of one layer of the surface there.
 struct Shading {
     Vec3 position;
-    Vec3 view;         ///< unit, direction of the ray that sees it
-    Vec3 normal;       ///< unit, as shaded, on the side that is seen
-    Vec3 true_normal;  ///< unit, of the surface as it is, on the side that is seen
+    Vec3 view;           ///< unit, direction of the ray that sees it
+    Vec3 normal;         ///< unit, as shaded, on the side that is seen
+    Vec3 smooth_normal;  ///< unit, as shaded without bumps, on the side that is seen
+    Vec3 true_normal;    ///< unit, of the surface as it is, on the side that is seen
     double tolerance = 0;
     const Finish* finish = nullptr;
     const Material* material = nullptr;

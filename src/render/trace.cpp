@@ -301,11 +301,12 @@ Vec3 Tracer::faded(const Path& path, const Hit& hit) const {
 Vec3 Tracer::reflected(const Path& path, const Shading& s, const Vec3& amount, double share,
                        double exponent) {
     Vec3 direction = mirrored(path.ray.direction, s.normal);
-    // A smooth normal may mirror the ray into the surface; the true one brings it out again. Where
-    // the smooth one looks away from the viewer, POV-Ray does as if there were only the true one.
-    if (dot(direction, s.true_normal) < 0)
-        direction =
-            mirrored(dot(direction, s.normal) < 0 ? path.ray.direction : direction, s.true_normal);
+    // A bump may mirror the ray into the surface; the normal without bumps brings it out again.
+    // Where the bump looks away from the viewer, POV-Ray does as if there were none. What a smooth
+    // normal alone mirrors into the surface goes there.
+    if (dot(direction, s.smooth_normal) < 0)
+        direction = mirrored(dot(direction, s.normal) < 0 ? path.ray.direction : direction,
+                             s.smooth_normal);
     Path next = path;
     next.ray = {s.position, unit(direction)};
     next.tolerance = s.tolerance;
