@@ -21,8 +21,8 @@ const ItemInfo Isosurface::vocabulary = described<Isosurface>([] {
         F{"accuracy", &Isosurface::accuracy, item,
           "size of the smallest detail; not above 0: the usual one"},
         F{"max_gradient", &Isosurface::max_gradient, item,
-          "greatest slope of a function that is not written out; others need none; not "
-          "above 0: the usual one"},
+          "greatest slope of a function that is not written out, and near poles; not above 0: "
+          "the usual one"},
         F{"evaluate", &Isosurface::evaluate1, item, "accepted, and not needed"},
         F{"evaluate 2", &Isosurface::evaluate2, following, "accepted"},
         F{"evaluate 3", &Isosurface::evaluate3, following, "accepted"},
