@@ -110,7 +110,7 @@ Vec3 response(const Shading& s, const Vec3& to_light, bool highlights, double gr
     const double cosine = std::abs(signed_cosine);
     const double falloff =
         f.brilliance == 1 ? cosine : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
-    const bool back = behind && f.diffuse_back != 0;
+    const bool back = behind && !s.both_sides;
     const double diffuse = s.only_shine ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
     Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
     if (back || !highlights || (f.phong <= 0 && f.specular <= 0)) return result;
