@@ -117,13 +117,14 @@ Incidence incidence(const PointLight& light, const Vec3& from, const Vec3& point
     if (light.kept_to() == cone && !light.along_axis())
         result.colour *= in_cone(light, -dot(axis_of(light), result.direction));
     if (light.along_axis()) {
+        if (light.kept_to() == parallel_beam) {
+            const Vec3 beam = point - light.location, along = axis_of(light);
+            const double ahead = dot(beam, along);
+            result.colour *= ahead < 0 ? 0 : in_beam(light, length(beam - ahead * along));
+        }
         // Each light of a grid has an axis of its own to the same point.
-        const Vec3 axis = unit(light.point_at - from);
-        const double ahead = -dot(offset, axis);
-        if (light.kept_to() == parallel_beam)
-            result.colour *= ahead < 0 ? 0 : in_beam(light, length(offset + ahead * axis));
-        result.direction = -axis;
-        result.distance = ahead;
+        result.direction = -unit(light.point_at - from);
+        result.distance = dot(offset, result.direction);
     }
     result.colour *= faded(light, std::abs(result.distance));
     return result;
