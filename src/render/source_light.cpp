@@ -8,12 +8,24 @@
 
 namespace {
 
+/// Without the colours of a thin film.
+Vec3 plain_answer_to_light(const Shading& s, const Vec3& direction, bool highlights,
+                           const Key& key) {
+    if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::all);
+    const double grain = !(s.finish->crand > 0) ? 0 : uniform(key, Purpose::grain);
+    return response(s, direction, highlights, grain);
+}
+
 /// Light of one source at a point, with what it needs.
 class SourceLight {
 public:
     SourceLight(const World& world, const PointLight& light, const Composite* window,
                 const Shading& s, const Key& key, RayCounts& rays)
-        : world_(world), light_(light), window_(window), s_(s), key_(key), rays_(rays) {}
+        : world_(world), light_(light), window_(window), s_(s), key_(key), rays_(rays) {
+        // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights, and
+        // one that is not there knows nothing.
+        if (light.area_illumination && light.size1 == 0) s_.both_sides = true;
+    }
 
     Vec3 seen() {
         const Incidence central = incidence(light_, light_.location, s_.position);
@@ -28,8 +40,9 @@ public:
 private:
     Vec3 answer_to(const Incidence& light) const {
         if (light.colour == Vec3(0)) return Vec3(0);
-        return light.colour *
-               answer_to_light(world_, s_, light.direction, !light_.shadowless, key_);
+        // Its film shimmers by where the middle of the light is.
+        return light.colour * iridescence(world_, s_, direction_) *
+               plain_answer_to_light(s_, light.direction, !light_.shadowless, key_);
     }
 
     Vec3 grid_answer() const {
@@ -116,7 +129,7 @@ private:
     const World& world_;
     const PointLight& light_;
     const Composite* window_;  ///< null: none
-    const Shading& s_;
+    Shading s_;
     const Key key_;
     RayCounts& rays_;
     Vec3 direction_ = Vec3(0);
@@ -136,8 +149,5 @@ Vec3 source_light(const World& world, std::uint32_t light, const Shading& s, con
 
 Vec3 answer_to_light(const World& world, const Shading& s, const Vec3& direction, bool highlights,
                      const Key& key) {
-    const Vec3 colours = iridescence(world, s, direction);
-    if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::all) * colours;
-    const double grain = !(s.finish->crand > 0) ? 0 : uniform(key, Purpose::grain);
-    return response(s, direction, highlights, grain) * colours;
+    return iridescence(world, s, direction) * plain_answer_to_light(s, direction, highlights, key);
 }
