@@ -257,7 +257,7 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
     block.read(body, first..., declared, uv, choice, parts, moves);
     if (block.broken) return;
     if (choice.named()) draft.edit().choice = choice.made();
-    if (uv.given) draft.edit() = uv_mapped(draft.now());
+    if (uv.given) draft.edit() = uv_mapped_with_frame(draft.now());
     if (nesting(draft.now()).too_deep())
         block.report(error(Fault::recursion_limit, block.span,
                            "too many textures are nested here: each level can double the work"));

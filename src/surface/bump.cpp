@@ -157,7 +157,7 @@ Vec3 changed(const Bump& bump, const Vec3& normal, const Vec3& point, const Patt
     if (!bump.pattern) return normal;
     const PatternedBump& pattern = *bump.pattern;
     const bool keep = keep_length || pattern.settings.no_bump_scale;
-    const NormalSpace space(pattern.use.steps, bump.transform);
+    const NormalSpace space(pattern.use.steps, bump.transform, bump.frame.get());
     const auto made_unit = [&](const Vec3& n) { return keep ? n : unit(n); };
     const BumpPoint at{
         pattern, made_unit(space.enter(made_unit(normal))),

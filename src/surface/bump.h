@@ -20,6 +20,7 @@ struct Bump {
     Transform transform;            ///< after all steps of the pattern: to the object's space
     bool uv = false;                ///< as in Pigment
     Handle<BumpSettings> settings;  ///< of a smooth one, for patterns that follow; null: none
+    Handle<Transform> frame = {};   ///< what normals pass besides on u and v; null: nothing
 };
 
 Nesting nesting(const Bump&);

@@ -7,10 +7,13 @@
 
 class NormalSpace {
 public:
-    NormalSpace(const std::vector<WarpStep>& steps, const Transform& outside)
-        : steps_(steps), outside_(outside) {}
+    /// `frame` is around all; it may be null.
+    NormalSpace(const std::vector<WarpStep>& steps, const Transform& outside,
+                const Transform* frame)
+        : steps_(steps), outside_(outside), frame_(frame) {}
 
     Vec3 enter(Vec3 normal) const {
+        if (frame_) normal = frame_->inverse().normal(normal);
         normal = outside_.inverse().normal(normal);
         for (std::size_t i = steps_.size(); i-- > 0;)
             if (const auto* step = std::get_if<Transform>(&steps_[i]))
@@ -20,10 +23,12 @@ public:
     Vec3 leave(Vec3 normal) const {
         for (const WarpStep& any : steps_)
             if (const auto* step = std::get_if<Transform>(&any)) normal = step->normal(normal);
-        return outside_.normal(normal);
+        normal = outside_.normal(normal);
+        return frame_ ? frame_->normal(normal) : normal;
     }
 
 private:
     const std::vector<WarpStep>& steps_;
     const Transform& outside_;
+    const Transform* frame_;
 };

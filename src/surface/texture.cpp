@@ -69,7 +69,7 @@ void visit(const Texture& texture, const Vec3& point, const Vec3& normal, double
     if (texture.choice) {
         const PatternedTexture& choice = *texture.choice;
         const Vec3 place = place_of(choice, point, to.scene);
-        const Around inner{{choice.use.steps, choice.transform}, around};
+        const Around inner{{choice.use.steps, choice.transform, choice.frame.get()}, around};
         const Vec3 turned = unit(inner.space.enter(normal));
         for_entries(choice, place, to.scene, [&](double share, const Texture& entry) {
             visit(entry, place, turned, weight * share, &inner, to);
@@ -120,13 +120,23 @@ Nesting nesting(const Texture& texture) {
     return all;
 }
 
+namespace {
+
+/// A bump, or the choice of textures, after a transformation of the object.
+template <class Part>
+void move(Part& part, const Transform& transform) {
+    if (!part.uv)
+        part.transform = part.transform.then(transform);
+    else if (part.frame)
+        part.frame = make_handle<Transform>(part.frame->then(transform));
+}
+
+}  // namespace
+
 Texture transformed(Texture texture, const Transform& transform) {
     if (!texture.pigment.uv) texture.pigment.transform = texture.pigment.transform.then(transform);
-    if (!texture.normal.uv) texture.normal.transform = texture.normal.transform.then(transform);
-    if (texture.choice && !texture.choice->uv) {
-        PatternedTexture& choice = texture.choice.edit();
-        choice.transform = choice.transform.then(transform);
-    }
+    move(texture.normal, transform);
+    if (texture.choice) move(texture.choice.edit(), transform);
     if (texture.below) texture.below = make_handle<Texture>(transformed(*texture.below, transform));
     return texture;
 }
@@ -135,6 +145,14 @@ Texture uv_mapped(Texture texture) {
     texture.pigment.uv = texture.normal.uv = true;
     if (texture.choice) texture.choice.edit().uv = true;
     if (texture.below) texture.below = make_handle<Texture>(uv_mapped(*texture.below));
+    return texture;
+}
+
+Texture uv_mapped_with_frame(Texture texture) {
+    texture = uv_mapped(std::move(texture));
+    const auto frame = make_handle<Transform>();
+    if (texture.normal.pattern) texture.normal.frame = frame;
+    if (texture.choice) texture.choice.edit().frame = frame;
     return texture;
 }
 

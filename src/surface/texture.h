@@ -29,6 +29,10 @@ Texture transformed(Texture, const Transform&);
 /// The texture with all its layers on u and v.
 Texture uv_mapped(Texture);
 
+/// The same for a texture that asks for it itself. As in POV-Ray, its bumps turn with the object,
+/// although their places stay on u and v.
+Texture uv_mapped_with_frame(Texture);
+
 /// Radiance that the surface emits at most; 0 when it is no luminaire.
 Vec3 greatest_emission(const Texture&);
 

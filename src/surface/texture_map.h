@@ -18,8 +18,9 @@ struct PatternedTexture {
     PatternedTexture(PatternUse, const Transform&, TextureMap);
 
     PatternUse use;
-    Transform transform;  ///< after all steps of the pattern: to the object's space
-    bool uv = false;      ///< as in Pigment
+    Transform transform;           ///< after all steps of the pattern: to the object's space
+    bool uv = false;               ///< as in Pigment
+    Handle<Transform> frame = {};  ///< as in Bump
     TextureMap map;
     Nesting nesting;
 };
