@@ -28,7 +28,7 @@ public:
                           {[] { return std::string("`reflection_exponent` of `finish`"); },
                            [] { return std::string("reflection_exponent 1"); }});
             if (value && std::get<double>(*value) > 0)
-                exponent_ = std::get<double>(*value);
+                reflection_.exponent = std::get<double>(*value);
             else if (value)
                 block_.report(
                     error(Fault::out_of_range, element.span,
@@ -66,7 +66,6 @@ public:
     }
 
     void finish() {
-        if (exponent_) reflection_.exponent = *exponent_;
         if (std::exchange(awaits_exponent_, false))
             block_.report(error(Fault::missing, span_, "`reflection_exponent` needs a number")
                               .with_help("reflection_exponent 1"));
@@ -100,7 +99,6 @@ private:
     OpenBlock& block_;
     Reflection& reflection_;
     bool waiting_ = false, awaits_exponent_ = false;
-    std::optional<double> exponent_;
     Span span_;
 };
 
