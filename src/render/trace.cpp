@@ -246,7 +246,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                          world_.luminaire_of[hit.primitive] != no_primitive;
     const Shading top = with_layer(world_, common, layers.front());
     const double cosine = -dot(top.view, top.normal);
-    const bool total = clear && surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
+    const bool total = clear && surface.bands == 0 &&
+                       surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
     Vec3 result(0), through(1);
     for (const Layer& layer : layers) {
         const bool first = &layer == layers.data();
@@ -347,7 +348,8 @@ Vec3 Tracer::scattered(const Path& path, const Shading& s, double share, const V
     return drawn->weight * follow(next);
 }
 
-/// White light, each of its bands on a way of its own.
+/// White light, each of its bands on a way of its own. As in POV-Ray, bands that are reflected in
+/// total are coloured like the others.
 Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
                    const Vec3& share) {
     Vec3 sum(0);
@@ -360,7 +362,7 @@ Vec3 Tracer::split(const Path& path, const Shading& s, const Interface& surface,
         const bool total = own.ratio * own.ratio * (1 - cosine * cosine) > 1;
         const Scaled scaled(rays_, hue(*coloured.band) / static_cast<double>(surface.bands));
         sum += hue(*coloured.band) *
-               (total ? reflected(coloured, s, Vec3(1), max_component(glm::abs(share)))
+               (total ? reflected(coloured, s, share, max_component(glm::abs(share)))
                       : transmitted(coloured, s, own, share));
     }
     return sum / static_cast<double>(surface.bands);
