@@ -99,6 +99,8 @@ void simplify_lights(World& world) {
         world.lights.clear();
         world.light_reach.clear();
     }
+    if (world.quality < quality_shadows)
+        for (LightReach& reach : world.light_reach) reach.window = nullptr;
     if (world.quality >= quality_areas) return;
     for (Light& light : world.lights) std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
