@@ -50,9 +50,16 @@ void ObjectDraft::move(const Movement& next) {
 
 void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
     const auto* together = std::get_if<Union>(&object.form);
-    if (!together || together->light_group) return;
-    for (const PlacedLight& light : together->lights)
+    if (!together) return;
+    for (const PlacedLight& light :
+         together->light_group ? together->free_lights : together->lights)
         lights.push_back(object.transform ? ::moved(light, *object.transform) : light);
+}
+
+void take_lights(const Object& part, Union& whole) {
+    const auto* together = std::get_if<Union>(&part.form);
+    const bool own = !whole.light_group || (together && together->lamp);
+    append_lights(part, own ? whole.lights : whole.free_lights);
 }
 
 ObjectHandle ObjectDraft::finished(Span span) {
@@ -66,6 +73,7 @@ ObjectHandle ObjectDraft::finished(Span span) {
     object.span = span;
     if (declared) {
         object.form = declared->form;
+        if (auto* together = std::get_if<Union>(&object.form)) together->named = true;
         object.transform = declared->transform;
         object.depth = declared->depth;
     }
@@ -95,10 +103,17 @@ ObjectHandle another(const ObjectHandle& declared) {
     ObjectHandle whole = make_handle<Object>();
     Union& together = whole.edit().form.emplace<Union>();
     append_lights(*declared, together.lights);
+    together.lamp = std::get<Union>(declared->form).lamp;
+    together.named = true;
     nest(whole.edit(), *declared);
     together.children.push_back(declared);
     whole.edit().span = declared->span;
     return whole;
+}
+
+ObjectHandle as_part(const ObjectHandle& declared) {
+    const auto* together = std::get_if<Union>(&declared->form);
+    return together && together->light_group ? another(declared) : declared;
 }
 
 ObjectHandle as_object(PlacedLight light) {
@@ -110,6 +125,7 @@ ObjectHandle as_object(PlacedLight light) {
         together.children.push_back(std::move(light.looks_like));
     }
     light.looks_like = nullptr;
+    together.lamp = true;
     together.lights.push_back(std::move(light));
     return whole;
 }

@@ -68,14 +68,20 @@ private:
     ObjectDraft& draft_;
 };
 
-/// All lights inside, in the space around the object.
+/// All lights inside that light more than a group there, in the space around the object.
 void append_lights(const Object&, std::vector<PlacedLight>&);
+
+/// The same for an object in another one. A light group keeps only those that are not in unions.
+void take_lights(const Object& part, Union& whole);
 
 /// Notes that the spheres of rows are parts of the union that the rows are in.
 void nest_rows(Object& whole);
 
 /// A declared object as an object of its own, which shares what the declared one holds.
 ObjectHandle another(const ObjectHandle&);
+
+/// A declared object as a part of another one; it may share all with the declared one.
+ObjectHandle as_part(const ObjectHandle&);
 
 /// A light source as an object.
 ObjectHandle as_object(PlacedLight);

@@ -97,7 +97,7 @@ private:
             placed.span = element.span;
             add(as_object(std::move(placed)));
         } else if (kind_ == Kind::together) {
-            add(object);
+            add(as_part(object));
         } else {
             draft_.declared = object;
             draft_.take(*object);
@@ -118,7 +118,7 @@ private:
     void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
             if (cuts(together())) check_inside(*made);
-            append_lights(*made, together().lights);
+            take_lights(*made, together());
             nest(draft_.made.edit(), *made);
             together().children.push_back(std::move(made));
             return;
@@ -247,9 +247,10 @@ private:
     void read_content(ContentReader::Kind kind) {
         const bool together = kind == ContentReader::Kind::together;
         block_.form = together ? "{ objects ... [modifiers] }" : "{ object [modifiers] }";
-        if (together) draft_.made.edit().form = Union{{}, {}, csg()};
+        const bool group = element_.word == "light_group"_word;
+        if (together) draft_.made.edit().form = Union{{}, {}, {}, csg(), group};
         ContentReader content(block_, draft_, kind);
-        if (element_.word == "light_group"_word) return read_light_group(content);
+        if (group) return read_light_group(content);
         read_with(element_.body, content);
         if (draft_.cutaway && !draft_.textured && !block_.broken)
             cut_away(std::get<Union>(draft_.made.edit().form), block_.binder.default_texture);
@@ -268,9 +269,7 @@ private:
         GroupSettings settings;
         ItemReader fields(block_, GroupSettings::vocabulary, &settings);
         read_with(element_.body, content, fields);
-        Union& group = std::get<Union>(draft_.made.edit().form);
-        group.light_group = true;
-        group.global_lights = settings.global_lights;
+        std::get<Union>(draft_.made.edit().form).global_lights = settings.global_lights;
     }
 
     Csg csg() const {

@@ -51,9 +51,12 @@ struct Union {
     std::vector<ObjectHandle> children;
     std::vector<PlacedLight> lights;  ///< all light sources in it and in unions in it, in its own
                                       ///< space; Scene::lights has them too
+    std::vector<PlacedLight> free_lights;  ///< of a light group: those in unions in it
     Csg csg = Csg::together;
-    bool light_group = false;    ///< its lights light nothing else, and Scene::lights lacks them
+    bool light_group = false;    ///< its own lights light nothing else; Scene::lights lacks them
     bool global_lights = false;  ///< of a light group: other lights light it as well
+    bool lamp = false;           ///< stands for a light source, with what it looks like
+    bool named = false;          ///< made of a declared one, which a group around lights, too
 };
 
 /// Spheres that are alike in all but place and size, as one object of a scene or a union: loops

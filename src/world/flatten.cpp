@@ -7,6 +7,7 @@
 #include "world/bookkeeping.h"
 #include "world/dark.h"
 #include "world/emitters.h"
+#include "world/light_groups.h"
 #include "world/materials.h"
 
 #include <algorithm>
@@ -179,10 +180,8 @@ private:
 
     /// The lights of a light group come into the world where the group stands.
     void enter_group(const Union& group, Inherited& here) {
-        if (!group.light_group) return;
-        const auto number = static_cast<std::uint32_t>(world_.light_groups.size());
-        world_.light_groups.push_back({here.light_group, group.global_lights});
-        here.light_group = number;
+        if (!opens_group(world_.light_groups, group, here)) return;
+        const std::uint32_t number = here.light_group;
         for (const PlacedLight& light : group.lights)
             add_light(here.transform ? moved(light, *here.transform) : light, number);
     }

@@ -18,6 +18,7 @@ struct Inherited {
     const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
     const Handle<Interior>* interior = nullptr;
     std::uint32_t light_group = 0;
+    bool named_group = false;           ///< a light group here comes by a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
     bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
          hollow = false, uv = false;

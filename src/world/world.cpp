@@ -346,9 +346,7 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
 
 bool World::reaches(std::uint32_t light_group, const Material& lit) const {
     if (light_group == 0) return light_groups[lit.light_group].global_lights;
-    std::uint32_t group = lit.light_group;
-    while (group != 0 && group != light_group) group = light_groups[group].outer;
-    return group == light_group;
+    return light_group == lit.light_group || light_group == light_groups[lit.light_group].outer;
 }
 
 bool World::light_is_drawn() const {

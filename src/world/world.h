@@ -103,9 +103,9 @@ struct ClearSolids {
     PartIndex index;
 };
 
-/// A group of lights and objects in another one.
+/// Objects that are lit by the same lights.
 struct LightGroup {
-    std::uint32_t outer = 0;    ///< the group around it; 0: none
+    std::uint32_t outer = 0;    ///< another group whose lights light it as well; 0: none
     bool global_lights = true;  ///< lights of no group light its objects
 };
 

@@ -16,6 +16,6 @@ inline ObjectHandle object(const Shape& shape, bool inverse = false) {
 
 inline ObjectHandle group(Csg csg, std::vector<ObjectHandle> children) {
     Object result;
-    result.form = Union{std::move(children), {}, csg};
+    result.form = Union{std::move(children), {}, {}, csg};
     return make_handle<Object>(result);
 }

@@ -73,19 +73,3 @@ TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world
         "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");
     CHECK(map.luminaires.size() == 1);
 }
-
-TEST_CASE("lights of a group light the objects of the group", "[world]") {
-    const World world = world_of(
-        "light_source { y, 1 } sphere { 0, 1 }"
-        "light_group { light_source { x, 1 } sphere { 3*x, 1 }"
-        "  light_group { light_source { z, 1 } sphere { 6*x, 1 } global_lights } }");
-    REQUIRE(world.lights.size() == 3);
-    REQUIRE(world.materials.size() == 3);
-    const bool expected[3][3] = {{true, false, false}, {false, true, false}, {true, true, true}};
-    for (std::size_t object = 0; object < 3; ++object)
-        for (std::size_t light = 0; light < 3; ++light) {
-            INFO(object << ' ' << light);
-            const std::uint32_t group = world.light_reach[light].group;
-            CHECK(world.reaches(group, world.materials[object]) == expected[object][light]);
-        }
-}
