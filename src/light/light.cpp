@@ -135,7 +135,7 @@ Vec3 grid_point(const PointLight& light, double place1, double place2, const Vec
         return size > 1 ? place / (size - 1) - 0.5 : 0.0;
     };
     double a = along(place1, light.size1), b = along(place2, light.size2);
-    if (light.circular || light.orient) {
+    if ((light.circular || light.orient) && light.size1 > 1 && light.size2 > 1) {
         a += 0.001;
         b += 0.001;
         const double scale = std::max(std::abs(a), std::abs(b)) / std::sqrt(a * a + b * b);

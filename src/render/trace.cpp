@@ -246,8 +246,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                          world_.luminaire_of[hit.primitive] != no_primitive;
     const Shading top = with_layer(world_, common, layers.front());
     const double cosine = -dot(top.view, top.normal);
-    const bool total = clear && surface.bands == 0 &&
-                       surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
+    const bool total =
+        clear && surface.bands == 0 && surface.ratio * surface.ratio * (1 - cosine * cosine) > 1;
     Vec3 result(0), through(1);
     for (const Layer& layer : layers) {
         const bool first = &layer == layers.data();
