@@ -108,7 +108,8 @@ void cut_away(Union& whole, const Handle<Texture>& usual) {
             if (counts && j != i) collector.collect(*whole.children[j], nullptr, nullptr);
         }
         // What is known to be seen comes first, so that there is less to ask.
-        std::ranges::stable_partition(sources, [](const Source& each) { return !each.where; });
+        std::stable_partition(sources.begin(), sources.end(),
+                              [](const Source& each) { return !each.where; });
         shown[i] = mixed(sources, {});
     }
     for (std::size_t i = 0; i < shown.size(); ++i)
