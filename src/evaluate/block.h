@@ -12,11 +12,13 @@
 #include "evaluate/binder.h"
 #include "vocabulary/schema.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
 using WordList = std::vector<std::string_view>;
+using ElementList = std::vector<Element>;
 
 class OpenBlock {
 public:
@@ -41,6 +43,9 @@ public:
 
     template <class... Readers>
     void read(Body, Readers&...);
+    /// The same with elements that have been looked at before.
+    template <class... Readers>
+    void read(const ElementList&, Readers&...);
 
     /// What has been passed over has ended: an element came that belongs here.
     void resume() { passing_over_ = false; }
@@ -58,6 +63,9 @@ public:
     std::string_view spelling(NameId word) const { return binder.evaluator.spelling(word); }
 
 private:
+    /// `walk` calls what it is given with each element.
+    template <class Walk, class... Readers>
+    void read_each(Walk walk, Readers&...);
     /// Whether the element belongs to something that has been reported.
     bool passes_over(const Element&);
     /// Says why the element has no place here. True: it may have been meant as a value, so its
@@ -115,11 +123,21 @@ NamedReader<T, Use> named(OpenBlock& block, Use use) {
 
 template <class... Readers>
 void OpenBlock::read(Body body, Readers&... readers) {
+    read_each([&](const auto& take) { binder.evaluator.walk(body, take); }, readers...);
+}
+
+template <class... Readers>
+void OpenBlock::read(const ElementList& elements, Readers&... readers) {
+    read_each([&](const auto& take) { std::ranges::for_each(elements, take); }, readers...);
+}
+
+template <class Walk, class... Readers>
+void OpenBlock::read_each(Walk walk, Readers&... readers) {
     const auto offer = [&](const Element& element) {
         return ((readers.waiting() && readers.take(element)) || ...) ||
                (readers.take(element) || ...);
     };
-    binder.evaluator.walk(body, [&](const Element& element) {
+    walk([&](const Element& element) {
         if (passes_over(element)) return;
         if (offer(element)) {
             ++taken;

@@ -170,10 +170,8 @@ private:
     std::set<std::string_view> albedo_;
 };
 
-}  // namespace
-
-bool read_finish(Binder& binder, const Element& element, Finish& finish) {
-    OpenBlock block(binder, "finish", element.word_span);
+template <class Content>
+bool read_content(OpenBlock& block, const Content& content, Finish& finish) {
     block.item = &Finish::vocabulary;
     block.effectless = "use_alpha";
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
@@ -182,8 +180,20 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     ItemBlock irid(block, Irid::vocabulary, &finish.irid);
     ItemBlock microfacet(block, Microfacet::vocabulary, &finish.microfacet, &finish.microfacet.on);
     SubsurfaceReader subsurface(block, finish.subsurface);
-    block.read(element.body, declared, microfacet, fields, reflection, irid, subsurface);
+    block.read(content, declared, microfacet, fields, reflection, irid, subsurface);
     return !block.broken;
+}
+
+}  // namespace
+
+bool read_finish(Binder& binder, const Element& element, Finish& finish) {
+    OpenBlock block(binder, "finish", element.word_span);
+    return read_content(block, element.body, finish);
+}
+
+bool read_old_finish(Binder& binder, const ElementList& words, Span span, Finish& finish) {
+    OpenBlock block(binder, "texture", span);
+    return read_content(block, words, finish);
 }
 
 bool read_interior(Binder& binder, const Element& element, Interior& interior) {

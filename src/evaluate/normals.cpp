@@ -143,9 +143,9 @@ private:
 };
 
 /// What stands in the braces of a normal, or behind the number of an entry.
-template <class... First>
-void read_content(OpenBlock& block, Body body, Bump& bump, First&... first) {
-    read_patterned<BumpDraft, BumpReader>(block, body, bump, "normals", first...);
+template <class Content, class... First>
+void read_content(OpenBlock& block, const Content& content, Bump& bump, First&... first) {
+    read_patterned<BumpDraft, BumpReader>(block, content, bump, "normals", first...);
 }
 
 /// [value <height, slope>]
@@ -184,6 +184,13 @@ bool read_normal(Binder& binder, const Element& element, Bump& bump) {
     block.item = &BumpSettings::vocabulary;
     block.form = "{ pattern [amount] [slope_map { ... }] }";
     read_content(block, element.body, bump);
+    return !block.broken;
+}
+
+bool read_old_normal(Binder& binder, const ElementList& words, Span span, Bump& bump) {
+    OpenBlock block(binder, "texture", span);
+    block.item = &BumpSettings::vocabulary;
+    read_content(block, words, bump);
     return !block.broken;
 }
 

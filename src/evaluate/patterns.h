@@ -87,10 +87,10 @@ struct UvReader : SimpleReader {
 
 /// What stands in the braces of a pigment or normal, or behind the number of an entry in a map: a
 /// declared one, the block's own words, transformations. Draft is what is changed, Reader reads the
-/// words; `plural` names many of them.
-template <class Draft, class Reader, class Patterned, class... First>
-void read_patterned(OpenBlock& block, Body body, Patterned& patterned, std::string_view plural,
-                    First&... first) {
+/// words; `plural` names many of them. Content: what a block can read.
+template <class Draft, class Reader, class Content, class Patterned, class... First>
+void read_patterned(OpenBlock& block, const Content& content, Patterned& patterned,
+                    std::string_view plural, First&... first) {
     Draft draft(patterned);
     auto declared = named<Patterned>(block, [&](const Handle<Patterned>& other) {
         if (!block.broken) draft = Draft(*other);
@@ -99,7 +99,7 @@ void read_patterned(OpenBlock& block, Body body, Patterned& patterned, std::stri
     const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
     TransformReader moves(block, apply);
     UvReader uv;
-    block.read(body, first..., declared, uv, reader, moves);
+    block.read(content, first..., declared, uv, reader, moves);
     if (block.broken) return;
     patterned = draft.made();
     patterned.uv = patterned.uv || uv.given;

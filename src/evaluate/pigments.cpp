@@ -265,10 +265,10 @@ private:
 };
 
 /// What stands in the braces of a pigment, or behind the number of an entry.
-template <class... First>
-void read_content(OpenBlock& block, Body body, Pigment& pigment, First&... first) {
+template <class Content, class... First>
+void read_content(OpenBlock& block, const Content& content, Pigment& pigment, First&... first) {
     QuickColour quick(block);
-    read_patterned<PigmentDraft, ColouringReader>(block, body, pigment, "pigments", quick,
+    read_patterned<PigmentDraft, ColouringReader>(block, content, pigment, "pigments", quick,
                                                   first...);
     if (quick.colour) pigment.quick = make_handle<Colour>(*quick.colour);
 }
@@ -295,5 +295,12 @@ bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
     OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
     read_content(block, element.body, pigment);
+    return !block.broken;
+}
+
+bool read_old_pigment(Binder& binder, const ElementList& words, Span span, Pigment& pigment) {
+    OpenBlock block(binder, "texture", span);
+    block.form = pigment_form;
+    read_content(block, words, pigment);
     return !block.broken;
 }

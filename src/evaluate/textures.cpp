@@ -3,6 +3,7 @@
 
 #include "evaluate/colour_maps.h"
 #include "evaluate/normals.h"
+#include "evaluate/old_parts.h"
 #include "evaluate/patterns.h"
 #include "evaluate/pictures.h"
 #include "evaluate/transforms.h"
@@ -125,7 +126,8 @@ public:
     bool wants() const { return pattern_.named() && pattern_.wants(); }
 
     bool take(const Element& element) {
-        if (pattern_.names_pattern(element) || pattern_.named() || is_function(element))
+        if (patterns_ &&
+            (pattern_.names_pattern(element) || pattern_.named() || is_function(element)))
             if (pattern_.take(element)) return true;
         return element.kind == Element::Kind::block && take_block(element);
     }
@@ -237,6 +239,8 @@ private:
     TextureMap map_;
     std::size_t listed_ = 0;
     bool named_ = false;  ///< by tiles or material_map
+    /// Whether a pattern chooses textures here, not colours.
+    bool patterns_ = !OldPartsReader::known_to(block_.binder);
 };
 
 /// What stands in the braces of a texture, or behind the number of an entry.
@@ -246,15 +250,16 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
         named<Texture>(block, [&](const Handle<Texture>& texture) { draft.replace(texture); });
     PartReader parts(block, draft);
     ChoiceReader choice(block);
+    OldPartsReader old(block, draft);
     const auto apply = [&](const Transform& transform) {
         if (choice.named())
             choice.move(transform);
-        else
+        else if (!old.move(transform))
             draft.move(transform);
     };
     TransformReader moves(block, apply);
     UvReader uv;
-    block.read(body, first..., declared, uv, choice, parts, moves);
+    block.read(body, first..., declared, uv, choice, parts, moves, old);
     if (block.broken) return;
     if (choice.named()) draft.edit().choice = choice.made();
     if (uv.given) draft.edit() = uv_mapped_with_frame(draft.now());

@@ -16,7 +16,7 @@ Object object(const Shape& shape) {
 
 Object group(Csg csg, const std::vector<Object>& children) {
     Object result;
-    Union all{{}, {}, csg};
+    Union all{{}, {}, {}, csg};
     for (const Object& each : children) all.children.push_back(make_handle<Object>(each));
     result.form = all;
     return result;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Textures as they were written before version 3.0: the words of pigment, normal and finish stand
+// in the texture itself, without blocks of their own. Used by the reader of textures.
+#pragma once
+
+#include "evaluate/textures.h"
+
+class OldPartsReader : public SimpleReader {
+public:
+    /// Both outlive the reader.
+    OldPartsReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
+
+    /// Whether the scene may say textures so.
+    static bool known_to(const Binder&);
+
+    bool take(const Element&);
+    /// Moves what has come so far, and a pattern that follows as well. False: not in such a scene.
+    bool move(const Transform&);
+    void finish() { settle(); }
+
+private:
+    void settle();
+    void put(ElementList& part, const Element&);
+
+    OpenBlock& block_;
+    TextureDraft& draft_;
+    ElementList pigment_, normal_, finish_;
+    ElementList* part_ = nullptr;  ///< where the last word belongs, if it misses a value
+    Transform ahead_;              ///< what has moved it so far
+};

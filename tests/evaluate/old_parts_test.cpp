@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluate/old_parts.h"
+
+#include "evaluate/looks.h"
+#include "surface/normal_map.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+Script old_sphere(const std::string& texture) {
+    return run("#version 2.0; sphere { 0, 1 texture { " + texture + " } }");
+}
+
+}  // namespace
+
+TEST_CASE("an old texture holds the words of its parts", "[evaluate]") {
+    const Script done = old_sphere("color red 1 phong 0.5 bumps 0.3 frequency 2 reflection 0.2");
+    REQUIRE(done.text.empty());
+    CHECK(done.texture().pigment.colour.rgb == Vec3(1, 0, 0));
+    CHECK(done.texture().finish.phong == 0.5);
+    CHECK(done.texture().finish.reflection.least == Vec3(0.2));
+    REQUIRE(done.texture().normal.pattern);
+    CHECK(done.texture().normal.pattern->settings.bump_size == 0.3);
+    CHECK(old_sphere("0.1 color red 1").texture().finish.crand == 0.1);
+}
+
+TEST_CASE("what is moved in an old texture is what is there by then", "[evaluate]") {
+    const Script done = old_sphere("checker color red 1 color blue 1 scale 2 dents 0.5");
+    REQUIRE(done.text.empty());
+    CHECK(done.texture().pigment.transform.point(Vec3(1)) == Vec3(2));
+    CHECK(done.texture().normal.transform.point(Vec3(1)) == Vec3(1));
+    CHECK(old_sphere("scale 2 checker color red 1 color blue 1")
+              .texture()
+              .pigment.transform.point(Vec3(1)) == Vec3(2));
+    const Script behind = old_sphere("dents 0.5 checker color red 1 color blue 1 scale 2");
+    CHECK(behind.texture().normal.transform.point(Vec3(1)) == Vec3(2));
+}
+
+TEST_CASE("from version 3.0 on, the parts of a texture have blocks", "[evaluate]") {
+    for (const std::string word : {"color red 1", "phong 1", "bumps 0.5"}) {
+        INFO(word);
+        CHECK(run("#version 3.0; sphere { 0, 1 texture { " + word + " } }").text != "");
+        CHECK(old_sphere("nonsense " + word).text != "");
+    }
+}
