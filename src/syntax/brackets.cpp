@@ -42,6 +42,7 @@ Token Brackets::next() {
             token = {*mark, 0, token.first, token.first, 0};
         }
     }
+    member_ = last_.kind == TokenKind::dot;
     // Not `return last_ = token`: reading back what has just been written in parts is slow.
     last_ = token;
     return token;
@@ -70,7 +71,10 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
             return goes_on;
         }
         const bool marked = last_.kind >= between;
-        if (!marked && gives_value()) return gives;
+        if (!marked && (gives_value() || ends_expression(token.kind))) return gives;
+    } else if (in_parentheses() && ends_operand()) {
+        const bool aside = token.kind == hash_declare || token.kind == hash_undef;
+        if (aside || token.kind == hash_message) return goes_on;
     }
     if (token.kind == hash_declare && last_.kind == equal) return leads;
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
@@ -91,6 +95,14 @@ bool Brackets::gives_value() {
                           kind == question;
     return is_sign(kind) || kind == dot ||
            (compares && !outside && around->token.kind == open_parenthesis);
+}
+
+/// The same for a loop that is the last operand: `2 * #switch (A) #case (1) 5 #break #else 7 #end`.
+bool Brackets::ends_expression(TokenKind loop) {
+    using enum TokenKind;
+    if (is_condition(loop) || !wants_operand(last_.kind)) return false;
+    const TokenKind kind = tokens_.behind_value();
+    return closes(kind) || kind == semicolon || kind == comma || kind == greater;
 }
 
 /// The same for what ends a part of a condition; it has had its effect.
@@ -127,6 +139,7 @@ bool Brackets::ends_operand() const {
     using enum TokenKind;
     const TokenKind kind = last_.kind;
     if (kind == close_parenthesis) return !closed_.head;
+    if (member_) return true;
     return (may_end_value(kind) && kind != channel) || (kind == hash_end && closed_.goes_on);
 }
 

@@ -56,6 +56,10 @@ private:
     bool in_braces() const {
         return !open_.empty() && open_.back().token.kind == TokenKind::open_brace;
     }
+    bool in_parentheses() const {
+        return !open_.empty() && open_.back().token.kind == TokenKind::open_parenthesis &&
+               !open_.back().head;
+    }
     bool in_elements() const { return open_.empty() || in_braces(); }
     bool in_directive() const;
     Token take();
@@ -65,6 +69,7 @@ private:
     bool begins_head();
     bool ends_operand() const;
     bool gives_value();
+    bool ends_expression(TokenKind loop);
     bool begins_part(const Open& directive) const;
     bool accept_closer(const Token&);
     bool accept_else(const Token&);
@@ -89,6 +94,7 @@ private:
     std::vector<Open> open_;
     std::vector<Token> pending_;  ///< the next one last
     Token last_;
+    bool member_ = false;  ///< the last token comes behind a dot
     int spare_braces_ =
         0;  ///< how many `}` without partner are no news, because their `{` was closed in a branch
     int spare_ends_ = 0;
