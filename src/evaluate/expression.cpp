@@ -14,6 +14,9 @@ namespace {
 
 bool is_true(double value) { return std::abs(value) > tolerance; }
 
+/// As in POV-Ray, what is no number is as good as any.
+bool about(double a, double b) { return a == b || !(std::abs(a - b) > tolerance); }
+
 double apply(Operator sign, double a, double b) {
     switch (sign) {
         case Operator::add:
@@ -27,13 +30,13 @@ double apply(Operator sign, double a, double b) {
         case Operator::less:
             return a < b;
         case Operator::less_equal:
-            return a <= b || std::abs(a - b) <= tolerance;
+            return a <= b || about(a, b);
         case Operator::equal:
-            return a == b || std::abs(a - b) <= tolerance;
+            return about(a, b);
         case Operator::not_equal:
-            return !(a == b || std::abs(a - b) <= tolerance);
+            return !about(a, b);
         case Operator::greater_equal:
-            return a >= b || std::abs(a - b) <= tolerance;
+            return a >= b || about(a, b);
         case Operator::greater:
             return a > b;
         case Operator::both:

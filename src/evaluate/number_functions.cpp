@@ -7,6 +7,7 @@
 #include "text/message.h"
 
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -14,6 +15,7 @@ using Call = FunctionCall&;
 
 Value clamped(Call call, double (*function)(double)) {
     const double x = call.number(0);
+    if (std::isnan(x)) return x;
     if (std::abs(x) > 1)
         call.warn(Fault::domain, 0,
                   message("the argument is ", x, "; outside -1 to 1 the nearer end is taken"));
@@ -22,7 +24,7 @@ Value clamped(Call call, double (*function)(double)) {
 
 Value logarithm(Call call, double (*function)(double)) {
     const double x = call.number(0);
-    if (!(x > 0)) return call.fail(Fault::domain, 0, message("there is no logarithm of ", x));
+    if (x <= 0) return call.fail(Fault::domain, 0, message("there is no logarithm of ", x));
     return function(x);
 }
 
@@ -92,7 +94,10 @@ Value normalised(Call call) {
 
 Value rotated_about(Call call) {
     const Vec3 axis = call.vector(1);
-    if (axis == Vec3(0)) return call.fail(Fault::domain, 1, "the zero vector is no axis");
+    if (axis == Vec3(0) && !call.failed()) {
+        call.warn(Fault::domain, 1, "the zero vector is no axis; the result is no vector");
+        return Numbers::vector(Vec3(-std::numeric_limits<double>::quiet_NaN()));
+    }
     return Numbers::vector(Transform::rotation(axis, call.number(2)).direction(call.vector(0)));
 }
 
