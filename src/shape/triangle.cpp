@@ -141,13 +141,19 @@ bool inside(const SmoothTriangle&, const Vec3&) { return false; }
 std::string problem(const SmoothTriangle& t) {
     if (!vanishes(t).empty()) return {};
     for (const Vec3& normal : {t.normal1, t.normal2, t.normal3})
-        if (!(length(normal) > 0 && length(normal) < 1e150))
-            return "a `smooth_triangle` needs normals with lengths above 0 and below 1e150";
+        if (!(length(normal) < 1e150))
+            return "a `smooth_triangle` needs normals with lengths below 1e150";
     return {};
 }
 
 std::string vanishes(const SmoothTriangle& t) {
-    return vanishes(Triangle{t.corner1, t.corner2, t.corner3});
+    if (const std::string why = vanishes(Triangle{t.corner1, t.corner2, t.corner3}); !why.empty())
+        return why;
+    const Vec3 face = cross(t.corner2 - t.corner1, t.corner3 - t.corner1);
+    const Vec3 sides{dot(face, t.normal1), dot(face, t.normal2), dot(face, t.normal3)};
+    const bool all =
+        glm::all(glm::greaterThan(sides, Vec3(0))) || glm::all(glm::lessThan(sides, Vec3(0)));
+    return all ? "" : "its normals are not all on one side of it";
 }
 
 Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point) {

@@ -100,7 +100,7 @@ std::vector<Triangle> others() {
 }
 template <>
 std::vector<SmoothTriangle> others() {
-    return {{Vec3(1, 2, 3), x, Vec3(-1, 0, 5), y, Vec3(3, 3, 3), Vec3(1, 1, 1)}};
+    return {{Vec3(1, 2, 3), Vec3(0, 1, 1), Vec3(-1, 0, 5), y, Vec3(3, 3, 3), Vec3(1, 1, 1)}};
 }
 template <>
 std::vector<Torus> others() {

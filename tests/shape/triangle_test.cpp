@@ -168,6 +168,12 @@ TEST_CASE("a triangle needs an area, a smooth one also normals", "[shape]") {
     CHECK(vanishes(SmoothTriangle{}) == "");
     CHECK(vanishes(SmoothTriangle{o, z, x, z, 2.0 * x, z}) == flat);
     CHECK(problem(SmoothTriangle{o, o, x, o, 2.0 * x, o}) == "");
-    CHECK(problem(SmoothTriangle{o, z, x, o, y, z}) ==
-          "a `smooth_triangle` needs normals with lengths above 0 and below 1e150");
+    // As in POV-Ray, all normals have to be on one side.
+    const std::string apart = "its normals are not all on one side of it";
+    CHECK(vanishes(SmoothTriangle{o, -z, x, -z, y, -z}) == "");
+    CHECK(vanishes(SmoothTriangle{o, z, x, -z, y, z}) == apart);
+    CHECK(vanishes(SmoothTriangle{o, z, x, y, y, z}) == apart);
+    CHECK(vanishes(SmoothTriangle{o, z, x, o, y, z}) == apart);
+    CHECK(problem(SmoothTriangle{o, z, x, 1e200 * z, y, z}) ==
+          "a `smooth_triangle` needs normals with lengths below 1e150");
 }
