@@ -76,6 +76,10 @@ ObjectHandle ObjectDraft::finished(Span span) {
         if (auto* together = std::get_if<Union>(&object.form)) together->named = true;
         object.transform = declared->transform;
         object.depth = declared->depth;
+    } else if (const auto* shape = std::get_if<Shape>(&object.form);
+               shape && std::holds_alternative<Shared<Text>>(*shape)) {
+        // As in POV-Ray: rays along the axes do not run along the edges of letters.
+        object.transform = make_handle<Transform>(Transform::rotation(Vec3(0.001)));
     }
     if (movement)
         object.transform = object.transform

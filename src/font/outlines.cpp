@@ -14,6 +14,10 @@ namespace {
 using Library = std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)>;
 using Face = std::unique_ptr<FT_FaceRec_, decltype(&FT_Done_Face)>;
 
+/// FreeType computes with whole numbers: this many more bits, so that it does not round the points
+/// in the middle between two control points, which a font leaves out.
+constexpr int more_bits = 1;
+
 /// Takes the pieces of one letter's outlines.
 struct Pen {
     std::vector<std::vector<CurvePiece>>& loops;
@@ -22,7 +26,8 @@ struct Pen {
     Vec2 at = Vec2(0);
 
     Vec2 point(const FT_Vector* p) const {
-        return origin + Vec2(static_cast<double>(p->x), static_cast<double>(p->y)) / em;
+        constexpr double doubled = 1 << more_bits;
+        return origin + Vec2(static_cast<double>(p->x), static_cast<double>(p->y)) / doubled / em;
     }
     void add(const CurvePiece& piece) {
         if (piece.start != piece.end || piece.factors[1] != Vec2(0)) loops.back().push_back(piece);
@@ -87,7 +92,7 @@ TextOutlines text_outlines(std::string_view font, std::string_view text, const V
     if (!read->charmap && read->num_charmaps > 0) FT_Set_Charmap(read, read->charmaps[0]);
 
     Pen drawing{result.loops, Vec2(0), static_cast<double>(read->units_per_EM)};
-    const FT_Outline_Funcs draw{move_to, line_to, conic_to, cubic_to, 0, 0};
+    const FT_Outline_Funcs draw{move_to, line_to, conic_to, cubic_to, more_bits, 0};
     FT_UInt before = 0;
     for (std::size_t at = 0; at < text.size();) {
         const Character character = character_at(text, at);
