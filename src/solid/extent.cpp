@@ -3,35 +3,12 @@
 
 #include "shape/built_shape.h"
 #include "shape/moved.h"
+#include "solid/shape_extent.h"
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Box everywhere() { return {Vec3(-infinity), Vec3(infinity)}; }
-
-Box widened(const Box& box, const Vec3& by) { return {box.low - by, box.high + by}; }
-
-template <class T>
-Box extent_of(const T& shape) {
-    return bounds(ready(shape));
-}
-Box extent_of(const Disc& disc) {
-    return widened(bounds(disc), 0.001 * glm::abs(unit(disc.normal)));
-}
-/// What only asks for a box needs no index of the faces.
-Box extent_of(const Mesh& mesh) {
-    Box box;
-    for (const Face& face : mesh.faces)
-        for (const int corner : face)
-            box = join(box, mesh.vertices[static_cast<std::size_t>(corner)]);
-    return box;
-}
-Box extent_of(const TriangleMesh& mesh) { return extent_of(as_mesh(mesh)); }
-Box extent_of(const Superellipsoid& s) { return widened(bounds(s), Vec3(0.0001)); }
-Box extent_of(const Polygon& polygon) {
-    const BuiltPolygon built = build(polygon);
-    return widened(built.bounds, 0.001 * glm::abs(built.normal));
-}
 
 double volume(const Box& box) {
     const Vec3 size = glm::max(box.size(), Vec3(0));
@@ -85,19 +62,22 @@ Box extent_of(const SphereRow& row) {
     for (const Sphere& sphere : row.spheres) box = join(box, bounds(sphere));
     return box;
 }
-Box extent_of(const Shape& shape) {
-    return visit_shape([](const auto& content) { return extent_of(content); }, shape);
-}
-
 }  // namespace
 
 Box own_extent(const Object& object) {
-    return std::visit([](const auto& form) { return extent_of(form); }, object.form);
+    if (const auto* shape = std::get_if<Shape>(&object.form)) return shape_extent(*shape, nullptr);
+    if (const auto* row = std::get_if<SphereRow>(&object.form)) return extent_of(*row);
+    return extent_of(std::get<Union>(object.form));
 }
 
 Box extent(const Object& object) {
-    Box box = own_extent(object);
-    if (object.transform) box = object.transform->box(box);
+    Box box;
+    if (const auto* shape = std::get_if<Shape>(&object.form)) {
+        box = shape_extent(*shape, object.transform ? &*object.transform : nullptr);
+    } else {
+        box = own_extent(object);
+        if (object.transform) box = object.transform->box(box);
+    }
     if (object.confines) box = confined(box, *object.confines);
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};
 }
