@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/prism.h"
 
+#include "shape/drawn_side.h"
 #include "vocabulary/schema.h"
 
 const ItemInfo Prism::vocabulary = described<Prism>([] {
@@ -85,7 +86,9 @@ Vec3 side_normal(const BuiltPrism& prism, const Outline::Edge& edge, double u, d
     return unit(y < 0 ? -up : up);
 }
 
-void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
+/// Calls use(edge, u, t) for the points of the sides that the ray meets.
+template <class Use>
+void meet_sides(const BuiltPrism& prism, const Ray& ray, Use use) {
     const Trace line = trace(prism, ray);
     if (line.weights == Vec2(0)) return;
     const Rectangle seen = shadow(prism, ray);
@@ -101,9 +104,15 @@ void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
         for (const double u : places) {
             const double t = parameter(prism, ray, edge.piece.at(u)), y = ray.at(t).y;
             if (!(y > prism.bottom && y < prism.top)) continue;
-            const Vec3 normal = side_normal(prism, edge, u, y);
-            found.add({t, normal, dot(ray.direction, normal) < 0});
+            use(edge, u, t);
         }
+    });
+}
+
+void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
+    meet_sides(prism, ray, [&](const Outline::Edge& edge, double u, double t) {
+        const Vec3 normal = side_normal(prism, edge, u, ray.at(t).y);
+        found.add({t, normal, dot(ray.direction, normal) < 0});
     });
 }
 
@@ -121,9 +130,11 @@ void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
 
 BuiltPrism build(const Prism& prism) {
     const auto kind = static_cast<CurveKind>(prism.spline);
-    return {Outline(closed_curves(kind, prism.points).loops),
-            std::fmin(prism.height1, prism.height2), std::fmax(prism.height1, prism.height2),
-            prism.sweep == conic_sweep, prism.open};
+    // POV-Ray draws these backwards.
+    std::vector<Vec2> points = prism.points;
+    if (kind == bezier_curve) std::ranges::reverse(points);
+    return {Outline(closed_curves(kind, points).loops), std::fmin(prism.height1, prism.height2),
+            std::fmax(prism.height1, prism.height2), prism.sweep == conic_sweep, prism.open};
 }
 
 std::string problem(const Prism& prism) {
@@ -157,6 +168,24 @@ void crossings(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     cross_sides(prism, ray, found);
     cross_ends(prism, ray, found);
+}
+
+std::optional<bool> outside_right_at(const BuiltPrism& prism, const Ray& ray, double t) {
+    std::optional<bool> result;
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto nearer = [&](double found) {
+        const bool is = std::abs(found - t) < nearest;
+        if (is) nearest = std::abs(found - t);
+        return is;
+    };
+    meet_sides(prism, ray, [&](const Outline::Edge& edge, double, double found) {
+        if (nearer(found)) result = edge.outside_right;
+    });
+    Crossings ends;
+    cross_ends(prism, ray, ends);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (nearer(ends[i].t)) result.reset();
+    return result;
 }
 
 bool inside(const BuiltPrism& prism, const Vec3& point) {

@@ -2,6 +2,7 @@
 #include "solid/solid.h"
 
 #include "solid/assemble.h"
+#include "solid/traced_normal.h"
 
 namespace {
 
@@ -27,9 +28,10 @@ const Composite& Solids::composite(const ObjectHandle& object) { return known(ob
 std::optional<Solids::Hit> Solids::trace(const ObjectHandle& object, const Vec3& from,
                                          const Vec3& direction) {
     const Ray ray{from, direction / length(direction)};
-    const auto met = composite(object).first(ray, seen, [](std::uint32_t) { return true; });
+    const Composite& whole = composite(object);
+    const auto met = whole.first(ray, seen, [](std::uint32_t) { return true; });
     if (!met) return std::nullopt;
-    return Hit{ray.at(met->t), met->normal};
+    return Hit{ray.at(met->t), traced_normal(whole.leaf(met->leaf), ray, *met)};
 }
 
 bool Solids::inside(const ObjectHandle& object, const Vec3& point) {
