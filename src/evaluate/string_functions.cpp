@@ -114,6 +114,7 @@ Value character(Call call) {
                          message("a character's code is from 0 to 65535, but this is ", value));
     const auto code = static_cast<unsigned>(value);
     std::string text;
+    if (code == 0) return text;  // It ends a string.
     if (code < 0x80)
         text = {static_cast<char>(code)};
     else if (code < 0x800)
@@ -129,6 +130,8 @@ Value substring(Call call) {
     const std::int64_t start = call.integer(1), length = call.integer(2);
     const auto size = static_cast<std::int64_t>(character_count(text));
     if (call.failed()) return Absence::broken;
+    // POV-Ray has the end of a string in front of the first character.
+    if (start == 0 && length >= 0 && length <= size + 1) return std::string();
     if (start < 1 || start > size + 1)
         return call.fail(Fault::out_of_range, 1,
                          message("the string has characters 1 to ", size, ", and this is ", start));
@@ -184,7 +187,7 @@ Value date_text(Call call) {
     const std::string format(call.count() > 1 ? call.text(1) : "%Y-%m-%d %H:%M:%SZ");
     if (call.failed()) return Absence::broken;
     if (!(std::abs(seconds) < 1e15)) return call.fail(Fault::domain, 0, "this is no date");
-    const auto time = static_cast<std::time_t>(std::floor(seconds));
+    const auto time = static_cast<std::time_t>(std::floor(seconds + 0.5));
     std::tm parts{};
     std::array<char, 1024> buffer;
     if (!gmtime_r(&time, &parts)) return call.fail(Fault::domain, 0, "this is no date");

@@ -38,8 +38,8 @@ TEST_CASE("functions of strings have POV-Ray's values", "[evaluate]") {
 TEST_CASE("what a function of strings cannot take is reported", "[evaluate]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#debug chr(65536)", "error: a character's code is from 0 to 65535, but this is 65536\n"},
-        {"#debug substr(\"abc\", 0, 1)",
-         "error: the string has characters 1 to 3, and this is 0\n"},
+        {"#debug substr(\"abc\", -1, 1)",
+         "error: the string has characters 1 to 3, and this is -1\n"},
         {"#debug substr(\"abc\", 2, 3)",
          "error: from 2 on the string has 2 characters, and this asks for 3\n"},
         {"#debug concat(\"a\", 1)", "error: `concat` takes a string here, but this is a number\n"},
