@@ -167,5 +167,5 @@ void crossings(const BuiltIsosurface& surface, const Ray& ray, Crossings& found)
 
 bool inside(const BuiltIsosurface& surface, const Vec3& point) {
     return std::visit([&](const auto& shape) { return inside(shape, point); }, surface.container) &&
-           is_below(value_at(surface, point));
+           !(value_at(surface, point) > 0);
 }
