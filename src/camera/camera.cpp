@@ -198,7 +198,7 @@ std::string problem(const Camera& camera) {
     for (const auto& vector : {view.direction, view.right, view.up})
         if (vector && *vector == Vec3(0)) return "`direction`, `right` and `up` must not be zero";
     const Projection f = untransformed(view, lens);
-    if (dot(cross(f.right, f.up), f.direction) == 0)
+    if (lens != Lens::spherical && dot(cross(f.right, f.up), f.direction) == 0)
         return "`direction`, `right` and `up` must not lie in one plane";
     return {};
 }
@@ -276,12 +276,16 @@ Vec3 omnimax(const Projection& f, double u, double v) {
     return around_middle(f, angle, x, y);
 }
 
+/// Turned about an axis of unit length, as rotate does it.
+Vec3 turned(const Vec3& v, const Vec3& axis, double angle) {
+    const Vec3 along = dot(axis, v) * axis;
+    return along + std::cos(angle) * (v - along) + std::sin(angle) * cross(axis, v);
+}
+
+/// As in POV-Ray the vectors need not be square to each other: they are axes of turns.
 Vec3 spherical(const Projection& f, double u, double v) {
-    const double longitude = u * f.angle, latitude = v * f.vertical_angle;
-    const Vec3 up = unit(f.up), ahead = unit(f.direction), side = cross(up, ahead);
-    const double upwards = dot(side, f.right) > 0 ? 1 : -1;
-    return std::cos(latitude) * (std::sin(longitude) * side + std::cos(longitude) * ahead) +
-           upwards * std::sin(latitude) * up;
+    const Vec3 lifted = turned(unit(f.direction), unit(f.right), -v * f.vertical_angle);
+    return turned(lifted, unit(f.up), u * f.angle);
 }
 
 }  // namespace
