@@ -102,3 +102,12 @@ bool has_needless_bounds(const Object& object) {
     return finite(box) && volume(box) < no_end &&
            volume(box) <= volume(shared(object.confines->bounds));
 }
+
+Object without_bounds(const Object& object) {
+    Object free = object;
+    if (object.confines->clips.empty())
+        free.confines = nullptr;
+    else
+        free.confines.edit().bounds.clear();
+    return free;
+}

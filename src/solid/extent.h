@@ -21,3 +21,5 @@ Box noticed_within(const Object&);
 /// small. POV-Ray removes the bounds of single shapes other than polynomials, and of unions that
 /// have an end and are no larger than their bounds.
 bool has_needless_bounds(const Object&);
+/// The object without what bounds it, but with what clips it.
+Object without_bounds(const Object&);

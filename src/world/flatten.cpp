@@ -20,6 +20,11 @@ bool is_composite(const Object& object) {
     return object.confines || object.inverse || (group && group->csg != Csg::together);
 }
 
+/// POV-Ray asks a solid as a whole who sees it; only some heed what is said of their parts.
+Hidden heeded_in(Csg csg) {
+    return {false, csg == Csg::merge, csg == Csg::merge || csg == Csg::together};
+}
+
 template <class T>
 bool has_looks_of(const Object& object) {
     const auto* shape = std::get_if<Shape>(&object.form);
@@ -49,9 +54,10 @@ public:
           materials_(world) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
-    /// until all are known.
-    void add(const Object& object, const Inherited& outer) {
-        if (has_needless_bounds(object)) return add(unbounded(object), outer);
+    /// until all are known. `whole`: though it is taken apart, it is one for those who see it, as
+    /// a union with bounds is in POV-Ray.
+    void add(const Object& object, const Inherited& outer, bool whole = false) {
+        if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
         const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
         if (dark || is_composite(object)) {
             ++world_.objects;
@@ -62,6 +68,7 @@ public:
         Inherited here = inherit(object, outer);
         if (const Union* group = std::get_if<Union>(&object.form)) {
             enter_group(*group, here);
+            if (whole) here.heeded = heeded_in(group->csg);
             for (const ObjectHandle& child : group->children) add(*child, here);
             return;
         }
@@ -140,15 +147,6 @@ private:
         TextureList textures;
     };
 
-    static Object unbounded(const Object& object) {
-        Object free = object;
-        if (object.confines->clips.empty())
-            free.confines = nullptr;
-        else
-            free.confines.edit().bounds.clear();
-        return free;
-    }
-
     Inherited inherit(const Object& object, const Inherited& outer) {
         Inherited here = outer;
         here.transform = combined(object.transform, outer.transform);
@@ -170,9 +168,8 @@ private:
             here.interior = &object.interior;
             here.shared_interior = shared ? ++shared_interiors_ : 0;
         }
-        here.no_shadow |= object.no_shadow;
-        here.no_image |= object.no_image;
-        here.no_reflection |= object.no_reflection;
+        here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection};
+        static_cast<Hidden&>(here) = outer | (here.said & outer.heeded);
         here.double_illuminate |= object.double_illuminate;
         here.hollow |= object.hollow;
         return here;
@@ -315,8 +312,10 @@ private:
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
             around.back().shared_interior = shared_interior;
-            if (const Union* group = std::get_if<Union>(&object.form))
-                flattener.enter_group(*group, around.back());
+            const Union* group = std::get_if<Union>(&object.form);
+            if (!group) return;
+            around.back().heeded = heeded_in(group->csg);
+            flattener.enter_group(*group, around.back());
         }
         void leave() { around.pop_back(); }
         void leaf(const Object& object) {

@@ -10,9 +10,25 @@
 #include <tuple>
 #include <unordered_map>
 
+/// Who does not see an object; or to whom this is said, or heeded.
+struct Hidden {
+    bool no_shadow = false, no_image = false, no_reflection = false;
+
+    friend Hidden operator|(Hidden a, Hidden b) {
+        return {a.no_shadow || b.no_shadow, a.no_image || b.no_image,
+                a.no_reflection || b.no_reflection};
+    }
+    friend Hidden operator&(Hidden a, Hidden b) {
+        return {a.no_shadow && b.no_shadow, a.no_image && b.no_image,
+                a.no_reflection && b.no_reflection};
+    }
+};
+
 /// What an object has from the unions around it. Handles are referred to where they are: counting
 /// their holders for each of a million objects takes longer than all else.
-struct Inherited {
+struct Inherited : Hidden {
+    Hidden said = {};                          ///< of the object and of what it is part of
+    Hidden heeded = {true, true, true};        ///< when it is said of parts of this
     Handle<Transform> transform;               ///< null: none
     const Handle<Texture>* texture = nullptr;  ///< in world space
     const Handle<Texture>* inner = nullptr;    ///< likewise, of the inner side; null: as outside
@@ -20,8 +36,7 @@ struct Inherited {
     std::uint32_t light_group = 0;
     bool named_group = false;           ///< a light group here comes by a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
-    bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false,
-         hollow = false, uv = false;
+    bool double_illuminate = false, hollow = false, uv = false;
 };
 
 class Materials {
