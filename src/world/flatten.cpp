@@ -158,8 +158,6 @@ private:
         if (object.part_textures && object.part_textures->interior)
             here.inner =
                 &materials_.world_texture(object.part_textures->interior, outer.transform, here.uv);
-        else if (object.texture)
-            here.inner = nullptr;
         // Components with textures of their own show these from inside, too, as in POV-Ray.
         if (has_component_looks(object)) here.inner = nullptr;
         if (object.interior) {
