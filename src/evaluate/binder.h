@@ -25,8 +25,9 @@ struct DeclaredCamera {
 
 /// A material as a value of the language.
 struct DeclaredMaterial {
-    Handle<Texture> texture;    ///< null: none
-    Handle<Interior> interior;  ///< null: none
+    Handle<Texture> texture;           ///< null: none
+    Handle<Texture> interior_texture;  ///< null: as outside
+    Handle<Interior> interior;         ///< null: none
 };
 
 struct Binder {

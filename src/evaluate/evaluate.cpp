@@ -4,6 +4,7 @@
 #include "evaluate/cameras.h"
 #include "evaluate/colour_maps.h"
 #include "evaluate/lights.h"
+#include "evaluate/materials.h"
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/objects.h"

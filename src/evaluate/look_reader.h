@@ -2,6 +2,7 @@
 // What an object says of its look, while its block is read. Used by the reader of objects.
 #pragma once
 
+#include "evaluate/materials.h"
 #include "evaluate/normals.h"
 #include "evaluate/object_draft.h"
 #include "evaluate/texture_list.h"
@@ -82,10 +83,9 @@ private:
     }
 
     bool take_interior_texture(const Element& element) {
-        TextureDraft made(block_.binder.default_texture);
-        if (!read_texture(block_.binder, element, made)) return false;
-        draft_.interior_texture = made.shared(block_.binder.textures);
-        draft_.retextured = true;
+        Handle<Texture> made = read_whole_texture(block_.binder, element);
+        if (!made) return false;
+        line_with(std::move(made), element.word_span);
         return true;
     }
 
@@ -95,10 +95,18 @@ private:
         own().replace(std::move(texture));
     }
 
+    /// Over the inner textures that stand before it in the block.
+    void line_with(Handle<Texture> texture, Span span) {
+        if (lined_) texture = layered(block_, span, draft_.interior_texture, std::move(texture));
+        draft_.interior_texture = std::move(texture);
+        draft_.retextured = lined_ = true;
+    }
+
     bool take_material(const Element& element) {
         DeclaredMaterial material;
         if (!read_material(block_.binder, element, material)) return false;
         if (material.texture) put_on(material.texture, element.word_span);
+        if (material.interior_texture) line_with(material.interior_texture, element.word_span);
         if (material.interior) {
             draft_.made.edit().interior = material.interior;
             draft_.furnished = true;
@@ -128,4 +136,5 @@ private:
 
     OpenBlock& block_;
     ObjectDraft& draft_;
+    bool lined_ = false;  ///< an inner texture stands in this block
 };

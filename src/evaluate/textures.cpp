@@ -55,11 +55,6 @@ private:
     TextureDraft& draft_;
 };
 
-Handle<Texture> read_whole(Binder& binder, const Element& element) {
-    TextureDraft draft(binder.default_texture);
-    return read_texture(binder, element, draft) ? draft.shared(binder.textures) : nullptr;
-}
-
 /// tiles { texture { A } tile2 texture { B } }
 class TilesReader : public SimpleReader {
 public:
@@ -69,7 +64,7 @@ public:
         if (element.kind == Element::Kind::word && element.word == "tile2"_word) return true;
         if (element.kind != Element::Kind::block || element.word != "texture"_word) return false;
         if (map.size() == 2) return false;
-        const Handle<Texture> texture = read_whole(block_.binder, element);
+        const Handle<Texture> texture = read_whole_texture(block_.binder, element);
         block_.broken |= !texture;
         // The first one has the odd cubes.
         map.insert(map.begin(), {0, texture});
@@ -96,7 +91,7 @@ public:
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block || element.word != "texture"_word) return false;
-        const Handle<Texture> texture = read_whole(block_.binder, element);
+        const Handle<Texture> texture = read_whole_texture(block_.binder, element);
         block_.broken |= !texture;
         map.push_back({static_cast<double>(map.size()), texture});
         return true;
@@ -228,7 +223,7 @@ private:
             for (std::size_t i = 0; i < count; ++i)
                 map_.push_back({static_cast<double>(i), block_.binder.default_texture});
         }
-        Handle<Texture> texture = read_whole(block_.binder, element);
+        Handle<Texture> texture = read_whole_texture(block_.binder, element);
         block_.broken |= !texture;
         map_[listed_++].texture = std::move(texture);
     }
@@ -283,54 +278,6 @@ Texture stacked(Texture above, const Handle<Texture>& below) {
     return above;
 }
 
-/// texture and interior of a material.
-class MaterialReader : public SimpleReader {
-public:
-    MaterialReader(OpenBlock& block, DeclaredMaterial& material)
-        : block_(block), material_(material) {}
-
-    bool take(const Element& element) {
-        if (element.kind == Element::Kind::value) return take_declared(element);
-        if (element.kind != Element::Kind::block) return false;
-        if (element.word == "texture"_word) {
-            Handle<Texture> texture = read_whole(block_.binder, element);
-            block_.broken |= !texture;
-            if (texture) put_on(std::move(texture), element.word_span);
-        } else if (element.word == "interior"_word) {
-            Interior interior = material_.interior ? *material_.interior : Interior{};
-            block_.broken |= !read_interior(block_.binder, element, interior);
-            material_.interior = make_handle<Interior>(interior);
-        } else {
-            return false;
-        }
-        return true;
-    }
-
-    void add_words(WordList& words) const { words.insert(words.end(), {"texture", "interior"}); }
-
-private:
-    bool take_declared(const Element& element) {
-        if (const auto texture = element.value.handle<Texture>())
-            put_on(texture, element.span);
-        else if (const auto interior = element.value.handle<Interior>())
-            material_.interior = interior;
-        else
-            return false;
-        return true;
-    }
-
-    void put_on(Handle<Texture> texture, Span span) {
-        material_.texture = material_.texture && !inherited_
-                                ? layered(block_, span, material_.texture, std::move(texture))
-                                : std::move(texture);
-        inherited_ = false;
-    }
-
-    OpenBlock& block_;
-    DeclaredMaterial& material_;
-    bool inherited_ = material_.texture != nullptr;  ///< the texture is that of a declared material
-};
-
 }  // namespace
 
 bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
@@ -338,6 +285,11 @@ bool read_texture(Binder& binder, const Element& element, TextureDraft& draft) {
     block.form = "{ [Name] pigment { ... } normal { ... } finish { ... } [transformations] }";
     read_content(block, element.body, draft);
     return !block.broken;
+}
+
+Handle<Texture> read_whole_texture(Binder& binder, const Element& element) {
+    TextureDraft draft(binder.default_texture);
+    return read_texture(binder, element, draft) ? draft.shared(binder.textures) : nullptr;
 }
 
 bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
@@ -349,23 +301,6 @@ bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
     };
     return read_map(binder, element, "texture_map",
                     "{ [0 Texture] [1 pigment { ... } finish { ... }] }", map, read_entry);
-}
-
-bool read_material(Binder& binder, const Element& element, DeclaredMaterial& material) {
-    OpenBlock block(binder, "material", element.word_span);
-    block.form = "{ [Name] texture { ... } interior { ... } [transformations] }";
-    auto declared = named<DeclaredMaterial>(
-        block, [&](const Handle<DeclaredMaterial>& other) { material = *other; });
-    MaterialReader parts(block, material);
-    const auto apply = [&](const Transform& transform) {
-        if (!material.texture) return;
-        TextureDraft draft(material.texture);
-        draft.move(transform);
-        material.texture = draft.handle();
-    };
-    TransformReader moves(block, apply);
-    block.read(element.body, declared, parts, moves);
-    return !block.broken;
 }
 
 Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& below,

@@ -49,7 +49,9 @@ bool read_old_pigment(Binder&, const ElementList&, Span, Pigment&);
 bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 
 bool read_texture_map(Binder&, const Element& block, TextureMap&);
-bool read_material(Binder&, const Element& block, DeclaredMaterial&);
+
+/// What the block makes of the default texture; null: it was wrong, and has been reported.
+Handle<Texture> read_whole_texture(Binder&, const Element& block);
 
 /// A texture over another; the one above alone, after a report, where there are too many layers or
 /// the one below is chosen by a pattern.

@@ -84,14 +84,6 @@ TEST_CASE("a function chooses textures", "[evaluate]") {
     CHECK(done.texture().choice->map.size() == 2);
 }
 
-TEST_CASE("a material is a texture with an interior", "[evaluate]") {
-    const Script done =
-        sphere_with("material { M scale 3 }",
-                    "#declare M = material { texture { pigment { bozo } } interior { ior 1.5 } }");
-    CHECK(done.object().interior->ior == 1.5);
-    CHECK(done.texture().pigment.transform.point(Vec3(1)) == Vec3(3));
-}
-
 TEST_CASE("wrong textures are told of once", "[evaluate]") {
     CHECK(complaint("sphere { 0, 1 #for (I, 0, 1000) texture { pigment { rgbt 0.5 } } #end }") ==
           "error recursion-limit: a texture cannot have more than 1000 layers");
