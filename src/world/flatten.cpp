@@ -5,6 +5,7 @@
 #include "solid/extent.h"
 #include "text/message.h"
 #include "world/bookkeeping.h"
+#include "world/corners.h"
 #include "world/dark.h"
 #include "world/emitters.h"
 #include "world/light_groups.h"
@@ -210,12 +211,15 @@ private:
         if (const auto* sphere = std::get_if<Sphere>(&shape)) {
             place_sphere(*sphere, here.transform, material, span);
         } else if (const auto* flat = std::get_if<Shared<Triangle>>(&shape)) {
-            add_triangle({(*flat)->corner1, (*flat)->corner2, (*flat)->corner3},
-                         here.transform.get(), material, span);
+            const TrianglePrimitive own{(*flat)->corner1, (*flat)->corner2, (*flat)->corner3};
+            const TrianglePrimitive there = placed(own, here.transform.get());
+            const bool sided = here.inner && here.transform;
+            add_triangle(sided ? outer_side_first(there) : there, material, span);
         } else if (const auto* smooth = std::get_if<Shared<SmoothTriangle>>(&shape)) {
-            const SmoothTriangle& s = **smooth;
-            add_triangle({s.corner1, s.corner2, s.corner3}, here.transform.get(), material, span);
-            add_normals(units(placed({s.normal1, s.normal2, s.normal3}, here.transform.get())));
+            SmoothCorners there = placed(**smooth, here.transform.get());
+            if (here.inner) there.put_outer_side_first();
+            add_triangle(there.corners, material, span);
+            add_normals(there.normals);
         } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
@@ -238,19 +242,25 @@ private:
     /// `materials` are the mesh's own and those of its textures.
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
+        // The outer side of a mesh is the same in a mirror.
+        const bool turned =
+            world_.materials[materials.front()].inner && transform && transform->determinant() < 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-            const MeshTriangle f = face(mesh, i);
-            const Face looks = mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i];
-            const std::uint32_t material = materials_.of_face(materials, looks);
-            add_triangle({f.corners[0], f.corners[1], f.corners[2]}, transform, material, span);
+            MeshFace f{face(mesh, i), face_uvs(mesh, i),
+                       mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i]};
+            if (turned) f.turn_over();
+            const std::uint32_t material = materials_.of_face(materials, f.looks);
+            const auto& [a, b, c] = f.shape.corners;
+            add_triangle(placed(TrianglePrimitive{a, b, c}, transform), material, span);
             if (world_.materials[material].uv) {
                 world_.uvs_of.resize(world_.triangles.size(), no_primitive);
                 world_.uvs_of.back() = static_cast<std::uint32_t>(world_.uvs.size());
-                world_.uvs.push_back(face_uvs(mesh, i));
+                world_.uvs.push_back(f.uvs);
             }
             // As in POV-Ray, those of a mesh are mixed before they are placed.
-            if (f.smooth)
-                add_normals(placed(units({f.normals[0], f.normals[1], f.normals[2]}), transform));
+            const auto& normals = f.shape.normals;
+            if (f.shape.smooth)
+                add_normals(placed(units({normals[0], normals[1], normals[2]}), transform));
         }
     }
 
@@ -261,25 +271,11 @@ private:
         objects_.placed(PrimitiveKind::sphere);
     }
 
-    void add_triangle(TrianglePrimitive t, const Transform* transform, std::uint32_t material,
-                      Span span) {
-        if (transform)
-            t = {transform->point(t.corner1), transform->point(t.corner2),
-                 transform->point(t.corner3)};
+    void add_triangle(const TrianglePrimitive& t, std::uint32_t material, Span span) {
         note_luminaire(PrimitiveKind::triangle, world_.triangles.size(), material, span);
         world_.triangles.push_back(t);
         triangle_materials_.push_back(material);
         objects_.placed(PrimitiveKind::triangle);
-    }
-
-    static CornerNormals placed(const CornerNormals& n, const Transform* transform) {
-        return transform ? CornerNormals{transform->normal(n.normal1), transform->normal(n.normal2),
-                                         transform->normal(n.normal3)}
-                         : n;
-    }
-
-    static CornerNormals units(const CornerNormals& n) {
-        return {unit(n.normal1), unit(n.normal2), unit(n.normal3)};
     }
 
     /// Of the triangle that was added last.
