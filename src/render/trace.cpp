@@ -257,7 +257,8 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         result += through * lit(path, hit, s, through, !counted);
         // Total reflection stands for that of all layers with the normal by which it happens.
         const bool replaced = total && s.normal == top.normal;
-        const Vec3 amount = replaced ? Vec3(0) : reflectivity(s, surface.plain);
+        const bool reflects = !replaced && world_.quality >= quality_reflection;
+        const Vec3 amount = reflects ? reflectivity(s, surface.plain) : Vec3(0);
         if (amount != Vec3(0))
             result +=
                 reflected(path, s, amount, share * most_reflected(s.finish->reflection, amount),

@@ -13,7 +13,8 @@ Handle<Texture> simplified(const Handle<Texture>& texture, int quality) {
         made.choice.edit().map = std::move(map);
     }
     made.normal = Bump();
-    made.finish.reflection = Reflection();
+    // Where energy is conserved, what would be reflected is missing behind all the same.
+    if (!made.finish.conserve_energy) made.finish.reflection = Reflection();
     made.finish.microfacet.coat = 0;
     if (quality < quality_pigments && made.pigment.quick)
         made.pigment = Pigment{*made.pigment.quick, nullptr, {}};
