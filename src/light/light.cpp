@@ -26,7 +26,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
         F{"fade_distance", &PointLight::fade_distance, item,
           "distance at which it has its colour, when it fades; 0: never", at_least(0)},
         F{"fade_power", &PointLight::fade_power, item,
-          "how fast it fades: 2 is nature's way; 0: it does not", at_least(0)},
+          "how fast it fades: 2 is nature's way; 0 or less: it does not"},
         F{"shadowless", &PointLight::shadowless, flag,
           "nothing stops its light, no cone either; gives no highlights"},
         F{"media_attenuation", &PointLight::media_attenuation, flag,
