@@ -140,9 +140,9 @@ private:
 class SettingsFields {
 public:
     SettingsFields(OpenBlock& block, GlobalSettings& settings)
-        : fields_(block, GlobalSettings::vocabulary, &settings) {}
-
-    bool srgb = false;
+        : block_(block),
+          settings_(settings),
+          fields_(block, GlobalSettings::vocabulary, &settings) {}
 
     bool waiting() const { return fields_.waiting(); }
     bool wants() const { return fields_.wants(); }
@@ -150,19 +150,27 @@ public:
     bool take(const Element& element) {
         const bool of_gamma = fields_.waiting() && fields_.expected() == "assumed_gamma";
         if (!of_gamma) return fields_.take(element);
-        srgb = element.kind == Element::Kind::word && element.word == "srgb"_word;
-        if (!srgb) return fields_.take(element);
+        srgb_ = element.kind == Element::Kind::word && element.word == "srgb"_word;
         Element value = element;
-        value.kind = Element::Kind::value;
-        value.word = no_name;
-        value.value = Numbers::scalar(1);
-        return fields_.take(value);
+        if (srgb_) {
+            value.kind = Element::Kind::value;
+            value.word = no_name;
+            value.value = Numbers::scalar(1);
+        }
+        const bool taken = fields_.take(value);
+        // Colours behind it in the block are in its space.
+        block_.binder.evaluator.set_working_gamma(gamma());
+        return taken;
     }
+    double gamma() const { return srgb_ ? srgb_gamma : settings_.assumed_gamma; }
     void finish() { fields_.finish(); }
     void add_words(WordList& words) const { fields_.add_words(words); }
 
 private:
+    OpenBlock& block_;
+    GlobalSettings& settings_;
     ItemReader fields_;
+    bool srgb_ = false;
 };
 
 /// luminaires ambient
@@ -215,7 +223,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);
     if (!fields.given("assumed_gamma")) return;
-    if (fields.srgb) settings.assumed_gamma = srgb_gamma;
+    settings.assumed_gamma = fields.gamma();
     if (before.gamma) {
         block.report(warning(Fault::duplicate, element.word_span,
                              "`assumed_gamma` has been given before; the first one counts"));

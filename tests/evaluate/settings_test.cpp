@@ -15,6 +15,13 @@ TEST_CASE("global settings add up", "[evaluate]") {
     CHECK(done.scene.settings.adc_bailout == 0.1);
 }
 
+TEST_CASE("colours by srgb are in the space of the assumed_gamma before them", "[evaluate]") {
+    // 0.5 is decoded to 0.21404, and that to the power of 1 / 2.2 is 0.49621.
+    const Script done =
+        run("#version 3.7; global_settings { assumed_gamma 2.2 ambient_light srgb 0.5 }");
+    CHECK(done.scene.settings.ambient_light.x == Approx(0.49621).epsilon(1e-4));
+}
+
 TEST_CASE("each light sampler can be chosen", "[evaluate]") {
     for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
         const std::string name(Kinds<LightSampler>::infos[kind]->name);
