@@ -16,8 +16,11 @@ Handle<Texture> simplified(const Handle<Texture>& texture, int quality) {
     // Where energy is conserved, what would be reflected is missing behind all the same.
     if (!made.finish.conserve_energy) made.finish.reflection = Reflection();
     made.finish.microfacet.coat = 0;
-    if (quality < quality_pigments && made.pigment.quick)
+    const bool quick = made.pigment.quick != nullptr;
+    if (quality < quality_pigments && quick)
         made.pigment = Pigment{*made.pigment.quick, nullptr, {}};
+    // Without light one layer is seen: the uppermost with a quick colour, or the last.
+    if (quality < quality_light && quick) made.below = nullptr;
     if (made.below) made.below = simplified(made.below, quality);
     return result;
 }
