@@ -6,6 +6,8 @@
 #include "text/message.h"
 #include "vocabulary/schema.h"
 
+#include <algorithm>
+
 namespace {
 
 struct BackgroundColour {
@@ -220,6 +222,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
     block.read(element.body, luminaires, fields, sampler, subsurface);
+    settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);
     if (!fields.given("assumed_gamma")) return;

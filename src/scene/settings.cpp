@@ -12,7 +12,7 @@ const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
         F{"assumed_gamma", &GlobalSettings::assumed_gamma, item,
           "power by which the scene's colours become linear light; 1: they are", above(0)},
         F{"max_trace_level", &GlobalSettings::max_trace_level, item,
-          "how many reflections and refractions are followed", between(1, 256)},
+          "how many reflections and refractions are followed; 0 is as 1", between(0, 256)},
         F{"noise_generator", &GlobalSettings::noise_generator, item,
           "noise of patterns that choose none: 1 and 2 differ in range, 3 is Perlin's; before "
           "language version 3.5 the default is 1",

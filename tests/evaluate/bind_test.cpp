@@ -70,9 +70,9 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[evaluate]")
         {"sphere { 0, 1 translate }", "error missing: `translate` of `sphere` needs a vector"},
         {"sphere { 0, 1 translate rotate x }",
          "error missing: `translate` of `sphere` needs a vector"},
-        {"global_settings { max_trace_level 0 }",
-         "error out-of-range: `max_trace_level` of `global_settings` must be from 1 to 256, but it "
-         "is 0"},
+        {"global_settings { max_trace_level -1 }",
+         "error out-of-range: `max_trace_level` of `global_settings` must be from 0 to 256, but it "
+         "is -1"},
         {"global_settings { max_trace_level 2.5 }",
          "warning no-effect: `max_trace_level` of `global_settings` is a whole number, and 2.5 "
          "counts as 2"},
