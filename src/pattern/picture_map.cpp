@@ -181,8 +181,22 @@ auto mixed_at(const PictureMap& map, const Vec2& place, Fetch fetch) {
     return sum;
 }
 
+/// A texel with its colour times its alpha, or the other way round.
+Mixture times_alpha(Mixture m, double alpha) {
+    return {Vec4(m.rgbt.x * alpha, m.rgbt.y * alpha, m.rgbt.z * alpha, m.rgbt.w), m.filter};
+}
+
 Colour sampled(const PictureMap& map, const Vec2& place) {
-    return mixed_at(map, place, [&](int x, int y) { return texel(*map.texels, x, y); }).colour();
+    const auto at = [&](int x, int y) { return texel(*map.texels, x, y); };
+    if (!map.premultiplied || map.interpolate < 2) return mixed_at(map, place, at).colour();
+    // Colours are mixed as they are stored.
+    const Mixture mixed = mixed_at(map, place, [&](int x, int y) {
+        const Mixture m = at(x, y);
+        const double own = 1 - m.rgbt.w;
+        return times_alpha(m, own > 0 ? own : 1);
+    });
+    const double alpha = 1 - mixed.rgbt.w;
+    return (alpha == 0 ? mixed : times_alpha(mixed, 1 / alpha)).colour();
 }
 
 double grey_at(const PictureMap& map, const Vec3& point) {

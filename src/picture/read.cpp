@@ -100,16 +100,19 @@ std::optional<Texels> read_texels(const std::string& path, const TexelCoding& co
         const auto value = [&](std::uint8_t byte) {
             return static_cast<double>(decode(static_cast<float>(byte) / 255));
         };
-        for (const auto& [red, green, blue, alpha] : facts.table)
+        for (const auto& [red, green, blue, alpha] : facts.table) {
+            const double share = coding.premultiplied && alpha > 0 ? alpha / 255.0 : 1;
             texels.table.push_back(
-                {Vec3(value(red), value(green), value(blue)), 0, 1 - alpha / 255.0});
+                {Vec3(value(red), value(green), value(blue)) / share, 0, 1 - alpha / 255.0});
+        }
         if (!opaque) texels.alpha = std::move(stored.alpha);
         texels.measure();
         return texels;
     }
-    const bool multiplied = coding.premultiplied || stored.format == "openexr";
-    if (!opaque && multiplied) divide_by_alpha(stored);
+    if (!opaque && stored.format == "openexr") divide_by_alpha(stored);
     for (float& value : stored.values) value = decode(value);
+    // Other files have values that were coded after they were multiplied.
+    if (!opaque && coding.premultiplied && stored.format != "openexr") divide_by_alpha(stored);
     texels.values = std::move(stored.values);
     if (!opaque) texels.alpha = std::move(stored.alpha);
     texels.measure();
