@@ -163,12 +163,10 @@ View& view_of(Camera& camera) {
     return std::visit([](auto& c) -> View& { return c; }, camera);
 }
 
-/// The faces as they stand after the camera's transformation.
-Handle<MeshLens> lens_of_meshes(const MeshCamera& camera) {
-    MeshRays rays = camera.from ? *camera.from : MeshRays();
-    for (CameraMesh& mesh : rays.meshes) mesh.transform = mesh.transform.then(camera.transform);
-    const bool reversed = camera.direction && camera.direction->z < 0;
-    return make_handle<MeshLens>(std::move(rays), camera.location.z, reversed);
+/// Of the camera's place and direction, only z counts, and nothing moves the meshes, as in POV-Ray.
+Handle<MeshLens> lens_of_meshes(const MeshCamera& camera, const Projection& placed) {
+    return make_handle<MeshLens>(camera.from ? *camera.from : MeshRays(), placed.location.z,
+                                 placed.direction.z < 0);
 }
 
 }  // namespace
@@ -220,11 +218,11 @@ Projection projection(const Camera& camera) {
         const Vec3 ahead = view.focal_point ? *view.focal_point - f.location : f.direction;
         f.focal_distance = length(view.transform.direction(ahead));
     }
-    if (const auto* meshes = std::get_if<MeshCamera>(&camera)) f.mesh = lens_of_meshes(*meshes);
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);
     f.right = view.transform.direction(f.right);
     f.up = view.transform.direction(f.up);
+    if (const auto* meshes = std::get_if<MeshCamera>(&camera)) f.mesh = lens_of_meshes(*meshes, f);
     return f;
 }
 
