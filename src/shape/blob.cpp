@@ -117,6 +117,7 @@ using Quartic = std::array<double, 5>;
 struct Stretch {
     Interval range;
     Quartic field;
+    double greatest;  ///< what the field adds at most
 };
 
 std::optional<Stretch> stretch(const Source& f, const Ray& ray) {
@@ -126,9 +127,11 @@ std::optional<Stretch> stretch(const Source& f, const Ray& ray) {
     if (!(range.min < range.max) || !std::isfinite(range.min) || !std::isfinite(range.max))
         return std::nullopt;
     const double s = f.strength;
+    const double nearest = q.c < 0 ? q.a - q.b * q.b / (4 * q.c) : q.a;
     return Stretch{range,
                    {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
-                    2 * s * q.b * q.c, s * q.c * q.c}};
+                    2 * s * q.b * q.c, s * q.c * q.c},
+                   std::fmax(0, s * nearest * nearest)};
 }
 
 /// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
@@ -162,17 +165,60 @@ Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
     return sum;
 }
 
-using Stretches = ShortList<Stretch, 32>;
+/// The fields that a ray passes, and those of them that reach over a place which moves along it.
+class Passage {
+public:
+    void add(const Stretch& stretch) { stretches_.push_back(stretch); }
 
-/// The sum of the fields that reach over a stretch, less the threshold.
-Quartic sum_over(const Stretches& stretches, const Interval& range, double threshold) {
-    Quartic sum{-threshold, 0, 0, 0, 0};
-    const double middle = 0.5 * (range.min + range.max);
-    for (const Stretch& each : stretches)
-        if (each.range.contains(middle))
-            for (std::size_t i = 0; i < 5; ++i) sum[i] += each.field[i];
-    return sum;
-}
+    /// Where stretches begin and end, in order; what is so near to each other as `same` is the same
+    /// but for rounding: a rod's end and the ball there.
+    ShortList<double, 64> ends(double same) const {
+        ShortList<double, 64> ends;
+        for (const Stretch& each : stretches_)
+            ends.insert(ends.end(), {each.range.min, each.range.max});
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end(),
+                               [&](double a, double b) { return b - a <= same; }),
+                   ends.end());
+        return ends;
+    }
+
+    /// To be called before the place moves.
+    void begin() {
+        const auto by_start = [](const Stretch& a, const Stretch& b) {
+            return a.range.min < b.range.min;
+        };
+        std::sort(stretches_.begin(), stretches_.end(), by_start);
+    }
+
+    /// Never back.
+    void move_to(double place) {
+        const auto passed = [&](std::uint32_t i) { return stretches_[i].range.max < place; };
+        here_.erase(std::remove_if(here_.begin(), here_.end(), passed), here_.end());
+        for (; next_ < stretches_.size() && stretches_[next_].range.min <= place; ++next_)
+            if (stretches_[next_].range.max >= place) here_.push_back(next_);
+    }
+
+    /// What the fields here add at most.
+    double greatest() const {
+        double sum = 0;
+        for (const std::uint32_t i : here_) sum += stretches_[i].greatest;
+        return sum;
+    }
+
+    /// Their sum, less the threshold.
+    Quartic sum(double threshold) const {
+        Quartic sum{-threshold, 0, 0, 0, 0};
+        for (const std::uint32_t each : here_)
+            for (std::size_t i = 0; i < 5; ++i) sum[i] += stretches_[each].field[i];
+        return sum;
+    }
+
+private:
+    ShortList<Stretch, 32> stretches_;
+    ShortList<std::uint32_t, 32> here_;
+    std::uint32_t next_ = 0;  ///< the first that the place has not come to
+};
 
 enum class Wanted { all, nearest };
 
@@ -186,32 +232,26 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wante
     const double start = dot(blob.index.bounds().centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};
     const auto parameter = [&](double s) { return (start + s) / speed; };
-    Stretches stretches;
-    ShortList<double, 64> ends;
-    blob.index.along(near, whole_line, [&](std::uint32_t i) {
-        const auto met = stretch(blob.sources[i], near);
-        if (!met) return;
-        stretches.push_back(*met);
-        ends.insert(ends.end(), {met->range.min, met->range.max});
+    Passage passage;
+    blob.index.along(near, {wanted.min * speed - start, whole_line.max}, [&](std::uint32_t i) {
+        if (const auto met = stretch(blob.sources[i], near)) passage.add(*met);
     });
-    std::sort(ends.begin(), ends.end());
-    // What is so near to each other is the same but for rounding: a rod's end and the ball there.
-    const double same = 1e-12 * length(blob.index.bounds().size());
-    ends.erase(
-        std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a <= same; }),
-        ends.end());
-    double before = -blob.threshold;
+    passage.begin();
+    const auto ends = passage.ends(1e-12 * length(blob.index.bounds().size()));
+    // The sum is continuous: what it is at one end, it is at the start of the next stretch.
+    std::optional<double> before;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const Interval range{ends[i], ends[i + 1]};
         if (parameter(range.min) >= wanted.max) return;
-        const Quartic sum = sum_over(stretches, range, blob.threshold);
-        // The sum is continuous: what it is at one end, it is at the start of the next stretch.
-        const bool last = i + 2 == ends.size();
-        const double after = last ? -blob.threshold : polynomial(sum, range.max);
-        const double at_start = std::exchange(before, after);
+        const std::optional<double> known = std::exchange(before, std::nullopt);
         if (parameter(range.max) <= wanted.min) continue;
+        passage.move_to(0.5 * (range.min + range.max));
+        if (passage.greatest() <= blob.threshold) continue;
+        const Quartic sum = passage.sum(blob.threshold);
+        const double at_start = known ? *known : polynomial(sum, range.min);
+        before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, range.max);
         bool met = false;
-        for (const double s : sign_changes(sum, range, at_start, after)) {
+        for (const double s : sign_changes(sum, range, at_start, *before)) {
             const double t = parameter(s);
             if (!wanted.contains(t)) continue;
             const Vec3 normal = unit(-gradient(blob, near.at(s)));

@@ -34,6 +34,21 @@ struct AxisRay {
           height(origin.y),
           rise(direction.y) {}
 
+    /// Whether the ray may meet a part: at its heights it is as far from the axis.
+    bool comes_near(const BuiltLathe::Part& part) const {
+        Interval way = whole_line;
+        if (rise != 0) {
+            way = {(part.heights.min - height) / rise, (part.heights.max - height) / rise};
+            if (rise < 0) std::swap(way.min, way.max);
+        } else if (!part.heights.contains(height)) {
+            return false;
+        }
+        const double farthest = std::fmax(-way.min, way.max);
+        const double nearest = std::fmax(0, std::fmax(way.min, -way.max));
+        return nearest2 + across2 * nearest * nearest <= part.radii.max * part.radii.max &&
+               nearest2 + across2 * farthest * farthest >= part.radii.min * part.radii.min;
+    }
+
     /// 0 where the point of the curve lies on the ray (times rise^2).
     double miss(const Vec2& point) const {
         const double w = point.y - height;
@@ -41,12 +56,12 @@ struct AxisRay {
     }
 };
 
-/// The factors of AxisRay::miss() along a piece.
-std::array<double, 7> miss_along(const AxisRay& ray, const CurvePiece& piece) {
+/// The factors of AxisRay::miss() along a piece that has so many of its own.
+std::array<double, 7> miss_along(const AxisRay& ray, const CurvePiece& piece, std::size_t count) {
     std::array<double, 7> result{};
     result[0] = ray.rise * ray.rise * ray.nearest2;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) {
             const Vec2 &a = piece.factors[i], &b = piece.factors[j];
             const double wa = i == 0 ? a.y - ray.height : a.y;
             const double wb = j == 0 ? b.y - ray.height : b.y;
@@ -81,10 +96,12 @@ Meeting polished(const AxisRay& ray, const CurvePiece& piece, Meeting m) {
 constexpr double level = 1e-6;
 
 template <class Take>
-void meet(const AxisRay& ray, const CurvePiece& piece, Take take) {
+void meet(const AxisRay& ray, const BuiltLathe::Part& part, Take take) {
+    const CurvePiece& piece = part.piece;
     if (std::abs(ray.rise) > level) {
-        const Roots places = sign_changes(miss_along(ray, piece), {0, 1}, ray.miss(piece.start),
-                                          ray.miss(piece.end));
+        const auto miss = miss_along(ray, piece, part.factors);
+        const Roots places = sign_changes(std::span(miss).first(2 * part.factors - 1), {0, 1},
+                                          ray.miss(piece.start), ray.miss(piece.end));
         for (const double u : places)
             take(polished(ray, piece, {(piece.at(u).y - ray.height) / ray.rise, u}));
         return;
@@ -104,6 +121,15 @@ Box turned(const Rectangle& r) {
     return {Vec3(-reach, r.low.y, -reach), Vec3(reach, r.high.y, reach)};
 }
 
+BuiltLathe::Part part_of(const CurvePiece& piece, const Rectangle& box) {
+    std::size_t factors = piece.factors.size();
+    while (factors > 1 && piece.factors[factors - 1] == Vec2(0)) --factors;
+    const double reach = std::fmax(std::abs(box.low.x), std::abs(box.high.x));
+    const double pad = 1e-9 * (reach + box.high.y - box.low.y);
+    const double hollow = std::fmax(0, std::fmax(box.low.x, -box.high.x) - pad);
+    return {piece, factors, {hollow, reach + pad}, {box.low.y - pad, box.high.y + pad}};
+}
+
 /// Twice the signed area between curve and axis; the pieces' integrals of r dy.
 double area(const CurvePiece& piece) {
     double sum = 0;
@@ -120,9 +146,9 @@ BuiltLathe build(const Lathe& lathe) {
     BuiltLathe result;
     double sum = 0;
     for (const CurvePiece& piece : curve(static_cast<CurveKind>(lathe.spline), lathe.points)) {
-        const Box box = turned(bounds(piece));
-        result.parts.push_back({piece, box});
-        result.bounds = join(result.bounds, box);
+        const Rectangle box = bounds(piece);
+        result.parts.push_back(part_of(piece, box));
+        result.bounds = join(result.bounds, turned(box));
         sum += area(piece);
     }
     result.outside_right = sum >= 0;
@@ -155,11 +181,8 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
     const Ray near{ray.origin + start * d, d};
     const AxisRay seen(near.origin, d);
     for (const BuiltLathe::Part& part : lathe.parts) {
-        const Vec3 pad(1e-9 * length(part.bounds.size()));
-        const Interval within =
-            clip(near, Box{part.bounds.low - pad, part.bounds.high + pad}, whole_line);
-        if (!(within.min <= within.max)) continue;
-        meet(seen, part.piece, [&](const Meeting& m) {
+        if (!seen.comes_near(part)) continue;
+        meet(seen, part, [&](const Meeting& m) {
             const Vec3 p = near.at(m.s);
             const Vec2 slope = part.piece.slope(m.u);
             const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
@@ -174,9 +197,7 @@ bool inside(const BuiltLathe& lathe, const Vec3& point) {
     const double radius = std::hypot(point.x, point.z);
     bool result = false;
     for (const BuiltLathe::Part& part : lathe.parts) {
-        if (point.y < part.bounds.low.y || point.y > part.bounds.high.y ||
-            radius > part.bounds.high.x)
-            continue;
+        if (!part.heights.contains(point.y) || radius > part.radii.max) continue;
         const CurvePiece& piece = part.piece;
         for (const double u : sign_changes(piece.combined({0, 1}, -point.y), {0, 1},
                                            piece.start.y - point.y, piece.end.y - point.y))

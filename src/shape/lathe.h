@@ -18,7 +18,8 @@ struct Lathe {
 struct BuiltLathe {
     struct Part {
         CurvePiece piece;
-        Box bounds;
+        std::size_t factors;      ///< of the piece, without zeros at the end
+        Interval radii, heights;  ///< of its points, and a little more
     };
     std::vector<Part> parts;
     Box bounds;

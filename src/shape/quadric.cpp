@@ -141,10 +141,15 @@ Box bounds(const Quadric& q) {
 }
 
 void crossings(const Quadric& q, const Ray& ray, Crossings& found) {
+    crossings_between(q, ray, {-infinity, infinity}, found);
+}
+
+void crossings_between(const Quadric& q, const Ray& ray, const Interval& range, Crossings& found) {
     const Vec3& d = ray.direction;
     const double a = product(q, d, d);
     const double b = 0.5 * dot(gradient(q, ray.origin), d);
     const auto add = [&](double t) {
+        if (!range.contains(t)) return;
         const Vec3 normal = unit(gradient(q, ray.at(t)));
         if (normal != Vec3(0)) found.add({t, normal, dot(d, normal) < 0});
     };

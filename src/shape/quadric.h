@@ -20,6 +20,7 @@ struct Quadric {
 /// Infinite along the axes in which the solid has no end or none that is known.
 Box bounds(const Quadric&);
 void crossings(const Quadric&, const Ray&, Crossings&);
+void crossings_between(const Quadric&, const Ray&, const Interval& range, Crossings&);
 bool inside(const Quadric&, const Vec3&);
 /// Around the part of the solid that is in a box, which may be infinite, as far as that is known.
 Box bounds_within(const Quadric&, const Box&);

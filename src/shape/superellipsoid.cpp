@@ -17,13 +17,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// (a^p + b^p)^(1/p) for a, b >= 0, also where the powers leave the range of numbers.
-double norm(double a, double b, double p) {
-    const double greater = std::fmax(a, b), less = std::fmin(a, b);
-    if (!(greater > 0)) return 0;
-    return greater * std::pow(1 + std::pow(less / greater, p), 1 / p);
-}
-
 /// A power whose exponent may be known to be easy.
 class Power {
 public:
@@ -65,27 +58,44 @@ public:
         Vec3 gradient;
     };
     Place at(const Vec3& v) const {
-        const double size = max_abs_component(v);
-        if (size == 0) return {-1, Vec3(0)};
-        const Vec3 part = glm::abs(v) / size;
-        const double x = across_.of(part.x), y = across_.of(part.y), z = up_.of(part.z);
-        const double round = x + y, raised = join_.of(round), sum = raised + z;
-        const double whole = size_.of(sum);
+        const Powers here(*this, v);
+        if (here.size == 0) return {-1, Vec3(0)};
+        const Vec3& part = here.part;
         // Of a power, the derivative is the power again over its base.
         const auto slope = [](double raised, double part, double sign) {
             return part == 0 ? 0.0 : std::copysign(raised / part, sign);
         };
-        const double outer = whole / sum, inner = round == 0 ? 0.0 : outer * raised / round;
-        return {size * whole - 1, Vec3(inner * slope(x, part.x, v.x), inner * slope(y, part.y, v.y),
-                                       outer * slope(z, part.z, v.z))};
+        const double whole = size_.of(here.sum), outer = whole / here.sum;
+        const double inner = here.round == 0 ? 0.0 : outer * here.raised / here.round;
+        return {here.size * whole - 1,
+                Vec3(inner * slope(here.x, part.x, v.x), inner * slope(here.y, part.y, v.y),
+                     outer * slope(here.z, part.z, v.z))};
     }
     double value(const Vec3& v) const {
-        return norm(norm(std::abs(v.x), std::abs(v.y), p_), std::abs(v.z), q_) - 1;
+        const Powers here(*this, v);
+        return here.size == 0 ? -1 : here.size * size_.of(here.sum) - 1;
     }
     /// Then it is a norm, and convex along every line.
     bool convex() const { return p_ >= 1 && q_ >= 1; }
 
 private:
+    /// Of the distances from the middle, in parts of the greatest of them: so none is too large.
+    struct Powers {
+        Powers(const Depth& depth, const Vec3& v)
+            : size(max_abs_component(v)),
+              part(size == 0 ? Vec3(0) : glm::abs(v) / size),
+              x(depth.across_.of(part.x)),
+              y(depth.across_.of(part.y)),
+              z(depth.up_.of(part.z)),
+              round(x + y),
+              raised(std::fmin(depth.join_.of(round), 1e300)),
+              sum(raised + z) {}
+
+        double size;
+        Vec3 part;
+        double x, y, z, round, raised, sum;
+    };
+
     double p_, q_;
     Power across_, up_, join_, size_;
 };
@@ -165,19 +175,28 @@ double root_from(const Profile& profile, Foot at, double within) {
     return at.t;
 }
 
+/// An end of a part of the ray.
+struct End {
+    double t;
+    bool is_inside;
+};
+
+End end_at(const Profile& profile, double t) {
+    return {t, profile.depth.value(profile.ray.at(t)) < 0};
+}
+
 /// Roots within a part of one octant, where the distances from all three planes change steadily:
 /// their least and greatest values bound the depth.
 template <class Take>
-void bisect(const Profile& profile, const Interval& part, int level, Take take) {
-    const Vec3 a = glm::abs(profile.ray.at(part.min)), b = glm::abs(profile.ray.at(part.max));
+void bisect(const Profile& profile, const End& first, const End& last, int level, Take take) {
+    const Vec3 a = glm::abs(profile.ray.at(first.t)), b = glm::abs(profile.ray.at(last.t));
     if (profile.depth.value(glm::min(a, b)) > 0 || profile.depth.value(glm::max(a, b)) < 0) return;
-    const bool inside_first = profile.at(part.min).value < 0;
-    const bool differ = inside_first != (profile.at(part.max).value < 0);
-    if (differ && level >= 4) return take(profile.root(part.min, part.max, inside_first));
+    const bool differ = first.is_inside != last.is_inside;
+    if (differ && level >= 4) return take(profile.root(first.t, last.t, first.is_inside));
     if (level >= 12) return;
-    const double middle = 0.5 * (part.min + part.max);
-    bisect(profile, {part.min, middle}, level + 1, take);
-    bisect(profile, {middle, part.max}, level + 1, take);
+    const End middle = end_at(profile, 0.5 * (first.t + last.t));
+    bisect(profile, first, middle, level + 1, take);
+    bisect(profile, middle, last, level + 1, take);
 }
 
 /// The range, divided where the ray passes the planes between the octants.
@@ -225,7 +244,7 @@ void nearest_crossings(const Superellipsoid& s, const Ray& ray, const Interval& 
     }
     const std::vector<double> ends = octants(near, {-half, half});
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
-        bisect(profile, {ends[i], ends[i + 1]}, 0, take);
+        bisect(profile, end_at(profile, ends[i]), end_at(profile, ends[i + 1]), 0, take);
 }
 
 bool inside(const Superellipsoid& s, const Vec3& point) { return Depth(s).value(point) <= 0; }
