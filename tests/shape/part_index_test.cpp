@@ -20,7 +20,7 @@ std::vector<Box> boxes(std::size_t count, Draw& draw) {
 
 TEST_CASE("each part is found once, by rays and by points", "[shape]") {
     Draw draw(1);
-    for (const std::size_t count : {0u, 1u, 7u, 9u, 500u}) {
+    for (const std::size_t count : {0u, 1u, 7u, 9u, 500u, 5000u}) {
         const auto all = boxes(count, draw);
         const PartIndex index(all);
         for (int i = 0; i < 300; ++i) {
