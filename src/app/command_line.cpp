@@ -56,6 +56,11 @@ void add_sampling(Words& words, const Options& options) {
     } else if (adaptive) {
         words.add_changed("+A", settings.antialias_threshold, usual.antialias_threshold);
         words.add_changed("+R", settings.antialias_depth, usual.antialias_depth);
+        words.add_changed("+AG", settings.antialias_gamma, usual.antialias_gamma);
+        if (settings.jitter)
+            words.add_changed("+J", settings.jitter_amount, usual.jitter_amount);
+        else
+            words.add("-J");
     }
     if (settings.samples != usual.samples) words.add_long("samples", settings.samples);
     if (settings.noise != usual.noise) words.add_long("noise", settings.noise);

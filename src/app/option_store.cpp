@@ -84,8 +84,12 @@ void store::field(std::string_view name, Options& options, const Given& given,
     void* const item = setting.item == &RenderSettings::vocabulary
                            ? static_cast<void*>(&options.render)
                            : static_cast<void*>(&options.animation);
-    if (info.type == FieldType::boolean)
-        return setting.item->set(item, setting.field, given.on ? 1.0 : 0.0);
+    if (info.type == FieldType::boolean) {
+        setting.item->set(item, setting.field, given.on ? 1.0 : 0.0);
+        if (given.value)
+            field(setting.item->fields[setting.field + 1].name, options, given, diagnostics);
+        return;
+    }
     const std::optional<double> value = number(given.value.value_or(""));
     const double given_number = value.value_or(0);
     const bool integer = info.type == FieldType::integer, in_file = !given.where.empty();
@@ -103,11 +107,6 @@ void store::field(std::string_view name, Options& options, const Given& given,
 
 void store::scene(Options& options, const Given& given, Diagnostics&) {
     options.scene = *given.value;
-}
-
-void store::antialias(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.render.antialias = given.on;
-    if (given.value) store::field("antialias_threshold", options, given, diagnostics);
 }
 
 void store::bits(Options& options, const Given& given, Diagnostics& diagnostics) {

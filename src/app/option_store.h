@@ -40,7 +40,8 @@ Setting find_setting(std::string_view name);
 
 namespace store {
 
-/// A number, or on and off, into the setting with that name.
+/// A number, or on and off, into the setting with that name. A number behind a switch goes into the
+/// setting after it.
 void field(std::string_view name, Options&, const Given&, Diagnostics&);
 
 void scene(Options&, const Given&, Diagnostics&);
@@ -48,7 +49,6 @@ void output(Options&, const Given&, Diagnostics&);
 void to_file(Options&, const Given&, Diagnostics&);
 void type(Options&, const Given&, Diagnostics&);
 void bits(Options&, const Given&, Diagnostics&);
-void antialias(Options&, const Given&, Diagnostics&);
 void sampler(Options&, const Given&, Diagnostics&);
 void library(Options&, const Given&, Diagnostics&);
 void allow_read(Options&, const Given&, Diagnostics&);

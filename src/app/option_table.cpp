@@ -32,6 +32,11 @@ constexpr OptionRow option_field(Text letters, Text keyword, Text word, Takes ta
     return {letters, keyword, word, "", takes, {}, field};
 }
 
+/// The same where a number may stand behind it: the setting after it.
+constexpr OptionRow switched(Text letters, Text keyword, Text parameter, Text field) {
+    return {letters, keyword, "", parameter, sign_and_value, {}, field};
+}
+
 constexpr OptionRow option(Text letters, Text keyword, Text word, Takes takes, Text parameter,
                            Store store, Text help) {
     return {letters, keyword, word, parameter, takes, help, {}, store};
@@ -95,11 +100,12 @@ constexpr auto rows = std::to_array<OptionRow>({
            "everything, unless a background or a sky_sphere that is not transparent is there"),
     setting("W", "Width", "", "width"),
     setting("H", "Height", "", "height"),
-    option("A", "Antialias", "", sign_and_value, "t", store::antialias,
-           "spreads the camera rays over each pixel (the default) with this threshold; -A sends "
-           "all through its middle"),
+    switched("A", "Antialias", "t", "antialias"),
     setting("", "Antialias_Threshold", "", "antialias_threshold"),
     setting("R", "Antialias_Depth", "", "antialias_depth"),
+    setting("AG", "Antialias_Gamma", "", "antialias_gamma"),
+    switched("J", "Jitter", "a", "jitter"),
+    setting("", "Jitter_Amount", "", "jitter_amount"),
     setting("", "", "samples", "samples"),
     setting("", "", "noise", "noise"),
     option("", "", "time", value, "duration", store::time,
@@ -261,10 +267,7 @@ constexpr auto rows = std::to_array<OptionRow>({
            "numbers are encoded: sRGB (the default), or a power of which this is the inverse; "
            "OpenEXR and Radiance HDR are linear"),
     accepted("HR", "High_Reproducibility", sign, "", "pictures are always reproducible"),
-    ignored("AM", "Sampling_Method", value, "n", "one method is offered, which is adaptive"),
-    ignored("AG", "Antialias_Gamma", value, "g", "noise is judged as displayed"),
-    ignored("J", "Jitter", sign_and_value, "a", "camera rays are always spread at random"),
-    ignored("", "Jitter_Amount", value, "a", "camera rays are always spread over the whole pixel"),
+    ignored("AM", "Sampling_Method", value, "n", "one method is offered, POV-Ray's first"),
     ignored("BS", "Render_Block_Size", value, "n", order),
     ignored("RP", "Render_Pattern", value, "n", order),
     ignored("RS", "Render_Block_Step", value, "n", order),

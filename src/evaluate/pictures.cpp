@@ -2,7 +2,7 @@
 #include "evaluate/pictures.h"
 
 #include "formula/formula.h"
-#include "picture/gamma.h"
+#include "base/gamma.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 

@@ -2,7 +2,7 @@
 #include "evaluate/settings.h"
 
 #include "evaluate/item_block.h"
-#include "picture/gamma.h"
+#include "base/gamma.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 

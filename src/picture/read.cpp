@@ -4,7 +4,7 @@
 #include "base/colour.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
-#include "picture/gamma.h"
+#include "base/gamma.h"
 
 #include <algorithm>
 #include <array>

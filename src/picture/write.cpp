@@ -4,7 +4,7 @@
 #include "base/colour.h"
 #include "picture/file.h"
 #include "picture/formats.h"
-#include "picture/gamma.h"
+#include "base/gamma.h"
 #include "text/ascii.h"
 #include "text/message.h"
 

@@ -24,10 +24,11 @@ std::vector<Region> tiles_of(int width, int height) {
 /// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
 constexpr std::uint64_t samples_between_questions = 16;
 
-/// The camera's rule for samples, when it is in force.
-std::optional<BlurRule> blur_rule(const World& world, const RenderSettings& settings) {
-    if (!world.camera.blurs() || settings.samples > 0 || settings.noise > 0) return std::nullopt;
-    return world.camera.blur;
+SampleRule sample_rule(const World& world, const RenderSettings& settings) {
+    if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
+    if (world.camera.blurs()) return world.camera.blur;
+    if (!settings.antialias || world.left_to_chance() || world.camera.mesh) return NoiseRule();
+    return contrast_rule(settings, world.settings.assumed_gamma);
 }
 
 /// Whether the number of samples depends on that of shadow rays.
@@ -50,7 +51,9 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     return rays == 1 ? first : std::min(first, std::max(least, first / rays));
 }
 
-int all_samples(const World& world, const RenderSettings& settings, int rays) {
+int first_samples(const World& world, const RenderSettings& settings, const SampleRule& rule,
+                  int rays) {
+    if (std::holds_alternative<ContrastRule>(rule)) return 1;
     const int usual = usual_samples(world, settings, rays);
     if (settings.samples > 0 || settings.noise > 0) return usual;
     const int moments = 1 + static_cast<int>(world.other_moments.size());
@@ -74,7 +77,7 @@ public:
         do {
             run_round();
             if (stopped_) return false;
-        } while (plan_round(state_, settings_, plan_.samples, plan_.blur));
+        } while (plan_round(state_, settings_, plan_.samples, plan_.rule));
         return true;
     }
 
@@ -140,7 +143,8 @@ private:
     double overall(double share_of_round) const {
         if (plan_.is_even()) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
-        return settings_.noise > 0 || plan_.blur ? 1 - std::exp2(-rounds) : rounds / 2;
+        const bool open = settings_.noise > 0 || std::holds_alternative<BlurRule>(plan_.rule);
+        return open ? 1 - std::exp2(-rounds) : rounds / 2;
     }
 
     bool wants(const Region& tile, std::uint32_t level) const {
@@ -169,12 +173,8 @@ private:
             key.sample = state_.share.first_sample + pixel.samples;
             const std::size_t moment = key.sample % work.tracers.size();
             const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
-            // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
-            const bool spread = settings_.antialias || world.camera.lens_radius > 0;
-            const double dx = spread ? uniform(key, Purpose::pixel_x) : 0.5;
-            const double dy = spread ? uniform(key, Purpose::pixel_y) : 0.5;
             const PicturePoint at{x, y, state_.film.width(), state_.film.height()};
-            const Ray ray = ray_through(world, at, {dx, dy}, key);
+            const Ray ray = ray_through(world, at, place(world, key), key);
             Tracer& tracer = work.tracers[moment];
             const std::uint64_t before_rays = tracer.rays().shadow;
             pixel.add(tracer.radiance(ray, key));
@@ -184,6 +184,15 @@ private:
             gather_sample(hooks_.extras, world, ray, tracer, extra);
             if (key.sample == 0) gather_middle(hooks_.extras, world_, at, extra);
         }
+    }
+
+    /// In the pixel.
+    Vec2 place(const World& world, const Key& key) const {
+        if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule))
+            return place_in_pixel(*rule, key);
+        // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
+        if (!settings_.antialias && world.camera.lens_radius == 0) return Vec2(0.5);
+        return {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
     }
 
     bool stop(const Work& work) {
@@ -213,8 +222,9 @@ private:
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
     const ShadowRays rays = shadow_rays_per_hit(world, settings);
     const int shared = follows_shadow_rays(world, settings) ? rays.usual : 1;
-    return {world, settings, rays, static_cast<std::uint32_t>(all_samples(world, settings, shared)),
-            blur_rule(world, settings)};
+    const SampleRule rule = sample_rule(world, settings);
+    const int samples = first_samples(world, settings, rule, shared);
+    return {world, settings, rays, static_cast<std::uint32_t>(samples), rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, RayCounts& rays,

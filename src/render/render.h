@@ -17,13 +17,13 @@
 struct RenderPlan {
     const World& world;
     RenderSettings settings;
-    ShadowRays shadow_rays;        ///< at each hit
-    std::uint32_t samples = 1;     ///< of each pixel in the first round, or altogether
-    std::optional<BlurRule> blur;  ///< of the camera, when it decides how many follow
+    ShadowRays shadow_rays;     ///< at each hit
+    std::uint32_t samples = 1;  ///< of each pixel in the first round, or altogether
+    SampleRule rule;            ///< for those that follow
 
     /// Whether all pixels get the same number of samples. Neither an adaptive scheme nor a lens is
     /// so.
-    bool is_even() const { return ::is_even(settings) && !blur; }
+    bool is_even() const { return ::is_even(settings) && !std::holds_alternative<BlurRule>(rule); }
 };
 
 /// Traces some pixels where the settings leave open what pays best.

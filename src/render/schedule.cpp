@@ -32,7 +32,8 @@ AdaptiveRule rule_of(const RenderSettings& settings) {
     return {settings.antialias_threshold / 10, std::uint32_t{1} << (2 * settings.antialias_depth)};
 }
 
-void refine(RenderState& state, const RenderSettings& settings) {
+void refine(RenderState& state, const RenderSettings& settings, const NoiseRule&) {
+    if (settings.noise == 0 && state.rounds > 1) return;
     const AdaptiveRule rule = rule_of(settings);
     std::vector<std::uint32_t> more(state.film.pixels().size());
     for_pixels(state.film, [&](int x, int y, const PixelSum& pixel) {
@@ -47,12 +48,22 @@ void refine(RenderState& state, const RenderSettings& settings) {
 }
 
 /// Each pixel by its own samples, as POV-Ray does, though not after each of them.
-void refine(RenderState& state, const BlurRule& rule) {
+void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     const auto most = static_cast<std::uint32_t>(rule.most);
     for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
         const std::uint32_t n = pixel.samples;
         if (state.share.owns(x, y) && pixel.variance_of_mean() > rule.allowed(static_cast<int>(n)))
             pixel.target = std::min(most, n + n / 4 + 1);
+    });
+}
+
+/// All pixels are judged by their first samples.
+void refine(RenderState& state, const RenderSettings& settings, const ContrastRule& rule) {
+    if (state.rounds > 1) return;
+    const std::vector<bool> more = standing_out(state.film, rule, settings.threads);
+    for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
+        if (more[state.film.index(x, y)] && state.share.owns(x, y))
+            pixel.target = all_samples(rule);
     });
 }
 
@@ -68,17 +79,17 @@ bool is_even(const RenderSettings& settings) {
 }
 
 bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,
-                const std::optional<BlurRule>& blur) {
-    const bool even = is_even(settings) && !blur;
+                const SampleRule& rule) {
+    const bool blurs = std::holds_alternative<BlurRule>(rule);
+    const bool even = is_even(settings) && !blurs;
     if (even || state.rounds == 0)
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-            const bool wanted = even || blur ? state.share.owns(x, y) : borders(state.share, x, y);
+            const bool alone = even || blurs;
+            const bool wanted = alone ? state.share.owns(x, y) : borders(state.share, x, y);
             pixel.target = wanted ? samples : 0;
         });
-    else if (blur)
-        refine(state, *blur);
-    else if (settings.noise > 0 || state.rounds == 1)
-        refine(state, settings);
+    else
+        std::visit([&](const auto& each) { refine(state, settings, each); }, rule);
     if (missing_samples(state.film) == 0) return false;
     ++state.rounds;
     return true;

@@ -5,11 +5,12 @@
 #pragma once
 
 #include "camera/camera.h"
+#include "render/contrast.h"
 #include "render/film.h"
 #include "render/share.h"
 #include "scene/settings.h"
 
-#include <optional>
+#include <variant>
 
 /// A picture on its way.
 struct RenderState {
@@ -23,14 +24,18 @@ struct RenderState {
 /// Before the first sample. `extras`: sums for each pixel besides the picture's.
 RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 
+/// Pixels get more samples by the noise of those around them.
+struct NoiseRule {};
+
+/// What decides how many samples follow those of the first round; BlurRule: the camera's own.
+using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule>;
+
 /// Whether the settings give all pixels the same number of samples.
 bool is_even(const RenderSettings&);
 
 /// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
-/// round, or altogether when that number is even. A blurred picture has a rule of its own. False
-/// when no pixel needs more.
-bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples,
-                const std::optional<BlurRule>& blur = {});
+/// round, or altogether when that number is even. False when no pixel needs more.
+bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
 /// Samples that are wanted up to now but not there yet.
 std::uint64_t missing_samples(const Film&);

@@ -37,14 +37,25 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
         F{"height", &RenderSettings::height, item, "height of the picture in pixels",
           between(1, 65535)},
         F{"antialias", &RenderSettings::antialias, flag,
-          "spread the camera rays over the pixel; off: all go through its middle"},
+          "more camera rays, spread over the pixel, where the threshold asks for them; off: all go "
+          "through its middle"},
         F{"antialias_threshold", &RenderSettings::antialias_threshold, item,
-          "a pixel gets more rays while the standard error of its displayed colour, summed over "
-          "red, green and blue (each 0 to 1), is above a tenth of this",
+          "a pixel that differs from one beside it by so much, summed over red, green and blue "
+          "(each 0 to 1), gets more rays, and so does the other; where light is left to chance, it "
+          "gets them while the standard error of its colour is above a tenth of this",
           at_least(0)},
         F{"antialias_depth", &RenderSettings::antialias_depth, item,
-          "when the number of rays is chosen for each pixel, it is at most 4 to this power",
+          "a pixel gets so many rays more across and down; where light is left to chance, at most "
+          "4 to this power altogether",
           between(1, 9)},
+        F{"antialias_gamma", &RenderSettings::antialias_gamma, item,
+          "the threshold is for differences of linear values to the power of 1 over this",
+          above(0)},
+        F{"jitter", &RenderSettings::jitter, flag,
+          "moves those rays at random; off: they are in "
+          "rows"},
+        F{"jitter_amount", &RenderSettings::jitter_amount, item,
+          "how far, in parts of the distance between two of them", at_least(0)},
         F{"samples", &RenderSettings::samples, item,
           "camera rays for each pixel; 0: as many as each needs", between(0, 1e6)},
         F{"noise", &RenderSettings::noise, item,

@@ -35,6 +35,9 @@ struct RenderSettings {
     bool antialias = true;  ///< false: all camera rays go through the middle of the pixel
     double antialias_threshold = 0.3;  ///< see the vocabulary
     int antialias_depth = 3;
+    double antialias_gamma = 2.5;  ///< of the values whose differences the threshold is for
+    bool jitter = true;            ///< false: rays of one pixel are in rows
+    double jitter_amount = 1;
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
     double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
     int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay

@@ -71,6 +71,11 @@ TEST_CASE("switches that are on or off") {
     CHECK(read({"+A0.1"}).render.antialias_threshold == 0.1);
     CHECK(read({"Antialias_Threshold=.05"}).render.antialias_threshold == 0.05);
     CHECK(read({"+R5"}).render.antialias_depth == 5);
+    CHECK_FALSE(read({"-J"}).render.jitter);
+    CHECK(read({"-J", "+J0.5"}).render.jitter);
+    CHECK(read({"+J0.5"}).render.jitter_amount == 0.5);
+    CHECK(read({"Jitter_Amount=2", "Jitter=off"}).render.jitter_amount == 2);
+    CHECK(read({"+AG1"}).render.antialias_gamma == 1);
 }
 
 TEST_CASE("formats") {
@@ -181,8 +186,8 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
 
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
     CHECK(complaint({"+AM2"}, Severity::warning) ==
-          "`+AM2` is ignored: one method is offered, which is adaptive");
-    for (const char* word : {"-J", "+J0.5", "+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
+          "`+AM2` is ignored: one method is offered, POV-Ray's first");
+    for (const char* word : {"+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);
     }

@@ -76,6 +76,7 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
         #for (I, 1, 150)
             sphere { <10*rand(R) - 5, 10*rand(R) - 5, 0>, 0.02 + 0.05*rand(R) pigment { rgb 1 } finish { ambient 1 diffuse 0 } }
         #end
+        sphere { <0, 0, 99>, 1 pigment { rgb 1 } finish { emission 1 } }  // leaves light to chance
     )");
     RenderSettings settings;
     settings.width = settings.height = 24;

@@ -94,3 +94,32 @@ TEST_CASE("pixels behind a lens get samples until their mean is known, or no mor
     while (plan_round(state, settings, 10, BlurRule{10, 25, 1e-6, 0.9})) fill(state.film);
     CHECK(state.film.at(15, 3).samples == 25);
 }
+
+TEST_CASE("pixels that stand out get a square of samples, those of a share as in the whole picture",
+          "[render]") {
+    const RenderSettings settings = tiny();
+    const ContrastRule rule = contrast_rule(settings, 1);
+    const auto targets = [&](const Share& share) {
+        RenderState state = begin_picture(settings);
+        state.share = share;
+        REQUIRE(plan_round(state, settings, 1, rule));
+        for (int y = 0; y < state.film.height(); ++y)
+            for (int x = 0; x < state.film.width(); ++x)
+                if (state.film.at(x, y).target > 0) state.film.at(x, y).add(Vec3(x < 16 ? 0 : 1));
+        REQUIRE(plan_round(state, settings, 1, rule));
+        std::vector<std::uint32_t> found;
+        for (int x = 0; x < state.film.width(); ++x) found.push_back(state.film.at(x, 3).target);
+        return found;
+    };
+    const std::vector<std::uint32_t> whole = targets(whole_picture(20, 18));
+    CHECK(whole[14] == 1);
+    CHECK(whole[15] == 10);
+    CHECK(whole[16] == 10);
+    CHECK(whole[17] == 1);
+    Share second = whole_picture(20, 18);
+    second.first_tile = 1;
+    second.tile_step = 4;
+    const std::vector<std::uint32_t> part = targets(second);
+    CHECK(part[15] == 1);
+    CHECK(std::equal(whole.begin() + 16, whole.end(), part.begin() + 16));
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Between linear light and colours as a scene has them, which assumed_gamma says. Used where
-// pictures are read and written.
+// pictures are read and written, and colours compared.
 #pragma once
 
 #include "base/colour.h"
