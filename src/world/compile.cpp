@@ -212,7 +212,9 @@ void build_indices(World& world, const CompileOptions& options) {
     world.sampler = build(world.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.light_reach) group_of.push_back(reach.group);
-    world.source_sets = source_sets(world.lights, group_of, world.settings.light_sampler, lit);
+    world.source_sets =
+        source_sets(world.lights, group_of, world.settings.light_sampler, lit,
+                    world.left_to_chance() ? most_asked_among_samples : most_asked_sources);
 }
 
 }  // namespace

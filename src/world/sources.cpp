@@ -56,11 +56,12 @@ const PointLight& point_light(const Light& light) { return std::get<PointLight>(
 
 class Sets {
 public:
-    Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene)
-        : lights_(lights), settings_(sampler), scene_(scene) {}
+    Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene,
+         std::size_t most_asked)
+        : lights_(lights), settings_(sampler), scene_(scene), most_asked_(most_asked) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= most_asked_sources || std::holds_alternative<EveryLight>(settings_)) {
+        if (members.size() <= most_asked_ || std::holds_alternative<EveryLight>(settings_)) {
             result.push_back({group, std::move(members)});
             return;
         }
@@ -84,7 +85,7 @@ public:
 private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
-        if (set.lights.size() > most_asked_sources) {
+        if (set.lights.size() > most_asked_) {
             for (const std::uint32_t i : set.lights)
                 set.emitters.push_back(emitter(point_light(lights_[i]), i));
             give_size(set.emitters);
@@ -112,16 +113,18 @@ private:
     std::span<const Light> lights_;
     const LightSampler& settings_;
     const LightScene& scene_;
+    std::size_t most_asked_;
 };
 
 }  // namespace
 
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of,
-                                   const LightSampler& sampler, const LightScene& scene) {
+                                   const LightSampler& sampler, const LightScene& scene,
+                                   std::size_t most_asked) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
-    Sets sets(lights, sampler, scene);
+    Sets sets(lights, sampler, scene, most_asked);
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
 }

@@ -42,13 +42,13 @@ TEST_CASE("few light sources are all asked, some of many", "[world]") {
 }
 
 TEST_CASE("lights that take light away are all asked, those without light never", "[world]") {
-    std::vector<Light> all = lights(100);
+    std::vector<Light> all = lights(200);
     light(all, 7).colour = Vec3(1, -0.1, 1);
     light(all, 8).colour = Vec3(0);
     const auto found = sets(all);
     REQUIRE(found.size() == 2);
     CHECK(found[0].lights == std::vector<std::uint32_t>{7});
-    CHECK(found[1].lights.size() == 98);
+    CHECK(found[1].lights.size() == 198);
     CHECK(found[1].drawn());
 }
 
@@ -66,15 +66,22 @@ TEST_CASE("light of one direction is chosen by direction", "[world]") {
     CHECK(asked.normal == Vec3(0, 1, 0));
 }
 
+TEST_CASE("fewer light sources are all asked where pixels have many samples anyway", "[world]") {
+    const std::string some = "#for (I, 1, 50) light_source { I*x, 1 } #end plane { y, 0 } ";
+    CHECK_FALSE(world_of(some).left_to_chance());
+    const World world = world_of(some + "sphere { y, 1 pigment { rgb 1 } finish { emission 1 } }");
+    CHECK(world.source_sets[0].drawn());
+}
+
 TEST_CASE("each light group has its own set", "[world]") {
     const std::string group =
-        "light_group { #for (I, 1, 50) light_source { I*x, 1 } #end sphere { 0, 1 } }";
+        "light_group { #for (I, 1, 150) light_source { I*x, 1 } #end sphere { 0, 1 } }";
     const World world = world_of("light_source { y, 1 } sphere { 3*x, 1 }" + group + group);
     REQUIRE(world.source_sets.size() == 3);
     CHECK_FALSE(world.source_sets[0].drawn());
     for (const std::size_t i : {1u, 2u}) {
         CHECK(world.source_sets[i].group == i);
-        CHECK(world.source_sets[i].lights.size() == 50);
+        CHECK(world.source_sets[i].lights.size() == 150);
         CHECK(world.source_sets[i].drawn());
     }
     CHECK(world.light_is_drawn());
