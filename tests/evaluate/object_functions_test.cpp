@@ -25,6 +25,13 @@ TEST_CASE("what can be asked of a declared object", "[evaluate]") {
     CHECK(printed("V(trace(O, <9, 9, -9>, z))") == "0.00,0.00,0.00");
 }
 
+TEST_CASE("a text keeps its movements in another block", "[evaluate]") {
+    CHECK(printed("#declare A = text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 5*y }"
+                  "#declare B = object { text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 2*y } "
+                  "translate 3*y }"
+                  "V(max_extent(A) - max_extent(B))") == "0.00,0.00,0.00");
+}
+
 TEST_CASE("only objects can be asked", "[evaluate]") {
     CHECK(printed("#declare A = inside(3, x);") ==
           "error: `inside` takes a declared object here, but this is a number");
