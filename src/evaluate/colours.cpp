@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colours in expressions, and the parts of vectors and colours.
-#include "evaluate/state.h"
 #include "base/gamma.h"
+#include "evaluate/state.h"
 #include "text/message.h"
 
 int component_of(std::string_view member) {

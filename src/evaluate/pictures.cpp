@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/pictures.h"
 
-#include "formula/formula.h"
 #include "base/gamma.h"
+#include "formula/formula.h"
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 

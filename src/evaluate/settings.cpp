@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/settings.h"
 
-#include "evaluate/item_block.h"
 #include "base/gamma.h"
+#include "evaluate/item_block.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
 

@@ -2,9 +2,9 @@
 #include "picture/read.h"
 
 #include "base/colour.h"
+#include "base/gamma.h"
 #include "picture/file_facts.h"
 #include "picture/formats.h"
-#include "base/gamma.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 #include "picture/write.h"
 
 #include "base/colour.h"
+#include "base/gamma.h"
 #include "picture/file.h"
 #include "picture/formats.h"
-#include "base/gamma.h"
 #include "text/ascii.h"
 #include "text/message.h"
 
