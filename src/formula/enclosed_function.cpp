@@ -59,14 +59,20 @@ bool has_place(const Bounds& range, double first, double period) {
     return first + k * period <= range.high + rounding * period;
 }
 
-Bounds cosine_of(const Bounds& a) {
-    if (!(a.high - a.low < 2 * pi) || std::abs(a.low) > 1e9) return {-1, 1};
-    const double first = std::cos(a.low), last = std::cos(a.high);
-    return {has_place(a, pi, 2 * pi) ? -1 : std::min(first, last),
-            has_place(a, 0, 2 * pi) ? 1 : std::max(first, last)};
-}
+/// Of all angles in a range.
+struct Circular {
+    Bounds cosine{-1, 1}, sine{-1, 1};
+};
 
-Bounds sine_of(const Bounds& a) { return cosine_of({a.low - pi / 2, a.high - pi / 2}); }
+Circular circular(const Bounds& a) {
+    if (!(a.high - a.low < pi) || std::abs(a.low) > 1e9) return {};
+    const double c1 = std::cos(a.low), s1 = std::sin(a.low);
+    const double c2 = std::cos(a.high), s2 = std::sin(a.high);
+    // In less than half a turn each has one extreme at most, where the other changes its sign.
+    return {
+        {s1 >= 0 && s2 <= 0 ? -1 : std::min(c1, c2), s1 <= 0 && s2 >= 0 ? 1 : std::max(c1, c2)},
+        {c1 <= 0 && c2 >= 0 ? -1 : std::min(s1, s2), c1 >= 0 && c2 <= 0 ? 1 : std::max(s1, s2)}};
+}
 
 Enclosure absolute(const Enclosure& a) {
     if (a.value.low >= 0) return a;
@@ -81,8 +87,8 @@ Enclosure arc_sine(const Enclosure& a) {
 }
 
 Enclosure cosine(const Enclosure& a) {
-    const Bounds slope = sine_of(a.value);
-    return {cosine_of(a.value), Bounds{-slope.high, -slope.low} * a.slope};
+    const Circular c = circular(a.value);
+    return {c.cosine, Bounds{-c.sine.high, -c.sine.low} * a.slope};
 }
 
 Enclosure hyperbolic_cosine(const Enclosure& a) {
@@ -143,7 +149,8 @@ constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
     [](const Enclosure& a) { return scaled(logarithm(a), 1 / std::log(10)); },
     [](const Enclosure& a) { return scaled(a, radians_per_degree); },
     [](const Enclosure& a) {
-        return Enclosure{sine_of(a.value), cosine_of(a.value) * a.slope};
+        const Circular c = circular(a.value);
+        return Enclosure{c.sine, c.cosine * a.slope};
     },
     [](const Enclosure& a) {
         return growing(

@@ -26,16 +26,16 @@ double hetero_mf(const double* arguments) {
     Vec3 at = point_of(arguments);
     const auto height = [&] { return 2 * noise(at, generator) - 1 + offset; };
 
-    double sum = height(), frequency = 1;
+    const double fading = std::pow(lacunarity, -roughness), times = std::trunc(p[4]);
+    double sum = height(), weight = 1;
     const auto next = [&] {
         at *= lacunarity;
-        frequency *= lacunarity;
-        return height() * std::pow(frequency, -roughness);
+        weight *= fading;
+        return height() * weight;
     };
     for (int i = 1; i < octaves; ++i) {
-        const double times = std::trunc(p[4]);
         const double more = next();
-        sum += times >= 1 ? more * std::pow(sum, times) : more;
+        sum += times > 1 ? more * std::pow(sum, times) : times == 1 ? more * sum : more;
     }
     // A begun octave has been added as a whole; one more is added in part.
     const double fraction = octaves - std::floor(octaves);
@@ -77,12 +77,13 @@ double ridged_mf(const double* arguments) {
         return signal * signal;
     };
 
-    double signal = crest(), sum = signal, frequency = 1;
+    const double fading = std::pow(lacunarity, -roughness);
+    double signal = crest(), sum = signal, weight = 1;
     for (int i = 1; i < octaves; ++i) {
         at *= lacunarity;
-        frequency *= lacunarity;
+        weight *= fading;
         signal = std::clamp(signal * gain, 0.0, 1.0) * crest();
-        sum += signal * std::pow(frequency, -roughness);
+        sum += signal * weight;
     }
     return sum;
 }

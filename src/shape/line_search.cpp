@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/line_search.h"
 
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -75,20 +78,17 @@ private:
         done_ = first_ && change.t > wanted_.min;
     }
 
-    /// The change between two places of different signs: the false position, and the middle
-    /// whenever that gets on slowly.
-    double solve(Place first, Place last) const {
-        for (int i = 0; i < 200 && last.t - first.t > precision_; ++i) {
-            double t = first.t + (last.t - first.t) * first.value / (first.value - last.value);
-            const double near = 0.25 * precision_;
-            // A little beyond the change, so that both ends come near to it.
-            t += t - first.t < last.t - t ? near : -near;
-            if (i % 3 == 2 || !(t > first.t && t < last.t)) t = 0.5 * (first.t + last.t);
-            if (t == first.t || t == last.t) break;
-            const Place next{t, f_.at(t)};
-            (is_below(next.value) == is_below(first.value) ? first : last) = next;
-        }
-        return 0.5 * (first.t + last.t);
+    /// The change between two places of different signs.
+    double solve(const Place& first, const Place& last) const {
+        const auto known = [](double value) {
+            return std::isnan(value) ? 1 : std::clamp(value, -1e200, 1e200);
+        };
+        const auto near = [&](double a, double b) { return b - a <= precision_; };
+        std::uintmax_t steps = 200;
+        const auto [a, b] = boost::math::tools::toms748_solve(
+            [&](double t) { return known(f_.at(t)); }, first.t, last.t, known(first.value),
+            known(last.value), near, steps);
+        return 0.5 * (a + b);
     }
 
     const LineFunction& f_;

@@ -26,6 +26,8 @@ TEST_CASE("sign changes are found where they are", "[shape]") {
     CHECK(changes([](double t) { return t * t + 1e-4; }, 2, {-1, 1}).empty());
     CHECK(changes([](double t) { return t < 0.3 ? -1.0 : 1.0; }, INFINITY, {0, 1}).at(0) ==
           Approx(0.3));
+    CHECK(changes([](double t) { return t < 0.3 ? -INFINITY : NAN; }, INFINITY, {0, 1}).at(0) ==
+          Approx(0.3));
 }
 
 TEST_CASE("the search ends for functions that stay at 0, jump or have no value", "[shape]") {
