@@ -4,9 +4,20 @@
 #include "base/gamma.h"
 #include "base/parallel.h"
 
+Vec3 Contrast::shown(const Vec3& colour) const {
+    Vec3 compared;
+    for (int i = 0; i < 3; ++i)
+        compared[i] = from_linear(to_linear(colour[i], assumed_gamma), gamma);
+    return compared;
+}
+
+Contrast contrast_of(const RenderSettings& settings, double assumed_gamma) {
+    return {settings.antialias_threshold, assumed_gamma, settings.antialias_gamma};
+}
+
 ContrastRule contrast_rule(const RenderSettings& settings, double assumed_gamma) {
-    return {settings.antialias_threshold, assumed_gamma, settings.antialias_gamma,
-            settings.antialias_depth, settings.jitter ? settings.jitter_amount : 0};
+    return {contrast_of(settings, assumed_gamma), settings.antialias_depth,
+            settings.jitter ? settings.jitter_amount : 0};
 }
 
 std::uint32_t all_samples(const ContrastRule& rule) {
@@ -18,16 +29,12 @@ std::vector<bool> standing_out(const Film& film, const ContrastRule& rule, int t
     Image shown(width, height);
     run_parallel(static_cast<std::size_t>(height), threads, [&](std::size_t row) {
         const int y = static_cast<int>(row);
-        for (int x = 0; x < width; ++x) {
-            const Vec3 mean = film.at(x, y).mean();
-            for (int i = 0; i < 3; ++i)
-                shown.at(x, y)[i] = from_linear(to_linear(mean[i], rule.assumed_gamma), rule.gamma);
-        }
+        for (int x = 0; x < width; ++x) shown.at(x, y) = rule.contrast.shown(film.at(x, y).mean());
     });
     std::vector<bool> found(shown.pixels.size());
     const auto compare = [&](int x, int y, int u, int v) {
         const Vec3 difference = glm::abs(shown.at(x, y) - shown.at(u, v));
-        if (difference.x + difference.y + difference.z >= rule.threshold)
+        if (difference.x + difference.y + difference.z >= rule.contrast.threshold)
             found[film.index(x, y)] = found[film.index(u, v)] = true;
     };
     for (int y = 0; y < height; ++y)

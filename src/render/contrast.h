@@ -7,11 +7,21 @@
 #include "render/film.h"
 #include "scene/settings.h"
 
-struct ContrastRule {
+/// When two places of a picture differ.
+struct Contrast {
     double threshold;      ///< of the difference, summed over the channels
     double assumed_gamma;  ///< of the colours in the film
     double gamma;          ///< of those that are compared
-    int across;            ///< rays in a row of the square, and rows
+
+    /// A colour as it is compared.
+    Vec3 shown(const Vec3& colour) const;
+};
+
+Contrast contrast_of(const RenderSettings&, double assumed_gamma);
+
+struct ContrastRule {
+    Contrast contrast;
+    int across;     ///< rays in a row of the square, and rows
     double jitter;  ///< how far rays are moved at random, in parts of the distance between two
 };
 

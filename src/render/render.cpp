@@ -12,12 +12,11 @@
 
 namespace {
 
-std::vector<Region> tiles_of(int width, int height) {
+std::vector<Region> tiles_of(int width, int height, int size) {
     std::vector<Region> tiles;
-    for (int y = 0; y < height; y += tile_size)
-        for (int x = 0; x < width; x += tile_size)
-            tiles.push_back(
-                {x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)});
+    for (int y = 0; y < height; y += size)
+        for (int x = 0; x < width; x += size)
+            tiles.push_back({x, y, std::min(x + size, width), std::min(y + size, height)});
     return tiles;
 }
 
@@ -28,6 +27,7 @@ SampleRule sample_rule(const World& world, const RenderSettings& settings) {
     if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
     if (world.camera.blurs()) return world.camera.blur;
     if (!settings.antialias || world.left_to_chance() || world.camera.mesh) return NoiseRule();
+    if (settings.sampling_method > 1) return corner_rule(settings, world.settings.assumed_gamma);
     return contrast_rule(settings, world.settings.assumed_gamma);
 }
 
@@ -53,7 +53,8 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
 
 int first_samples(const World& world, const RenderSettings& settings, const SampleRule& rule,
                   int rays) {
-    if (std::holds_alternative<ContrastRule>(rule)) return 1;
+    if (std::holds_alternative<ContrastRule>(rule) || std::holds_alternative<CornerRule>(rule))
+        return 1;
     const int usual = usual_samples(world, settings, rays);
     if (settings.samples > 0 || settings.noise > 0) return usual;
     const int moments = 1 + static_cast<int>(world.other_moments.size());
@@ -109,7 +110,9 @@ private:
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
-        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
+        // Corners at the edge of a tile are looked at twice: fewer are in larger tiles.
+        const int size = std::holds_alternative<CornerRule>(plan_.rule) ? 2 * tile_size : tile_size;
+        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
         std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (++begun == tiles.size() && ends_round) wind_down();
@@ -141,7 +144,8 @@ private:
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
     /// the noise or a lens takes is not known: each brings half of the rest.
     double overall(double share_of_round) const {
-        if (plan_.is_even()) return share_of_round;
+        if (plan_.is_even() || std::holds_alternative<CornerRule>(plan_.rule))
+            return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
         const bool open = settings_.noise > 0 || std::holds_alternative<BlurRule>(plan_.rule);
         return open ? 1 - std::exp2(-rounds) : rounds / 2;
@@ -158,37 +162,77 @@ private:
 
     /// Gives the number of samples.
     std::uint64_t make_tile(Work& work, const Region& tile, std::uint32_t level) {
+        std::optional<CornerCells> cells;
+        if (const auto* rule = std::get_if<CornerRule>(&plan_.rule)) cells.emplace(*rule, tile);
         for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x)
-                add_samples(work, x, y, std::min(level, state_.film.at(x, y).target));
+            for (int x = tile.left; x < tile.right; ++x) {
+                const std::uint32_t wanted = std::min(level, state_.film.at(x, y).target);
+                if (cells)
+                    add_cell(work, *cells, x, y, wanted);
+                else
+                    add_samples(work, x, y, wanted);
+            }
         return work.made;
     }
 
-    /// The samples of a pixel take turns with the moments.
     void add_samples(Work& work, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
+        const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
+        for (; pixel.samples < wanted && !stop(work); ++work.made) {
+            const std::uint32_t sample = state_.share.first_sample + pixel.samples;
+            const Sight seen = look(work, x, y, sample, extra);
+            pixel.add(seen.colour);
+            pixel.shadow_rays += seen.shadow_rays;
+            if (sample == 0) gather_middle(hooks_.extras, world_, point(x, y), extra);
+        }
+    }
+
+    /// One sample, of many rays.
+    void add_cell(Work& work, CornerCells& cells, int x, int y, std::uint32_t wanted) {
+        PixelSum& pixel = state_.film.at(x, y);
+        if (pixel.samples >= wanted || stop(work)) return;
+        const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
+        std::vector<ExactSum> shown(extra.size());
+        const Sight seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
+            std::ranges::fill(shown, ExactSum());
+            Sight sight = look(work, u, v, sample, shown);
+            for (const ExactSum& each : shown) sight.extra.push_back(each.value());
+            if (hooks_.extras.alpha) sight.clear = sight.extra.front();
+            return sight;
+        });
+        pixel.add(seen.colour);
+        pixel.shadow_rays += seen.shadow_rays;
+        for (std::size_t i = 0; i < extra.size(); ++i) extra[i].add(seen.extra[i]);
+        gather_middle(hooks_.extras, world_, point(x, y), extra);
+        ++work.made;
+    }
+
+    PicturePoint point(int x, int y) const {
+        return {x, y, state_.film.width(), state_.film.height()};
+    }
+
+    /// Follows the ray of a sample, and adds what it shows besides its colour. Samples take turns
+    /// with the moments.
+    Sight look(Work& work, int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
-        for (; pixel.samples < wanted && !stop(work); ++work.made) {
-            key.sample = state_.share.first_sample + pixel.samples;
-            const std::size_t moment = key.sample % work.tracers.size();
-            const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
-            const PicturePoint at{x, y, state_.film.width(), state_.film.height()};
-            const Ray ray = ray_through(world, at, place(world, key), key);
-            Tracer& tracer = work.tracers[moment];
-            const std::uint64_t before_rays = tracer.rays().shadow;
-            pixel.add(tracer.radiance(ray, key));
-            pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
-            if (state_.film.extras() == 0) continue;
-            const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
-            gather_sample(hooks_.extras, world, ray, tracer, extra);
-            if (key.sample == 0) gather_middle(hooks_.extras, world_, at, extra);
-        }
+        key.sample = sample;
+        const std::size_t moment = sample % work.tracers.size();
+        const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
+        const Ray ray = ray_through(world, point(x, y), place(world, key), key);
+        Tracer& tracer = work.tracers[moment];
+        const std::uint64_t before_rays = tracer.rays().shadow;
+        Sight seen{tracer.radiance(ray, key)};
+        seen.shadow_rays = static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
+        if (!extra.empty()) gather_sample(hooks_.extras, world, ray, tracer, extra);
+        return seen;
     }
 
     /// In the pixel.
     Vec2 place(const World& world, const Key& key) const {
         if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule))
+            return place_in_pixel(*rule, key);
+        if (const auto* rule = std::get_if<CornerRule>(&plan_.rule))
             return place_in_pixel(*rule, key);
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
         if (!settings_.antialias && world.camera.lens_radius == 0) return Vec2(0.5);

@@ -67,6 +67,15 @@ void refine(RenderState& state, const RenderSettings& settings, const ContrastRu
     });
 }
 
+/// A pixel has all that it needs in one sample.
+void refine(RenderState&, const RenderSettings&, const CornerRule&) {}
+
+/// Whether pixels are judged by those around them, which a share then needs, too.
+bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
+    return !is_even(settings, rule) && !std::holds_alternative<BlurRule>(rule) &&
+           !std::holds_alternative<CornerRule>(rule);
+}
+
 }  // namespace
 
 RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
@@ -74,22 +83,22 @@ RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
             whole_picture(settings.width, settings.height), 0};
 }
 
-bool is_even(const RenderSettings& settings) {
-    return settings.noise == 0 && (settings.samples > 0 || !settings.antialias);
+bool is_even(const RenderSettings& settings, const SampleRule& rule) {
+    return settings.noise == 0 && (settings.samples > 0 || !settings.antialias) &&
+           !std::holds_alternative<BlurRule>(rule);
 }
 
 bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,
                 const SampleRule& rule) {
-    const bool blurs = std::holds_alternative<BlurRule>(rule);
-    const bool even = is_even(settings) && !blurs;
-    if (even || state.rounds == 0)
+    if (is_even(settings, rule) || state.rounds == 0) {
+        const bool around = looks_around(settings, rule);
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-            const bool alone = even || blurs;
-            const bool wanted = alone ? state.share.owns(x, y) : borders(state.share, x, y);
+            const bool wanted = around ? borders(state.share, x, y) : state.share.owns(x, y);
             pixel.target = wanted ? samples : 0;
         });
-    else
+    } else {
         std::visit([&](const auto& each) { refine(state, settings, each); }, rule);
+    }
     if (missing_samples(state.film) == 0) return false;
     ++state.rounds;
     return true;

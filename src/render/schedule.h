@@ -6,6 +6,7 @@
 
 #include "camera/camera.h"
 #include "render/contrast.h"
+#include "render/corners.h"
 #include "render/film.h"
 #include "render/share.h"
 #include "scene/settings.h"
@@ -27,11 +28,13 @@ RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 /// Pixels get more samples by the noise of those around them.
 struct NoiseRule {};
 
-/// What decides how many samples follow those of the first round; BlurRule: the camera's own.
-using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule>;
+/// What decides how many samples follow those of the first round; BlurRule: the camera's own;
+/// CornerRule: none do.
+using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule, CornerRule>;
 
-/// Whether the settings give all pixels the same number of samples.
-bool is_even(const RenderSettings&);
+/// Whether the settings, and the rule for what follows, give all pixels the number of samples that
+/// is asked for. Neither an adaptive scheme nor a lens does so.
+bool is_even(const RenderSettings&, const SampleRule& = {});
 
 /// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
 /// round, or altogether when that number is even. False when no pixel needs more.
