@@ -2,7 +2,7 @@
 #include "render/corners.h"
 
 #include <array>
-#include <cmath>
+#include <utility>
 
 namespace {
 
@@ -76,7 +76,7 @@ const CornerCells::Point& CornerCells::point(const Pixel& pixel, std::uint32_t x
 
 CornerCells::Point CornerCells::seen(const Pixel& pixel, std::uint32_t sample) const {
     Sight sight = pixel.look(pixel.x, pixel.y, sample);
-    const Vec3 shown = rule_.contrast.shown(sight.colour);
+    const Shown shown = rule_.contrast.shown(sight.colour, sight.clear);
     return {std::move(sight), shown};
 }
 
@@ -87,7 +87,8 @@ Sight CornerCells::mean(const Pixel& pixel, const Cell& cell) {
         &point(pixel, cell.x + cell.size, cell.y + cell.size)};
     bool even = true;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) even = even && !differ(*corners[i], *corners[j]);
+        for (std::size_t j = 0; j < i; ++j)
+            even = even && !rule_.contrast.between(corners[i]->shown, corners[j]->shown);
     if (even || cell.size == 1)
         return mean_of(
             {&corners[0]->sight, &corners[1]->sight, &corners[2]->sight, &corners[3]->sight});
@@ -97,10 +98,4 @@ Sight CornerCells::mean(const Pixel& pixel, const Cell& cell) {
                 c = mean(pixel, {cell.x, cell.y + half, half}),
                 d = mean(pixel, {cell.x + half, cell.y + half, half});
     return mean_of({&a, &b, &c, &d});
-}
-
-bool CornerCells::differ(const Point& a, const Point& b) const {
-    const Vec3 difference = glm::abs(a.shown - b.shown);
-    return difference.x + difference.y + difference.z + std::abs(a.sight.clear - b.sight.clear) >=
-           rule_.contrast.threshold;
 }

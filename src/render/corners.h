@@ -4,9 +4,7 @@
 // one sample of the film, whatever it is made of.
 #pragma once
 
-#include "base/function_ref.h"
 #include "render/contrast.h"
-#include "render/share.h"
 
 #include <optional>
 #include <unordered_map>
@@ -49,7 +47,7 @@ public:
 private:
     struct Point {
         Sight sight;
-        Vec3 shown;  ///< the colour as it is compared
+        Shown shown;
     };
     /// A square in the pixel that is looked at: in smallest quarters from its left and upper edge.
     struct Cell {
@@ -63,7 +61,6 @@ private:
     const Point& point(const Pixel&, std::uint32_t x, std::uint32_t y);
     Point seen(const Pixel&, std::uint32_t sample) const;
     Sight mean(const Pixel&, const Cell&);
-    bool differ(const Point&, const Point&) const;
 
     CornerRule rule_;
     Region tile_;

@@ -20,6 +20,9 @@ std::vector<Region> tiles_of(int width, int height, int size) {
     return tiles;
 }
 
+/// Where pixels do not look at each other: more threads find work. A part of a tile.
+constexpr int small_tile = tile_size / 2;
+
 /// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
 constexpr std::uint64_t samples_between_questions = 16;
 
@@ -53,8 +56,9 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
 
 int first_samples(const World& world, const RenderSettings& settings, const SampleRule& rule,
                   int rays) {
-    if (std::holds_alternative<ContrastRule>(rule) || std::holds_alternative<CornerRule>(rule))
-        return 1;
+    if (std::holds_alternative<CornerRule>(rule)) return 1;
+    // To have one sample more than the first is to be compared, whatever comes of it.
+    if (std::holds_alternative<ContrastRule>(rule)) return 2;
     const int usual = usual_samples(world, settings, rays);
     if (settings.samples > 0 || settings.noise > 0) return usual;
     const int moments = 1 + static_cast<int>(world.other_moments.size());
@@ -110,8 +114,7 @@ private:
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
-        // Corners at the edge of a tile are looked at twice: fewer are in larger tiles.
-        const int size = std::holds_alternative<CornerRule>(plan_.rule) ? 2 * tile_size : tile_size;
+        const int size = is_settled_by_tiles(plan_.rule) ? tile_size : small_tile;
         const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
         std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
@@ -144,8 +147,7 @@ private:
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
     /// the noise or a lens takes is not known: each brings half of the rest.
     double overall(double share_of_round) const {
-        if (plan_.is_even() || std::holds_alternative<CornerRule>(plan_.rule))
-            return share_of_round;
+        if (plan_.is_even() || is_settled_by_tiles(plan_.rule)) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
         const bool open = settings_.noise > 0 || std::holds_alternative<BlurRule>(plan_.rule);
         return open ? 1 - std::exp2(-rounds) : rounds / 2;
@@ -160,8 +162,10 @@ private:
         return false;
     }
 
-    /// Gives the number of samples.
+    /// Gives the number of samples that it has made, or found not to be wanted.
     std::uint64_t make_tile(Work& work, const Region& tile, std::uint32_t level) {
+        if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule); rule && level > 1)
+            return compare_tile(work, tile, *rule);
         std::optional<CornerCells> cells;
         if (const auto* rule = std::get_if<CornerRule>(&plan_.rule)) cells.emplace(*rule, tile);
         for (int y = tile.top; y < tile.bottom; ++y)
@@ -175,9 +179,55 @@ private:
         return work.made;
     }
 
+    /// A pixel that goes into this with more than one sample has them from an earlier run.
+    std::uint64_t compare_tile(Work& work, const Region& tile, const ContrastRule& rule) {
+        const Region block = common(tile, state_.share.region);
+        const auto first = [&](int x, int y) {
+            if (block.contains(x, y) && state_.film.at(x, y).samples == 1)
+                return shown(rule.contrast, state_.film.at(x, y), extra_of(x, y));
+            PixelSum alone;
+            std::vector<ExactSum> extra(state_.film.extras());
+            alone.add(look(work, x, y, 0, extra).colour);
+            return shown(rule.contrast, alone, extra);
+        };
+        const auto all = [&](int x, int y) -> std::optional<Shown> {
+            PixelSum& pixel = state_.film.at(x, y);
+            pixel.target = all_samples(rule);
+            add_samples(work, x, y, pixel.target);
+            if (pixel.samples < pixel.target) return {};
+            return shown(rule.contrast, pixel, extra_of(x, y));
+        };
+        const std::uint64_t missing = missing_in(block);
+        if (!refine_block(rule.contrast, block, {first, all})) return 0;
+        for (int y = block.top; y < block.bottom; ++y)
+            for (int x = block.left; x < block.right; ++x)
+                state_.film.at(x, y).target = state_.film.at(x, y).samples;
+        return missing;
+    }
+
+    Shown shown(const Contrast& contrast, const PixelSum& pixel,
+                std::span<const ExactSum> extra) const {
+        const double clear = hooks_.extras.alpha ? extra[0].value() / pixel.samples : 0;
+        return contrast.shown(pixel.mean(), clear);
+    }
+
+    std::uint64_t missing_in(const Region& region) const {
+        std::uint64_t sum = 0;
+        for (int y = region.top; y < region.bottom; ++y)
+            for (int x = region.left; x < region.right; ++x) {
+                const PixelSum& pixel = state_.film.at(x, y);
+                sum += pixel.target - std::min(pixel.samples, pixel.target);
+            }
+        return sum;
+    }
+
+    std::span<ExactSum> extra_of(int x, int y) {
+        return state_.film.extra(state_.film.index(x, y));
+    }
+
     void add_samples(Work& work, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
-        const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
+        const std::span<ExactSum> extra = extra_of(x, y);
         for (; pixel.samples < wanted && !stop(work); ++work.made) {
             const std::uint32_t sample = state_.share.first_sample + pixel.samples;
             const Sight seen = look(work, x, y, sample, extra);
@@ -191,7 +241,7 @@ private:
     void add_cell(Work& work, CornerCells& cells, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
         if (pixel.samples >= wanted || stop(work)) return;
-        const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
+        const std::span<ExactSum> extra = extra_of(x, y);
         std::vector<ExactSum> shown(extra.size());
         const Sight seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
             std::ranges::fill(shown, ExactSum());

@@ -57,23 +57,14 @@ void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     });
 }
 
-/// All pixels are judged by their first samples.
-void refine(RenderState& state, const RenderSettings& settings, const ContrastRule& rule) {
-    if (state.rounds > 1) return;
-    const std::vector<bool> more = standing_out(state.film, rule, settings.threads);
-    for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-        if (more[state.film.index(x, y)] && state.share.owns(x, y))
-            pixel.target = all_samples(rule);
-    });
-}
-
-/// A pixel has all that it needs in one sample.
+/// Tiles have seen to it.
+void refine(RenderState&, const RenderSettings&, const ContrastRule&) {}
 void refine(RenderState&, const RenderSettings&, const CornerRule&) {}
 
 /// Whether pixels are judged by those around them, which a share then needs, too.
 bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
     return !is_even(settings, rule) && !std::holds_alternative<BlurRule>(rule) &&
-           !std::holds_alternative<CornerRule>(rule);
+           !is_settled_by_tiles(rule);
 }
 
 }  // namespace
@@ -81,6 +72,10 @@ bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
 RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
     return {Film(settings.width, settings.height, extras),
             whole_picture(settings.width, settings.height), 0};
+}
+
+bool is_settled_by_tiles(const SampleRule& rule) {
+    return std::holds_alternative<ContrastRule>(rule) || std::holds_alternative<CornerRule>(rule);
 }
 
 bool is_even(const RenderSettings& settings, const SampleRule& rule) {

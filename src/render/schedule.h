@@ -28,9 +28,12 @@ RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 /// Pixels get more samples by the noise of those around them.
 struct NoiseRule {};
 
-/// What decides how many samples follow those of the first round; BlurRule: the camera's own;
-/// CornerRule: none do.
+/// What decides how many samples follow those of the first round. BlurRule: the camera's own;
+/// ContrastRule and CornerRule: none do.
 using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule, CornerRule>;
+
+/// Whether the first round is the last one, in which tiles find out what their pixels need.
+bool is_settled_by_tiles(const SampleRule&);
 
 /// Whether the settings, and the rule for what follows, give all pixels the number of samples that
 /// is asked for. Neither an adaptive scheme nor a lens does so.
