@@ -80,7 +80,7 @@ public:
     /// The rounds up to the end; false when they were stopped.
     bool run() {
         do {
-            run_round();
+            if (state_.rounds > 0) run_round();
             if (stopped_) return false;
         } while (plan_round(state_, settings_, plan_.samples, plan_.rule));
         return true;
@@ -91,19 +91,14 @@ public:
 private:
     /// Brings all pixels to their targets, the whole picture becoming better evenly.
     void run_round() {
-        std::uint32_t most = 0;
-        wanted_ = 0;
-        for (const PixelSum& pixel : state_.film.pixels()) {
-            most = std::max(most, pixel.target);
-            wanted_ += pixel.target;
-        }
-        const std::uint64_t missing = missing_samples(state_.film);
-        done_ = wanted_ - missing;
-        if (missing == 0) return;
+        const Wanted all = wanted_samples(state_.film);
+        wanted_ = all.samples;
+        done_ = all.samples - all.missing;
+        if (all.missing == 0) return;
         constexpr std::uint32_t growth = 4;
         for (std::uint32_t level = 1; !stopped_; level *= growth) {
-            over_tiles(level, level >= most);
-            if (level >= most) return;
+            over_tiles(level, level >= all.most);
+            if (level >= all.most) return;
         }
     }
 
@@ -197,28 +192,23 @@ private:
             if (pixel.samples < pixel.target) return {};
             return shown(rule.contrast, pixel, extra_of(x, y));
         };
-        const std::uint64_t missing = missing_in(block);
+        Wanted before;
+        for_pixels(block, [&](PixelSum& pixel) { before.add(pixel); });
         if (!refine_block(rule.contrast, block, {first, all})) return 0;
-        for (int y = block.top; y < block.bottom; ++y)
-            for (int x = block.left; x < block.right; ++x)
-                state_.film.at(x, y).target = state_.film.at(x, y).samples;
-        return missing;
+        for_pixels(block, [](PixelSum& pixel) { pixel.target = pixel.samples; });
+        return before.missing;
+    }
+
+    template <class Use>
+    void for_pixels(const Region& region, const Use& use) {
+        for (int y = region.top; y < region.bottom; ++y)
+            for (int x = region.left; x < region.right; ++x) use(state_.film.at(x, y));
     }
 
     Shown shown(const Contrast& contrast, const PixelSum& pixel,
                 std::span<const ExactSum> extra) const {
         const double clear = hooks_.extras.alpha ? extra[0].value() / pixel.samples : 0;
         return contrast.shown(pixel.mean(), clear);
-    }
-
-    std::uint64_t missing_in(const Region& region) const {
-        std::uint64_t sum = 0;
-        for (int y = region.top; y < region.bottom; ++y)
-            for (int x = region.left; x < region.right; ++x) {
-                const PixelSum& pixel = state_.film.at(x, y);
-                sum += pixel.target - std::min(pixel.samples, pixel.target);
-            }
-        return sum;
     }
 
     std::span<ExactSum> extra_of(int x, int y) {
@@ -230,7 +220,7 @@ private:
         const std::span<ExactSum> extra = extra_of(x, y);
         for (; pixel.samples < wanted && !stop(work); ++work.made) {
             const std::uint32_t sample = state_.share.first_sample + pixel.samples;
-            const Sight seen = look(work, x, y, sample, extra);
+            const Seen seen = look(work, x, y, sample, extra);
             pixel.add(seen.colour);
             pixel.shadow_rays += seen.shadow_rays;
             if (sample == 0) gather_middle(hooks_.extras, world_, point(x, y), extra);
@@ -245,7 +235,8 @@ private:
         std::vector<ExactSum> shown(extra.size());
         const Sight seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
             std::ranges::fill(shown, ExactSum());
-            Sight sight = look(work, u, v, sample, shown);
+            const Seen one = look(work, u, v, sample, shown);
+            Sight sight{one.colour, 0, {}, one.shadow_rays};
             for (const ExactSum& each : shown) sight.extra.push_back(each.value());
             if (hooks_.extras.alpha) sight.clear = sight.extra.front();
             return sight;
@@ -261,9 +252,14 @@ private:
         return {x, y, state_.film.width(), state_.film.height()};
     }
 
+    struct Seen {
+        Vec3 colour;
+        std::uint32_t shadow_rays;
+    };
+
     /// Follows the ray of a sample, and adds what it shows besides its colour. Samples take turns
     /// with the moments.
-    Sight look(Work& work, int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
+    Seen look(Work& work, int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
         key.sample = sample;
@@ -272,10 +268,9 @@ private:
         const Ray ray = ray_through(world, point(x, y), place(world, key), key);
         Tracer& tracer = work.tracers[moment];
         const std::uint64_t before_rays = tracer.rays().shadow;
-        Sight seen{tracer.radiance(ray, key)};
-        seen.shadow_rays = static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
+        const Vec3 colour = tracer.radiance(ray, key);
         if (!extra.empty()) gather_sample(hooks_.extras, world, ray, tracer, extra);
-        return seen;
+        return {colour, static_cast<std::uint32_t>(tracer.rays().shadow - before_rays)};
     }
 
     /// In the pixel.

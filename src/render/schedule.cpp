@@ -85,23 +85,25 @@ bool is_even(const RenderSettings& settings, const SampleRule& rule) {
 
 bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,
                 const SampleRule& rule) {
+    Wanted all;
     if (is_even(settings, rule) || state.rounds == 0) {
         const bool around = looks_around(settings, rule);
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
             const bool wanted = around ? borders(state.share, x, y) : state.share.owns(x, y);
             pixel.target = wanted ? samples : 0;
+            all.add(pixel);
         });
     } else {
         std::visit([&](const auto& each) { refine(state, settings, each); }, rule);
+        all = wanted_samples(state.film);
     }
-    if (missing_samples(state.film) == 0) return false;
+    if (all.missing == 0) return false;
     ++state.rounds;
     return true;
 }
 
-std::uint64_t missing_samples(const Film& film) {
-    std::uint64_t sum = 0;
-    for (const PixelSum& pixel : film.pixels())
-        if (pixel.target > pixel.samples) sum += pixel.target - pixel.samples;
-    return sum;
+Wanted wanted_samples(const Film& film) {
+    Wanted all;
+    for (const PixelSum& pixel : film.pixels()) all.add(pixel);
+    return all;
 }

@@ -11,6 +11,7 @@
 #include "render/share.h"
 #include "scene/settings.h"
 
+#include <algorithm>
 #include <variant>
 
 /// A picture on its way.
@@ -43,5 +44,16 @@ bool is_even(const RenderSettings&, const SampleRule& = {});
 /// round, or altogether when that number is even. False when no pixel needs more.
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
-/// Samples that are wanted up to now but not there yet.
-std::uint64_t missing_samples(const Film&);
+/// What pixels are wanted to have up to now.
+struct Wanted {
+    std::uint64_t samples = 0;
+    std::uint64_t missing = 0;  ///< of these
+    std::uint32_t most = 0;     ///< in one pixel
+
+    void add(const PixelSum& pixel) {
+        samples += pixel.target;
+        if (pixel.target > pixel.samples) missing += pixel.target - pixel.samples;
+        most = std::max(most, pixel.target);
+    }
+};
+Wanted wanted_samples(const Film&);
