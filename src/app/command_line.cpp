@@ -55,6 +55,7 @@ void add_sampling(Words& words, const Options& options) {
         words.add("-A");
     } else if (adaptive) {
         words.add_changed("+A", settings.antialias_threshold, usual.antialias_threshold);
+        words.add_changed("+AM", settings.sampling_method, usual.sampling_method);
         words.add_changed("+R", settings.antialias_depth, usual.antialias_depth);
         words.add_changed("+AG", settings.antialias_gamma, usual.antialias_gamma);
         if (settings.jitter)

@@ -29,8 +29,8 @@ std::string one_line(std::string text) {
 /// What the settings are called; how many rays there are, and who traces them, is no part of it.
 void add_settings(Identity& identity, const RenderSettings& settings) {
     static constexpr auto left_out = std::to_array<std::string_view>(
-        {"samples", "threads", "noise", "antialias_threshold", "antialias_depth", "antialias_gamma",
-         "jitter", "jitter_amount"});
+        {"samples", "threads", "noise", "sampling_method", "antialias_threshold", "antialias_depth",
+         "antialias_gamma", "jitter", "jitter_amount"});
     const ItemInfo& info = RenderSettings::vocabulary;
     for (std::size_t i = 0; i < info.fields.size(); ++i) {
         const FieldInfo& field = info.fields[i];
@@ -48,8 +48,9 @@ std::string sampling(const Options& options) {
     if (options.time) return "as the time allows";
     if (settings.noise > 0) return message("until the noise is below ", settings.noise);
     if (settings.samples > 0 || !settings.antialias) return std::string(even);
-    return message("adaptive with threshold ", settings.antialias_threshold, ", depth ",
-                   settings.antialias_depth, ", gamma ", settings.antialias_gamma, " and jitter ",
+    return message("adaptive with method ", settings.sampling_method, ", threshold ",
+                   settings.antialias_threshold, ", depth ", settings.antialias_depth, ", gamma ",
+                   settings.antialias_gamma, " and jitter ",
                    settings.jitter ? settings.jitter_amount : 0);
 }
 

@@ -102,6 +102,7 @@ constexpr auto rows = std::to_array<OptionRow>({
     setting("H", "Height", "", "height"),
     switched("A", "Antialias", "t", "antialias"),
     setting("", "Antialias_Threshold", "", "antialias_threshold"),
+    setting("AM", "Sampling_Method", "", "sampling_method"),
     setting("R", "Antialias_Depth", "", "antialias_depth"),
     setting("AG", "Antialias_Gamma", "", "antialias_gamma"),
     switched("J", "Jitter", "a", "jitter"),
@@ -267,7 +268,6 @@ constexpr auto rows = std::to_array<OptionRow>({
            "numbers are encoded: sRGB (the default), or a power of which this is the inverse; "
            "OpenEXR and Radiance HDR are linear"),
     accepted("HR", "High_Reproducibility", sign, "", "pictures are always reproducible"),
-    ignored("AM", "Sampling_Method", value, "n", "one method is offered, POV-Ray's first"),
     ignored("BS", "Render_Block_Size", value, "n", order),
     ignored("RP", "Render_Pattern", value, "n", order),
     ignored("RS", "Render_Block_Step", value, "n", order),

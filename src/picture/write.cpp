@@ -60,6 +60,7 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
                                std::span<const double> alpha, const Convert& convert) {
     constexpr bool whole = std::is_integral_v<Value>;
     std::vector<Value> result;
+    result.reserve(image.pixels.size() * ((format.grey ? 1 : 3) + (alpha.empty() ? 0 : 1)));
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         double opaque = alpha.empty() ? 1 : alpha[i];
         const Vec3 pixel =
@@ -75,20 +76,38 @@ std::vector<Value> channels_of(const Image& image, const PictureFormat& format,
     return result;
 }
 
-/// The least values that become each byte but 0: in large pictures it is quicker to look a value up
-/// among them than to compute its power.
-std::array<double, 255> byte_borders(const PictureFormat& format) {
-    std::array<double, 255> borders;
-    for (unsigned byte = 1; byte <= borders.size(); ++byte) {
-        double below = 0, there = 1, middle = 0.5;
-        while (middle != below && middle != there) {
-            (quantised(middle, 255, format) >= byte ? there : below) = middle;
-            middle = 0.5 * (below + there);
+/// Bytes of values: in large pictures it is quicker to look them up than to compute powers.
+class ByteTable {
+public:
+    explicit ByteTable(const PictureFormat& format) {
+        for (unsigned byte = 1; byte <= borders_.size(); ++byte) {
+            double below = 0, there = 1, middle = 0.5;
+            while (middle != below && middle != there) {
+                (quantised(middle, 255, format) >= byte ? there : below) = middle;
+                middle = 0.5 * (below + there);
+            }
+            borders_[byte - 1] = there;
         }
-        borders[byte - 1] = there;
+        for (std::size_t i = 0; i < parts; ++i)
+            first_[i] = up_from(0, static_cast<double>(i) / parts);
     }
-    return borders;
-}
+
+    std::uint8_t operator()(double value) const {
+        if (!(value > 0)) return 0;
+        return value < 1 ? up_from(first_[static_cast<std::size_t>(value * parts)], value) : 255;
+    }
+
+private:
+    static constexpr std::size_t parts = 4096;  ///< hardly more than a byte ends in any of them
+
+    std::uint8_t up_from(std::uint8_t byte, double value) const {
+        while (byte < borders_.size() && borders_[byte] <= value) ++byte;
+        return byte;
+    }
+
+    std::array<double, 255> borders_;             ///< the least values that become 1, 2, ...
+    std::array<std::uint8_t, parts> first_ = {};  ///< bytes of the values where parts begin
+};
 
 template <class Integer>
 std::vector<Integer> integers(const Image& image, const PictureFormat& format,
@@ -96,11 +115,7 @@ std::vector<Integer> integers(const Image& image, const PictureFormat& format,
     if constexpr (sizeof(Integer) == 1) {
         constexpr std::size_t large = 50'000;
         if (image.pixels.size() > large)
-            return channels_of<Integer>(
-                image, format, alpha, [borders = byte_borders(format)](double value) {
-                    const auto above = std::upper_bound(borders.begin(), borders.end(), value);
-                    return static_cast<Integer>(value > 0 ? above - borders.begin() : 0);
-                });
+            return channels_of<Integer>(image, format, alpha, ByteTable(format));
     }
     return channels_of<Integer>(image, format, alpha, [&](double value) {
         return static_cast<Integer>(quantised(value, static_cast<Integer>(~0u), format));

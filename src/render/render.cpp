@@ -12,14 +12,16 @@
 
 namespace {
 
-std::vector<Region> tiles_of(int width, int height) {
+std::vector<Region> tiles_of(int width, int height, int size) {
     std::vector<Region> tiles;
-    for (int y = 0; y < height; y += tile_size)
-        for (int x = 0; x < width; x += tile_size)
-            tiles.push_back(
-                {x, y, std::min(x + tile_size, width), std::min(y + tile_size, height)});
+    for (int y = 0; y < height; y += size)
+        for (int x = 0; x < width; x += size)
+            tiles.push_back({x, y, std::min(x + size, width), std::min(y + size, height)});
     return tiles;
 }
+
+/// Where pixels do not look at each other: more threads find work. A part of a tile.
+constexpr int small_tile = tile_size / 2;
 
 /// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
 constexpr std::uint64_t samples_between_questions = 16;
@@ -28,6 +30,7 @@ SampleRule sample_rule(const World& world, const RenderSettings& settings) {
     if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
     if (world.camera.blurs()) return world.camera.blur;
     if (!settings.antialias || world.left_to_chance() || world.camera.mesh) return NoiseRule();
+    if (settings.sampling_method > 1) return corner_rule(settings, world.settings.assumed_gamma);
     return contrast_rule(settings, world.settings.assumed_gamma);
 }
 
@@ -53,7 +56,9 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
 
 int first_samples(const World& world, const RenderSettings& settings, const SampleRule& rule,
                   int rays) {
-    if (std::holds_alternative<ContrastRule>(rule)) return 1;
+    if (std::holds_alternative<CornerRule>(rule)) return 1;
+    // To have one sample more than the first is to be compared, whatever comes of it.
+    if (std::holds_alternative<ContrastRule>(rule)) return 2;
     const int usual = usual_samples(world, settings, rays);
     if (settings.samples > 0 || settings.noise > 0) return usual;
     const int moments = 1 + static_cast<int>(world.other_moments.size());
@@ -75,7 +80,7 @@ public:
     /// The rounds up to the end; false when they were stopped.
     bool run() {
         do {
-            run_round();
+            if (state_.rounds > 0) run_round();
             if (stopped_) return false;
         } while (plan_round(state_, settings_, plan_.samples, plan_.rule));
         return true;
@@ -86,19 +91,14 @@ public:
 private:
     /// Brings all pixels to their targets, the whole picture becoming better evenly.
     void run_round() {
-        std::uint32_t most = 0;
-        wanted_ = 0;
-        for (const PixelSum& pixel : state_.film.pixels()) {
-            most = std::max(most, pixel.target);
-            wanted_ += pixel.target;
-        }
-        const std::uint64_t missing = missing_samples(state_.film);
-        done_ = wanted_ - missing;
-        if (missing == 0) return;
+        const Wanted all = wanted_samples(state_.film);
+        wanted_ = all.samples;
+        done_ = all.samples - all.missing;
+        if (all.missing == 0) return;
         constexpr std::uint32_t growth = 4;
         for (std::uint32_t level = 1; !stopped_; level *= growth) {
-            over_tiles(level, level >= most);
-            if (level >= most) return;
+            over_tiles(level, level >= all.most);
+            if (level >= all.most) return;
         }
     }
 
@@ -109,7 +109,8 @@ private:
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
-        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height());
+        const int size = is_settled_by_tiles(plan_.rule) ? tile_size : small_tile;
+        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
         std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (++begun == tiles.size() && ends_round) wind_down();
@@ -141,7 +142,7 @@ private:
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
     /// the noise or a lens takes is not known: each brings half of the rest.
     double overall(double share_of_round) const {
-        if (plan_.is_even()) return share_of_round;
+        if (plan_.is_even() || is_settled_by_tiles(plan_.rule)) return share_of_round;
         const double rounds = state_.rounds - 1 + share_of_round;
         const bool open = settings_.noise > 0 || std::holds_alternative<BlurRule>(plan_.rule);
         return open ? 1 - std::exp2(-rounds) : rounds / 2;
@@ -156,39 +157,127 @@ private:
         return false;
     }
 
-    /// Gives the number of samples.
+    /// Gives the number of samples that it has made, or found not to be wanted.
     std::uint64_t make_tile(Work& work, const Region& tile, std::uint32_t level) {
+        if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule); rule && level > 1)
+            return compare_tile(work, tile, *rule);
+        std::optional<CornerCells> cells;
+        if (const auto* rule = std::get_if<CornerRule>(&plan_.rule)) cells.emplace(*rule, tile);
         for (int y = tile.top; y < tile.bottom; ++y)
-            for (int x = tile.left; x < tile.right; ++x)
-                add_samples(work, x, y, std::min(level, state_.film.at(x, y).target));
+            for (int x = tile.left; x < tile.right; ++x) {
+                const std::uint32_t wanted = std::min(level, state_.film.at(x, y).target);
+                if (cells)
+                    add_cell(work, *cells, x, y, wanted);
+                else
+                    add_samples(work, x, y, wanted);
+            }
         return work.made;
     }
 
-    /// The samples of a pixel take turns with the moments.
+    /// A pixel that goes into this with more than one sample has them from an earlier run.
+    std::uint64_t compare_tile(Work& work, const Region& tile, const ContrastRule& rule) {
+        const Region block = common(tile, state_.share.region);
+        const auto first = [&](int x, int y) {
+            if (block.contains(x, y) && state_.film.at(x, y).samples == 1)
+                return shown(rule.contrast, state_.film.at(x, y), extra_of(x, y));
+            PixelSum alone;
+            std::vector<ExactSum> extra(state_.film.extras());
+            alone.add(look(work, x, y, 0, extra).colour);
+            return shown(rule.contrast, alone, extra);
+        };
+        const auto all = [&](int x, int y) -> std::optional<Shown> {
+            PixelSum& pixel = state_.film.at(x, y);
+            pixel.target = all_samples(rule);
+            add_samples(work, x, y, pixel.target);
+            if (pixel.samples < pixel.target) return {};
+            return shown(rule.contrast, pixel, extra_of(x, y));
+        };
+        Wanted before;
+        for_pixels(block, [&](PixelSum& pixel) { before.add(pixel); });
+        if (!refine_block(rule.contrast, block, {first, all})) return 0;
+        for_pixels(block, [](PixelSum& pixel) { pixel.target = pixel.samples; });
+        return before.missing;
+    }
+
+    template <class Use>
+    void for_pixels(const Region& region, const Use& use) {
+        for (int y = region.top; y < region.bottom; ++y)
+            for (int x = region.left; x < region.right; ++x) use(state_.film.at(x, y));
+    }
+
+    Shown shown(const Contrast& contrast, const PixelSum& pixel,
+                std::span<const ExactSum> extra) const {
+        const double clear = hooks_.extras.alpha ? extra[0].value() / pixel.samples : 0;
+        return contrast.shown(pixel.mean(), clear);
+    }
+
+    std::span<ExactSum> extra_of(int x, int y) {
+        return state_.film.extra(state_.film.index(x, y));
+    }
+
     void add_samples(Work& work, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
+        const std::span<ExactSum> extra = extra_of(x, y);
+        for (; pixel.samples < wanted && !stop(work); ++work.made) {
+            const std::uint32_t sample = state_.share.first_sample + pixel.samples;
+            const Seen seen = look(work, x, y, sample, extra);
+            pixel.add(seen.colour);
+            pixel.shadow_rays += seen.shadow_rays;
+            if (sample == 0) gather_middle(hooks_.extras, world_, point(x, y), extra);
+        }
+    }
+
+    /// One sample, of many rays.
+    void add_cell(Work& work, CornerCells& cells, int x, int y, std::uint32_t wanted) {
+        PixelSum& pixel = state_.film.at(x, y);
+        if (pixel.samples >= wanted || stop(work)) return;
+        const std::span<ExactSum> extra = extra_of(x, y);
+        std::vector<ExactSum> shown(extra.size());
+        const Sight seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
+            std::ranges::fill(shown, ExactSum());
+            const Seen one = look(work, u, v, sample, shown);
+            Sight sight{one.colour, 0, {}, one.shadow_rays};
+            for (const ExactSum& each : shown) sight.extra.push_back(each.value());
+            if (hooks_.extras.alpha) sight.clear = sight.extra.front();
+            return sight;
+        });
+        pixel.add(seen.colour);
+        pixel.shadow_rays += seen.shadow_rays;
+        for (std::size_t i = 0; i < extra.size(); ++i) extra[i].add(seen.extra[i]);
+        gather_middle(hooks_.extras, world_, point(x, y), extra);
+        ++work.made;
+    }
+
+    PicturePoint point(int x, int y) const {
+        return {x, y, state_.film.width(), state_.film.height()};
+    }
+
+    struct Seen {
+        Vec3 colour;
+        std::uint32_t shadow_rays;
+    };
+
+    /// Follows the ray of a sample, and adds what it shows besides its colour. Samples take turns
+    /// with the moments.
+    Seen look(Work& work, int x, int y, std::uint32_t sample, std::span<ExactSum> extra) {
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
-        for (; pixel.samples < wanted && !stop(work); ++work.made) {
-            key.sample = state_.share.first_sample + pixel.samples;
-            const std::size_t moment = key.sample % work.tracers.size();
-            const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
-            const PicturePoint at{x, y, state_.film.width(), state_.film.height()};
-            const Ray ray = ray_through(world, at, place(world, key), key);
-            Tracer& tracer = work.tracers[moment];
-            const std::uint64_t before_rays = tracer.rays().shadow;
-            pixel.add(tracer.radiance(ray, key));
-            pixel.shadow_rays += static_cast<std::uint32_t>(tracer.rays().shadow - before_rays);
-            if (state_.film.extras() == 0) continue;
-            const std::span<ExactSum> extra = state_.film.extra(state_.film.index(x, y));
-            gather_sample(hooks_.extras, world, ray, tracer, extra);
-            if (key.sample == 0) gather_middle(hooks_.extras, world_, at, extra);
-        }
+        key.sample = sample;
+        const std::size_t moment = sample % work.tracers.size();
+        const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
+        const Ray ray = ray_through(world, point(x, y), place(world, key), key);
+        Tracer& tracer = work.tracers[moment];
+        const std::uint64_t before_rays = tracer.rays().shadow;
+        const Vec3 colour = tracer.radiance(ray, key);
+        if (!extra.empty()) gather_sample(hooks_.extras, world, ray, tracer, extra);
+        return {colour, static_cast<std::uint32_t>(tracer.rays().shadow - before_rays)};
     }
 
     /// In the pixel.
     Vec2 place(const World& world, const Key& key) const {
         if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule))
+            return place_in_pixel(*rule, key);
+        if (const auto* rule = std::get_if<CornerRule>(&plan_.rule))
             return place_in_pixel(*rule, key);
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
         if (!settings_.antialias && world.camera.lens_radius == 0) return Vec2(0.5);

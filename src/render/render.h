@@ -21,9 +21,8 @@ struct RenderPlan {
     std::uint32_t samples = 1;  ///< of each pixel in the first round, or altogether
     SampleRule rule;            ///< for those that follow
 
-    /// Whether all pixels get the same number of samples. Neither an adaptive scheme nor a lens is
-    /// so.
-    bool is_even() const { return ::is_even(settings) && !std::holds_alternative<BlurRule>(rule); }
+    /// Whether all pixels get the number of samples that is asked for.
+    bool is_even() const { return ::is_even(settings, rule); }
 };
 
 /// Traces some pixels where the settings leave open what pays best.

@@ -57,14 +57,14 @@ void refine(RenderState& state, const RenderSettings&, const BlurRule& rule) {
     });
 }
 
-/// All pixels are judged by their first samples.
-void refine(RenderState& state, const RenderSettings& settings, const ContrastRule& rule) {
-    if (state.rounds > 1) return;
-    const std::vector<bool> more = standing_out(state.film, rule, settings.threads);
-    for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-        if (more[state.film.index(x, y)] && state.share.owns(x, y))
-            pixel.target = all_samples(rule);
-    });
+/// Tiles have seen to it.
+void refine(RenderState&, const RenderSettings&, const ContrastRule&) {}
+void refine(RenderState&, const RenderSettings&, const CornerRule&) {}
+
+/// Whether pixels are judged by those around them, which a share then needs, too.
+bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
+    return !is_even(settings, rule) && !std::holds_alternative<BlurRule>(rule) &&
+           !is_settled_by_tiles(rule);
 }
 
 }  // namespace
@@ -74,30 +74,36 @@ RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
             whole_picture(settings.width, settings.height), 0};
 }
 
-bool is_even(const RenderSettings& settings) {
-    return settings.noise == 0 && (settings.samples > 0 || !settings.antialias);
+bool is_settled_by_tiles(const SampleRule& rule) {
+    return std::holds_alternative<ContrastRule>(rule) || std::holds_alternative<CornerRule>(rule);
+}
+
+bool is_even(const RenderSettings& settings, const SampleRule& rule) {
+    return settings.noise == 0 && (settings.samples > 0 || !settings.antialias) &&
+           !std::holds_alternative<BlurRule>(rule);
 }
 
 bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_t samples,
                 const SampleRule& rule) {
-    const bool blurs = std::holds_alternative<BlurRule>(rule);
-    const bool even = is_even(settings) && !blurs;
-    if (even || state.rounds == 0)
+    Wanted all;
+    if (is_even(settings, rule) || state.rounds == 0) {
+        const bool around = looks_around(settings, rule);
         for_pixels(state.film, [&](int x, int y, PixelSum& pixel) {
-            const bool alone = even || blurs;
-            const bool wanted = alone ? state.share.owns(x, y) : borders(state.share, x, y);
+            const bool wanted = around ? borders(state.share, x, y) : state.share.owns(x, y);
             pixel.target = wanted ? samples : 0;
+            all.add(pixel);
         });
-    else
+    } else {
         std::visit([&](const auto& each) { refine(state, settings, each); }, rule);
-    if (missing_samples(state.film) == 0) return false;
+        all = wanted_samples(state.film);
+    }
+    if (all.missing == 0) return false;
     ++state.rounds;
     return true;
 }
 
-std::uint64_t missing_samples(const Film& film) {
-    std::uint64_t sum = 0;
-    for (const PixelSum& pixel : film.pixels())
-        if (pixel.target > pixel.samples) sum += pixel.target - pixel.samples;
-    return sum;
+Wanted wanted_samples(const Film& film) {
+    Wanted all;
+    for (const PixelSum& pixel : film.pixels()) all.add(pixel);
+    return all;
 }

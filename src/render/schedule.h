@@ -6,10 +6,12 @@
 
 #include "camera/camera.h"
 #include "render/contrast.h"
+#include "render/corners.h"
 #include "render/film.h"
 #include "render/share.h"
 #include "scene/settings.h"
 
+#include <algorithm>
 #include <variant>
 
 /// A picture on its way.
@@ -27,15 +29,31 @@ RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 /// Pixels get more samples by the noise of those around them.
 struct NoiseRule {};
 
-/// What decides how many samples follow those of the first round; BlurRule: the camera's own.
-using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule>;
+/// What decides how many samples follow those of the first round. BlurRule: the camera's own;
+/// ContrastRule and CornerRule: none do.
+using SampleRule = std::variant<NoiseRule, BlurRule, ContrastRule, CornerRule>;
 
-/// Whether the settings give all pixels the same number of samples.
-bool is_even(const RenderSettings&);
+/// Whether the first round is the last one, in which tiles find out what their pixels need.
+bool is_settled_by_tiles(const SampleRule&);
+
+/// Whether the settings, and the rule for what follows, give all pixels the number of samples that
+/// is asked for. Neither an adaptive scheme nor a lens does so.
+bool is_even(const RenderSettings&, const SampleRule& = {});
 
 /// Sets the pixels' targets for the next round. `samples` is what each pixel gets in the first
 /// round, or altogether when that number is even. False when no pixel needs more.
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
-/// Samples that are wanted up to now but not there yet.
-std::uint64_t missing_samples(const Film&);
+/// What pixels are wanted to have up to now.
+struct Wanted {
+    std::uint64_t samples = 0;
+    std::uint64_t missing = 0;  ///< of these
+    std::uint32_t most = 0;     ///< in one pixel
+
+    void add(const PixelSum& pixel) {
+        samples += pixel.target;
+        if (pixel.target > pixel.samples) missing += pixel.target - pixel.samples;
+        most = std::max(most, pixel.target);
+    }
+};
+Wanted wanted_samples(const Film&);

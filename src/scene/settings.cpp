@@ -44,9 +44,15 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           "(each 0 to 1), gets more rays, and so does the other; where light is left to chance, it "
           "gets them while the standard error of its colour is above a tenth of this",
           at_least(0)},
+        F{"sampling_method", &RenderSettings::sampling_method, item,
+          "1: one ray through the middle of each pixel, more where pixels differ; 2 and 3: rays "
+          "through its corners, and those of its quarters where corners differ; where light is "
+          "left to chance, all are the same",
+          between(1, 3)},
         F{"antialias_depth", &RenderSettings::antialias_depth, item,
-          "a pixel gets so many rays more across and down; where light is left to chance, at most "
-          "4 to this power altogether",
+          "a pixel gets so many rays more across and down, or by method 2 is quartered one time "
+          "less than this; where light is left to chance, it gets at most 4 to this power "
+          "altogether",
           between(1, 9)},
         F{"antialias_gamma", &RenderSettings::antialias_gamma, item,
           "the threshold is for differences of linear values to the power of 1 over this",

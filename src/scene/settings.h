@@ -32,7 +32,8 @@ struct GlobalSettings {
 struct RenderSettings {
     int width = 640;
     int height = 480;
-    bool antialias = true;  ///< false: all camera rays go through the middle of the pixel
+    bool antialias = true;    ///< false: all camera rays go through the middle of the pixel
+    int sampling_method = 1;  ///< of antialiasing; see the vocabulary
     double antialias_threshold = 0.3;  ///< see the vocabulary
     int antialias_depth = 3;
     double antialias_gamma = 2.5;  ///< of the values whose differences the threshold is for

@@ -19,6 +19,7 @@ TEST_CASE("the command that makes a picture says what options come to", "[app]")
         {{"+Ia=b c.pov"}, "candelabra '+Ia=b c.pov' +W640 +H480"},
         {{"a.pov", "+A0.1", "--samples", "4"}, "candelabra a.pov +W640 +H480 --samples 4"},
         {{"a.pov", "+A0.1"}, "candelabra a.pov +W640 +H480 +A0.1"},
+        {{"a.pov", "+AM2"}, "candelabra a.pov +W640 +H480 +AM2"},
         {{"a.pov", "--time", "1m"}, "candelabra a.pov +W640 +H480 --time 60s"},
         {{"a.pov", "Declare=T=\"a b\"", "Declare=N=2"},
          "candelabra a.pov +W640 +H480 'Declare=T=\"a b\"' Declare=N=2"},

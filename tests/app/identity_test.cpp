@@ -23,7 +23,8 @@ TEST_CASE("what differs between two pictures has a name") {
     CHECK(now([](Options& o) { o.facts.clock_given = true; }) == "clock was not given and is 0");
     CHECK(now([](Options& o) { o.start_row = 3; }) == "region was not given and is 0 2 640 480");
     CHECK(now([](Options& o) { o.render.noise = 0.1; }) ==
-          "sampling was adaptive with threshold 0.3, depth 3, gamma 2.5 and jitter 1 and is until "
+          "sampling was adaptive with method 1, threshold 0.3, depth 3, gamma 2.5 and jitter 1 and "
+          "is until "
           "the noise is below 0.1");
     CHECK(now([](Options& o) { o.alpha = true; }) == "alpha was not given and is yes");
     CHECK(now([](Options& o) {

@@ -76,7 +76,7 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
         {{"+FNg", "+FN16g", "Grayscale_Output=on"}},
         {{"+UA", "-UA", "Output_Alpha=on"}},
         {{"+A", "+A0.1", "-A", "Antialias=on", "Antialias_Threshold=0.1"}},
-        {{"+AM2", "Sampling_Method=1"}, "is ignored: one method is offered, POV-Ray's first"},
+        {{"+AM2", "Sampling_Method=1", "+AM3"}},
         {{"+R3", "Antialias_Depth=3"}},
         {{"+J0.5", "-J", "Jitter=off", "Jitter_Amount=1"}},
         {{"+AG2.5", "Antialias_Gamma=2"}},

@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/contrast.h"
 
-#include "render/render.h"
-#include "support/scripts.h"
-#include "text/message.h"
+#include "support/edges.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-RenderSettings rows(int depth) {
-    RenderSettings settings;
-    settings.width = 4;
-    settings.height = 3;
-    settings.antialias_depth = depth;
-    settings.jitter = false;
-    return settings;
-}
-
-/// Two colours with an edge between them, so many pixels from the left.
-std::string edge(double place, double left, double right) {
-    return message(R"(
-        #version 3.7;
-        global_settings { assumed_gamma 1 }
-        camera { orthographic location <0, 0, -5> right 4*x up 3*y look_at 0 direction z }
-        plane { z, 0
-            pigment { gradient x color_map { [.5 rgb )",
-                   left, "][.5 rgb ", right, R"(] } scale 40 translate <)", place - 22, R"(, 0, 0> }
-            finish { ambient 1 diffuse 0 } })");
-}
 
 /// In the middle row.
 double seen(const std::string& scene, const RenderSettings& settings, int column) {
@@ -69,8 +46,49 @@ TEST_CASE("a pixel gets more rays from a difference on, in values of a gamma", "
 }
 
 TEST_CASE("smooth parts of a picture take one ray a pixel", "[render]") {
+    // Four and three more are above the picture and to its left, as in POV-Ray.
     const Rendering picture = render(world_of(edge(1.6, 0, 1)), rows(3));
-    CHECK(picture.rays.camera == 12 + 9 * 6);
+    CHECK(picture.rays.camera == 12 + 7 + 9 * 6);
+}
+
+TEST_CASE("what is clear counts where a picture has an alpha channel", "[render]") {
+    const Contrast contrast = contrast_of(rows(3), 1);
+    const Shown black = contrast.shown(Vec3(0), 0);
+    CHECK(contrast.between(black, contrast.shown(Vec3(0), 0.31)));
+    CHECK_FALSE(contrast.between(black, contrast.shown(Vec3(0), 0.29)));
+}
+
+TEST_CASE("a pixel is compared with what the one before it has become", "[render]") {
+    // Pixels of a row, by their first rays and by all of them.
+    struct Row {
+        std::vector<double> first, all;
+        std::string expected;  ///< 1: got all
+    };
+    const Row rows_of[] = {
+        {{0, 0, 0, 0}, {1, 1, 1, 1}, "0000"},
+        {{0, 1, 1, 1}, {0, 1, 1, 1}, "1100"},
+        {{0, 1, 1, 1}, {0.5, 0.5, 1, 1}, "1110"},
+        {{0, 0, 0, 1}, {0.5, 0.5, 0.5, 0.5}, "0011"},
+    };
+    for (const auto& [first, all, expected] : rows_of) {
+        CAPTURE(expected);
+        std::string got = "0000";
+        const auto value = [](double v) { return Shown{Vec3(v), 0}; };
+        const auto first_of = [&](int x, int) {
+            return value(x < 10 ? first[0] : first[static_cast<std::size_t>(x) - 10]);
+        };
+        const auto all_of = [&](int x, int y) -> std::optional<Shown> {
+            CHECK(y == 5);
+            const auto i = static_cast<std::size_t>(x) - 10;
+            got[i] = '1';
+            return value(all[i]);
+        };
+        // The row above is as the first rays are, or it would count.
+        CHECK(refine_block({0.3, 1, 1}, {10, 5, 14, 6}, {first_of, all_of}));
+        CHECK(got == expected);
+        const auto stop = [](int, int) -> std::optional<Shown> { return {}; };
+        CHECK(refine_block({0.3, 1, 1}, {10, 5, 14, 6}, {first_of, stop}) == (expected == "0000"));
+    }
 }
 
 TEST_CASE("rays are moved within the square that is theirs", "[render]") {

@@ -119,6 +119,45 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
     CHECK(broken == whole);
 }
 
+TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") {
+    const World world = world_of(R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 }
+        camera { location -5*z look_at 0 }
+        light_source { <3, 5, -9>, .9 }
+        sphere { 0, 1.3 pigment { checker rgb .9 rgb .2 scale .4 } finish { reflection .2 } })");
+    RenderSettings settings = small(2);
+    settings.width = 70;
+    settings.height = 45;
+    settings.sampling_method = GENERATE(1, 2);
+    CAPTURE(settings.sampling_method);
+    RenderHooks hooks;
+    hooks.extras = {true, true, true};
+    RenderState whole = begin_picture(settings, hooks.extras.count(world)), broken = whole,
+                parts = whole;
+    RayCounts rays;
+    CHECK(advance(plan_of(world, settings), whole, rays, hooks));
+    for (int i = 0; i < 3; ++i) {
+        RenderState part = begin_picture(settings, hooks.extras.count(world));
+        part.share.first_tile = i;
+        part.share.tile_step = 3;
+        CHECK(advance(plan_of(world, settings), part, rays, hooks));
+        for (int y = 0; y < settings.height; ++y)
+            for (int x = 0; x < settings.width; ++x)
+                if (part.share.owns(x, y)) parts.film.add(part.film.index(x, y), part.film);
+    }
+    CHECK(parts.film.image().pixels == whole.film.image().pixels);
+    std::atomic<int> asked = 0;
+    hooks.cancelled = [&] { return ++asked > 30; };
+    int stops = 0;
+    for (; !advance(plan_of(world, settings), broken, rays, hooks); ++stops) {
+        asked = 0;
+        REQUIRE(stops < 1000);
+    }
+    CHECK(stops > 3);
+    CHECK(broken == whole);
+}
+
 TEST_CASE("samples of one picture can be taken in parts and added", "[render]") {
     const World world = world_of(lamps);
     RenderSettings settings = small(2);
