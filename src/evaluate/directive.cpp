@@ -72,7 +72,7 @@ bool Evaluator::State::condition(const Tree& tree, NodeId id) {
     if (const auto* test = tree.get_if<node::Defined>(id))
         return defined(tree, test->target) != test->negated;
     const std::optional<double> value = number(tree, id, "a condition");
-    return value && std::abs(*value) > tolerance;
+    return value && is_true(*value);
 }
 
 const node::Branch* Evaluator::State::taken_branch(const Tree& tree, const node::If& node) {
