@@ -4,6 +4,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 
 List ParseState::append(List list, NodeId node) {
     if (node == no_node) return list.with_comma(false);
@@ -177,6 +178,18 @@ List ParseState::parameter(List list, NameId name, Stretch place) {
         if (!before->optional && names.spelling(before->name) == "optional") {
             *before = {name, true};
             tree[list.last()].last = place.last;
+List ParseState::without_commas(List values, List names) {
+    const auto* first = tree.get_if<node::Name>(values.last());
+    const std::string_view type = first ? this->names.spelling(first->name) : std::string_view();
+    constexpr auto types = std::array<std::string_view, 4>{"float", "double", "int", "vector"};
+    if (std::ranges::find(types, type) != types.end())
+        diagnostics.add(error(Fault::syntax, tree.span(values.last()),
+                              message("`", type, "` is no type here, but one more parameter"))
+                            .with_help("the parameters of a function are numbers, and only named: "
+                                       "function(X, Y) { X*Y }"));
+    return joined(values, names);
+}
+
             return list;
         }
     }
