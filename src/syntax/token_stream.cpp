@@ -264,25 +264,27 @@ std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
     return in_parentheses(text.substr(taken[first].first));
 }
 
-bool TokenStream::goes_on_with_sign() {
+bool TokenStream::goes_on_with_sign(bool or_is_empty) {
     if (dropped_sign_) return true;
     Tokens taken;
-    const bool found = takes_sign(taken);
+    const bool found = takes_sign(taken, or_is_empty);
     give_back(taken);
     return found;
 }
 
-bool TokenStream::takes_sign(Tokens& taken) {
+bool TokenStream::takes_sign(Tokens& taken, bool or_is_empty) {
     using enum TokenKind;
     for (bool condition = true; !condition || take_parentheses(taken);) {
         const TokenKind kind = take(taken).kind;
         if (is_sign(kind)) return true;
-        condition = kind != hash_else && kind != hash_declare;
+        if (or_is_empty && kind == hash_end) return true;
+        condition = kind != hash_else && kind != hash_declare && kind != hash_break;
         if (kind == hash_declare) {
             while (taken.back().kind != semicolon && taken.size() <= most_ahead &&
                    taken.back().kind != end_of_file)
                 take(taken);
-        } else if (!divides_directive(kind) && (!opens_directive(kind) || kind == hash_macro)) {
+        } else if (!divides_directive(kind) && kind != hash_break &&
+                   (!opens_directive(kind) || kind == hash_macro)) {
             return false;
         }
     }

@@ -53,8 +53,8 @@ public:
     bool define_open_macro(const Token& opener);
 
     /// To be called behind the word of a directive: whether its first part begins with a sign, not
-    /// counting declarations.
-    bool goes_on_with_sign();
+    /// counting declarations; or, on demand, has nothing else in it.
+    bool goes_on_with_sign(bool or_is_empty);
     /// The same: what stands behind its #end, when there is a value before #end and the directive
     /// is short enough to be one.
     TokenKind behind_value();
@@ -80,7 +80,7 @@ private:
     std::optional<bool> version_condition(Tokens& taken);
     /// Behind #if: takes the tokens of a first branch away that is never read.
     bool drop_false_branch();
-    bool takes_sign(Tokens& taken);
+    bool takes_sign(Tokens& taken, bool or_is_empty);
     TokenKind take_behind_value(Tokens& taken);
     bool take_parentheses(Tokens& taken);
 
