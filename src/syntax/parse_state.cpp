@@ -38,7 +38,9 @@ NodeId ParseState::negative(NodeId operand, Stretch place) {
     const auto* number = tree.get_if<node::Number>(operand);
     if (!number || text[tree[operand].first] == '-')
         return add(place, node::Unary{Operator::minus, operand});
-    tree.numbers[number->number] *= -1;
+    // Not in its place: the same token may stand in several branches, or in each call of a macro.
+    tree.numbers.push_back(-tree.numbers[number->number]);
+    tree[operand].content = node::Number{static_cast<std::uint32_t>(tree.numbers.size() - 1)};
     tree[operand].first = place.first;
     return operand;
 }
@@ -106,11 +108,17 @@ NodeId ParseState::group(List directives, List values, Stretch place) {
 
 NodeId ParseState::vector(List components, Stretch place) {
     // Numbers only: the same as the token that the lexer makes of the plainest form.
+    std::array<double, 5> numbers{};
     std::uint32_t count = 0;
-    for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count)
-        if (!tree.get_if<node::Number>(id)) return add(place, node::Vector{components.first()});
-    if (count < 2 || count > 5) return add(place, node::Vector{components.first()});
-    return add(place, node::Literal{tree.get<node::Number>(components.first()).number, count});
+    for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count) {
+        const auto* number = tree.get_if<node::Number>(id);
+        if (!number || count == numbers.size()) return add(place, node::Vector{components.first()});
+        numbers[count] = tree.numbers[number->number];
+    }
+    if (count < 2) return add(place, node::Vector{components.first()});
+    const auto first = static_cast<std::uint32_t>(tree.numbers.size());
+    tree.numbers.insert(tree.numbers.end(), numbers.begin(), numbers.begin() + count);
+    return add(place, node::Literal{first, count});
 }
 
 NodeId ParseState::layered(List blocks, Stretch place) {
@@ -170,14 +178,6 @@ List ParseState::word_first(NameId word, Stretch place, List rest) {
     return rest;
 }
 
-List ParseState::parameter(List list, NameId name, Stretch place) {
-    // `optional` is no reserved word: a parameter of that name that another follows without a comma
-    // was the word.
-    if (!list.empty() && !list.comma()) {
-        auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
-        if (!before->optional && names.spelling(before->name) == "optional") {
-            *before = {name, true};
-            tree[list.last()].last = place.last;
 List ParseState::without_commas(List values, List names) {
     const auto* first = tree.get_if<node::Name>(values.last());
     const std::string_view type = first ? this->names.spelling(first->name) : std::string_view();
@@ -190,6 +190,14 @@ List ParseState::without_commas(List values, List names) {
     return joined(values, names);
 }
 
+List ParseState::parameter(List list, NameId name, Stretch place) {
+    // `optional` is no reserved word: a parameter of that name that another follows without a comma
+    // was the word.
+    if (!list.empty() && !list.comma()) {
+        auto* before = std::get_if<node::Parameter>(&tree[list.last()].content);
+        if (!before->optional && names.spelling(before->name) == "optional") {
+            *before = {name, true};
+            tree[list.last()].last = place.last;
             return list;
         }
     }
