@@ -44,9 +44,10 @@ Token TokenStream::next() {
 Token TokenStream::fetch() {
     while (ahead_.empty()) {
         const Token token = lexer_.next();
+        const TokenKind before = std::exchange(before_, token.kind);
         const bool defined = std::exchange(names_macro_, token.kind == TokenKind::hash_macro);
         if (macros_.empty() || token.kind != TokenKind::name || defined || passing_over_ ||
-            !call(token))
+            !call(token, before))
             return token;
     }
     const Token token = ahead_.front();
@@ -76,8 +77,8 @@ bool TokenStream::define_open_macro(const Token& opener) {
     return give_back(taken), false;
 }
 
-bool TokenStream::call(const Token& name) {
-    OpenMacros::Macro* macro = macros_.find(NameId(name.value));
+bool TokenStream::call(const Token& name, TokenKind before) {
+    OpenMacros::Macro* macro = macros_.find(NameId(name.value), before);
     if (!macro) return false;
     Tokens taken;
     if (!take_parentheses(taken)) return give_back(taken), false;

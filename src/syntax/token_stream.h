@@ -71,9 +71,9 @@ private:
     Token fetch();
     Token take(Tokens& taken);
     void give_back(const Tokens& taken);
-    /// Behind a name: whether it and its arguments were a call of an open macro, whose text comes
-    /// next.
-    bool call(const Token& name);
+    /// Behind a name, before which came a token of this kind: whether it and its arguments were a
+    /// call of an open macro, whose text comes next.
+    bool call(const Token& name, TokenKind before);
     /// Behind #if: keeps only the tokens of one branch, if the branches are no whole elements and
     /// the condition is about the version. Otherwise nothing changes, and it is false.
     bool choose_branch();
@@ -91,5 +91,6 @@ private:
     bool names_version_ = false;  ///< the last token was #version
     bool names_macro_ = false;    ///< the last token of the text was #macro
     bool dropped_sign_ = false;   ///< behind the last #if stood a sign, but is never read
+    TokenKind before_ = TokenKind::end_of_file;  ///< the last token of the text
     std::deque<Token> ahead_;
 };
