@@ -106,7 +106,9 @@ void Evaluator::State::OperandWalk::operand(const Tree& tree, NodeId id) {
 bool Evaluator::State::OperandWalk::finish(Span span) {
     if (sign_ && good_ && !state_.stopped_) {
         good_ = false;
-        state_.report(error(Fault::missing, span, "an operator in this has no value behind it"));
+        state_.report(error(Fault::missing, span, "an operator in this has no value behind it")
+                          .with_help("where a part of a directive ends in an operator, a value "
+                                     "follows: #if (A) 2 * #end 3"));
     }
     return good_ && !state_.stopped_;
 }

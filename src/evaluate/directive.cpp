@@ -72,7 +72,7 @@ bool Evaluator::State::condition(const Tree& tree, NodeId id) {
     if (const auto* test = tree.get_if<node::Defined>(id))
         return defined(tree, test->target) != test->negated;
     const std::optional<double> value = number(tree, id, "a condition");
-    return value && std::abs(*value) > tolerance;
+    return value && is_true(*value);
 }
 
 const node::Branch* Evaluator::State::taken_branch(const Tree& tree, const node::If& node) {
@@ -156,7 +156,7 @@ Flow Evaluator::State::loop_while(const Tree& tree, const node::While& node, con
     return stopped_ ? Flow::stopped : Flow::end;
 }
 
-/// Start, end and step of a loop, or nothing when reported.
+/// Start, end and step of a loop, or nothing when there is no pass or it has been reported.
 std::optional<std::array<double, 3>> Evaluator::State::for_range(const Tree& tree,
                                                                  const node::For& node, NodeId id) {
     std::array<double, 3> range = {0, 0, 1};
@@ -175,7 +175,8 @@ std::optional<std::array<double, 3>> Evaluator::State::for_range(const Tree& tre
                "a #for needs a name, a start and an end: #for(i, 1, 10)");
         return std::nullopt;
     }
-    if (!(std::abs(range[2]) >= tolerance)) {
+    if (std::isnan(range[2])) return std::nullopt;  // As in POV-Ray, no pass.
+    if (std::abs(range[2]) < tolerance) {
         broken(Fault::out_of_range, tree.span(id),
                message("the step of this #for is ", range[2], ", so it would not end"));
         return std::nullopt;

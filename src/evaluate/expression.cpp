@@ -12,11 +12,6 @@
 
 namespace {
 
-bool is_true(double value) { return std::abs(value) > tolerance; }
-
-/// As in POV-Ray, what is no number is as good as any.
-bool about(double a, double b) { return a == b || !(std::abs(a - b) > tolerance); }
-
 double apply(Operator sign, double a, double b) {
     switch (sign) {
         case Operator::add:

@@ -90,7 +90,7 @@ bool OldPartsReader::move(const Transform& transform) {
 void OldPartsReader::settle() {
     part_ = nullptr;
     const auto read = [&](ElementList& part, auto reader, auto& result) {
-        if (!part.empty() && !reader(block_.binder, std::exchange(part, {}), block_.span, result))
+        if (!reader(block_.binder, std::exchange(part, {}), block_.span, result))
             block_.broken = true;
     };
     if (!pigment_.empty()) {

@@ -4,6 +4,7 @@
 // there are two operations.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -50,6 +51,11 @@ enum class Operation : std::uint16_t {
 
 /// Numbers of the language that are closer than this count as equal, and as 0.
 inline constexpr double tolerance = 1e-10;
+
+inline bool is_true(double value) { return std::abs(value) > tolerance; }
+
+/// Whether they count as equal. As in POV-Ray, what is no number is as good as any.
+inline bool about(double a, double b) { return a == b || !(std::abs(a - b) > tolerance); }
 
 /// The operations that only compute: those before `divide_unless`.
 constexpr bool only_computes(Operation operation) { return operation < Operation::divide_unless; }

@@ -8,10 +8,6 @@
 
 namespace {
 
-bool is_true(double value) { return std::abs(value) > tolerance; }
-/// As in POV-Ray, what is no number is as good as any.
-bool about(double a, double b) { return a == b || !(std::abs(a - b) > tolerance); }
-
 /// Passes of all loops of one execution. Nobody waits for more, and a loop may have no end:
 /// sum(i, 1, 1e300, i).
 constexpr std::uint32_t most_passes = 100'000'000;

@@ -124,6 +124,21 @@ Box placed_extent(const T& shape, Place place) {
     return placed(extent_of(shape), place);
 }
 
+/// A ball that is turned and grown alike in all directions is one. (In POV-Ray not behind
+/// `transform { }` and `matrix`.)
+Box placed_extent(const Sphere& s, Place place) {
+    if (!place) return extent_of(s);
+    const Vec3 x = turned(Vec3(1, 0, 0), place), y = turned(Vec3(0, 1, 0), place),
+               z = turned(Vec3(0, 0, 1), place);
+    const double growth2 = dot(x, x), most = 1e-9 * growth2;
+    const bool alike = std::abs(dot(y, y) - growth2) < most &&
+                       std::abs(dot(z, z) - growth2) < most && std::abs(dot(x, y)) < most &&
+                       std::abs(dot(y, z)) < most && std::abs(dot(z, x)) < most;
+    if (!alike) return placed(extent_of(s), place);
+    const Vec3 centre = placed(s.centre, place);
+    return widened({centre, centre}, Vec3(std::sqrt(growth2) * std::abs(s.radius)));
+}
+
 Box placed_extent(const Cylinder& c, Place place) { return rod(c.cap, c.base, c.radius, place); }
 
 Box placed_extent(const Cone& c, Place place) {

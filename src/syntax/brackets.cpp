@@ -39,6 +39,9 @@ Token Brackets::next() {
     if (may_be_marked[static_cast<std::size_t>(token.kind)] || hangs_) {
         if (const auto mark = mark_before(token)) {
             pending_.push_back(token);
+            // What ends here ends in an operator: that is told of where it is computed.
+            if (*mark == TokenKind::continues && closes(token.kind) && !ends_part(token.kind))
+                pending_.push_back({TokenKind::nothing, 0, token.first, token.first, 0});
             token = {*mark, 0, token.first, token.first, 0};
         }
     }
@@ -66,7 +69,9 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
             directive.goes_on = true;
             return std::nullopt;
         }
-        if (ends_operand() && tokens_.goes_on_with_sign()) {
+        const TokenKind around =
+            open_.size() > 1 ? open_[open_.size() - 2].token.kind : TokenKind::end_of_file;
+        if (ends_operand() && tokens_.goes_on_with_sign(around == open_parenthesis)) {
             directive.goes_on = true;
             return goes_on;
         }

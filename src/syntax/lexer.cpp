@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tree,
              Diagnostics& diagnostics)
@@ -32,8 +33,7 @@ void Lexer::report(Diagnostic diagnostic) {
 
 Token Lexer::next() {
     const Token result = scan();
-    before_previous_ = previous_;
-    previous_ = result.kind;
+    before_previous_ = std::exchange(previous_, result.kind);
     return result;
 }
 
@@ -165,6 +165,12 @@ Token Lexer::read_word(const char* first) {
     const NameId id = names_.intern(spelling);
     TokenKind kind = kind_of(names_.word_class(id));
     std::uint32_t value = static_cast<std::uint32_t>(id);
+    if (kind != TokenKind::name && is_asked_about()) return token(TokenKind::word, first, value);
+    last_word_ = id;
+    if (id == "version"_word && begins_version()) {
+        report_missing_hash(first, spelling);
+        return token(TokenKind::hash_version, first);
+    }
     if (names_.word_class(id) == WordClass::directive) {
         if (spelling == "deprecated") kind = TokenKind::deprecated;
         if (spelling == "once") kind = TokenKind::once;
@@ -176,9 +182,7 @@ Token Lexer::read_word(const char* first) {
         }
         // The oldest scenes leave out the #.
         if (spelling == "declare" || spelling == "include" || spelling == "default") {
-            report(warning(Fault::deprecated, span(first, cursor_),
-                           message("`", spelling, "` should have a # before it"))
-                       .with_help(message("write `#", spelling, "`")));
+            report_missing_hash(first, spelling);
             kind = std::ranges::find(directive_words, spelling, &DirectiveWord::spelling)->kind;
             value = 0;
         }
@@ -190,6 +194,30 @@ Token Lexer::read_word(const char* first) {
     return token(kind, first, value);
 }
 
+/// Whether a word stands in `defined(` or `#ifdef (`, and does nothing.
+bool Lexer::is_asked_about() const {
+    return previous_ == TokenKind::open_parenthesis &&
+           (before_previous_ == TokenKind::hash_ifdef ||
+            (before_previous_ == TokenKind::function && last_word_ == "defined"_word));
+}
+
+/// Whether a word that has just been read is meant as `#version`: a number is behind it, and no
+/// value can be in front of that.
+bool Lexer::begins_version() const {
+    using enum TokenKind;
+    constexpr auto before =
+        std::array{end_of_file, close_brace, semicolon, hash_end, text, close_parenthesis};
+    if (std::ranges::find(before, previous_) == before.end()) return false;
+    const std::size_t behind = rest().find_first_not_of(" \t");
+    return behind != std::string_view::npos && is_digit(rest()[behind]);
+}
+
+void Lexer::report_missing_hash(const char* first, std::string_view word) {
+    report(warning(Fault::deprecated, span(first, cursor_),
+                   message("`", word, "` should have a # before it"))
+               .with_help(message("write `#", word, "`")));
+}
+
 Token Lexer::read_directive(const char* hash) {
     skip_blanks();
     const char* const first = cursor_;
@@ -199,7 +227,6 @@ Token Lexer::read_directive(const char* hash) {
     if (spelling == "else" && takes_if(hash)) return token(TokenKind::hash_elseif, hash);
     for (const DirectiveWord& directive : directive_words)
         if (directive.spelling == spelling) return token(directive.kind, hash, directive.value);
-
     if (spelling.empty()) {
         cursor_ = hash + 1;
         report(warning(Fault::syntax, span(hash, cursor_),

@@ -32,6 +32,9 @@ private:
     Token read_directive(const char* hash);
     Token read_unknown_directive(const char* hash, std::string_view spelling);
     bool takes_if(const char* hash);
+    bool is_asked_about() const;
+    bool begins_version() const;
+    void report_missing_hash(const char* first, std::string_view word);
     Token read_number(const char* first);
     Token read_literal(const char* first);
     Token read_text(const char* first);
@@ -66,6 +69,7 @@ private:
     Tree& tree_;
     Diagnostics& diagnostics_;
     bool quiet_ = false;
+    NameId last_word_ = no_name;
     std::optional<Span> long_string_;  ///< the first string that has a line end in it
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;

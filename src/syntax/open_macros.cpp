@@ -12,14 +12,14 @@ namespace {
 
 using Tokens = OpenMacros::Tokens;
 
-/// Names between a pair of parentheses, with or without commas; nothing when there is more.
+/// Names between a pair of parentheses, divided by commas; nothing when there is more, such as
+/// `optional A`, which a call may leave out.
 std::optional<std::vector<NameId>> parameters(std::span<const Token> tokens) {
     std::vector<NameId> result;
     bool comma = true;
     for (const Token& token : tokens) {
         const bool name = token.kind == TokenKind::name;
         if (!name && token.kind != TokenKind::comma) return std::nullopt;
-        // `optional A`, which a call may leave out.
         if (name && !comma) return std::nullopt;
         comma = !name;
         if (name) result.push_back(NameId(token.value));
@@ -58,6 +58,30 @@ Token odd_brace(const Tokens& body) {
     return open.empty() ? body.front() : open.back();
 }
 
+/// The first parenthesis of a text that closes nothing, or the last that is not closed, where
+/// nothing else is wrong with its brackets.
+std::optional<Token> odd_parenthesis(std::span<const Token> body) {
+    using enum TokenKind;
+    std::vector<Token> open;
+    std::optional<Token> first;
+    for (const Token& token : body) {
+        if (divides_directive(token.kind) &&
+            (open.empty() || !can_be_divided_by(open.back().kind, token.kind)))
+            return std::nullopt;
+        if (opens(token.kind)) open.push_back(token);
+        if (!closes(token.kind)) continue;
+        if (!open.empty() && closer_of(open.back().kind) == token.kind) {
+            open.pop_back();
+        } else {
+            if (!open.empty() || token.kind != close_parenthesis) return std::nullopt;
+            if (!first) first = token;
+        }
+    }
+    const auto is_parenthesis = [](const Token& t) { return t.kind == open_parenthesis; };
+    if (!std::ranges::all_of(open, is_parenthesis)) return std::nullopt;
+    return first || open.empty() ? first : open.back();
+}
+
 /// `* 2`, `2 +`, `#if (A) - #end`: an operator whose other operand is elsewhere.
 bool lacks_operand(const Tokens& body) {
     if (body.empty()) return false;
@@ -70,11 +94,14 @@ bool lacks_operand(const Tokens& body) {
     return std::ranges::adjacent_find(body, hangs) != body.end();
 }
 
-/// The names that a text declares by #declare (0) or #local (1).
-std::vector<NameId> declared(const Tokens& body, std::uint32_t local) {
+/// How the value of TokenKind::hash_declare says which of the two it is.
+enum class Declares : std::uint32_t { globals = 0, locals = 1 };
+
+/// The names that a text declares by #declare or by #local.
+std::vector<NameId> declared(const Tokens& body, Declares which) {
     std::vector<NameId> result;
     for (std::size_t i = 1; i < body.size(); ++i)
-        if (body[i - 1].kind == TokenKind::hash_declare && body[i - 1].value == local &&
+        if (body[i - 1].kind == TokenKind::hash_declare && Declares(body[i - 1].value) == which &&
             body[i].kind == TokenKind::name)
             result.push_back(NameId(body[i].value));
     return result;
@@ -102,18 +129,24 @@ bool OpenMacros::define(const Tokens& macro) {
     const auto names = ::parameters({macro.begin() + head, closer});
     const Tokens body(closer + 1, macro.end() - 1);
     const bool matches = balance.braces == 0 && least == 0;
-    if ((matches && !lacks_operand(body)) || !names) return by_name_.erase(name), false;
+    const std::optional<Token> odd = matches ? odd_parenthesis(body) : odd_brace(body);
+    const bool closed = !odd && !lacks_operand(body);
+    const bool sign = closed && !body.empty() && is_sign(body.front().kind);
+    if ((closed && !sign) || !names) return by_name_.erase(name), false;
     by_name_[name] = macros_.size();
     macros_.push_back({name, macro.front(), macro.back(), balance.braces, *names, body});
-    macros_.back().declared = declared(body, 0);
-    macros_.back().locals = declared(body, 1);
-    if (!matches) macros_.back().odd = odd_brace(body);
-    return true;
+    macros_.back().declared = declared(body, Declares::globals);
+    macros_.back().locals = declared(body, Declares::locals);
+    macros_.back().odd = odd.value_or(Token{});
+    macros_.back().continues = sign;
+    return !sign;
 }
 
-OpenMacros::Macro* OpenMacros::find(NameId name) {
+OpenMacros::Macro* OpenMacros::find(NameId name, TokenKind before) {
     const auto found = by_name_.find(name);
-    return found == by_name_.end() ? nullptr : &macros_[found->second];
+    if (found == by_name_.end()) return nullptr;
+    Macro& macro = macros_[found->second];
+    return macro.continues && !may_end_value(before) ? nullptr : &macro;
 }
 
 Tokens OpenMacros::expand(Macro& macro, const Token& call, std::span<const Token> parenthesised) {
@@ -146,7 +179,6 @@ Tokens OpenMacros::expand(Macro& macro, const Token& call, std::span<const Token
 OpenMacros::Instead OpenMacros::bind(const Macro& macro, const Token& call,
                                      const std::vector<std::span<const Token>>& values,
                                      Tokens& result) {
-    constexpr std::uint32_t local = 1;
     const auto made = [&](TokenKind kind, std::uint32_t value) {
         return Token{kind, 0, call.first, call.last, value};
     };
@@ -167,7 +199,7 @@ OpenMacros::Instead OpenMacros::bind(const Macro& macro, const Token& call,
         }
         const Token own = own_name(parameter);
         instead[parameter] = own;
-        result.push_back(made(TokenKind::hash_declare, local));
+        result.push_back(made(TokenKind::hash_declare, std::uint32_t(Declares::locals)));
         result.push_back(own);
         result.push_back(made(TokenKind::equal, 0));
         result.insert(result.end(), value.begin(), value.end());
@@ -200,13 +232,19 @@ void OpenMacros::report_idle() {
 
 void OpenMacros::report(Macro& macro) {
     if (std::exchange(macro.told, true)) return;
-    const bool opens = macro.odd.kind == TokenKind::open_brace;
+    using enum TokenKind;
+    const TokenKind kind = macro.odd.kind;
+    const bool opens = kind == open_brace || kind == open_parenthesis;
+    const bool brace = kind != open_parenthesis && kind != close_parenthesis;
     Diagnostic problem =
         error(Fault::syntax, span(macro.odd),
-              opens ? "this `{` is not closed before `#end`" : "`}` closes nothing that is open");
+              opens ? message("this `", brace ? "{" : "(", "` is not closed before `#end`")
+                    : message("`", brace ? "}" : ")", "` closes nothing that is open"));
     if (opens) problem.pointing(span(macro.end), "the macro ends here");
     problem
         .pointing(span(macro.opener), opens ? "what it belongs to" : "the innermost that is open")
-        .with_help(opens ? unclosed : unopened);
+        .with_help(brace   ? (opens ? unclosed : unopened)
+                   : opens ? "add the missing `)`, or let another macro of this file close it"
+                           : "leave it out, or let another macro of this file open it");
     diagnostics_.add(problem);
 }

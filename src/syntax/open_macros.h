@@ -5,8 +5,9 @@
 //     #macro End() } #end
 //     Begin(2) box { -1, 1 } End()
 //
-// and those that hold operators without their operands: `#macro Half() / 2 #end`. They are no lists
-// of elements, so they have no place in the tree: their text stands where they are called. An
+// and those that hold operators without their operands, `#macro Half() / 2 #end`, or half a pair of
+// parentheses. They are no lists of elements, so they have no place in the tree: their text stands
+// where they are called; that of `#macro More() + 2 #end` only behind a value: (1 More()). An
 // argument of one token stands where its parameter does; any other is declared in front, by a name
 // of its own (R_of_Begin), which #locals get as well.
 #pragma once
@@ -43,15 +44,17 @@ public:
         std::vector<NameId> declared = {}, locals = {};  ///< by #declare and by #local
         /// The last brace that it leaves open, or the first that it did not open; or nothing.
         Token odd = {};
+        bool continues = false;  ///< a whole value with a sign: open only behind another value
         int calls = 0;
         bool told = false;  ///< it has been reported
     };
 
     bool empty() const { return macros_.empty(); }
-    /// From #macro to its #end. False when its braces match, or when it is not written as a macro
-    /// is: then it is none of these.
+    /// From #macro to its #end. False when it is a list of elements, or not written as a macro is:
+    /// then it is none of these, or only where it is called behind a value.
     bool define(const Tokens& macro);
-    Macro* find(NameId name);
+    /// The macro that a call is replaced for, which comes behind a token of this kind.
+    Macro* find(NameId name, TokenKind before);
     /// What stands for a call; `arguments` with their parentheses. A wrong number of them is
     /// reported.
     Tokens expand(Macro&, const Token& call, std::span<const Token> arguments);

@@ -4,6 +4,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <array>
 
 List ParseState::append(List list, NodeId node) {
     if (node == no_node) return list.with_comma(false);
@@ -37,7 +38,9 @@ NodeId ParseState::negative(NodeId operand, Stretch place) {
     const auto* number = tree.get_if<node::Number>(operand);
     if (!number || text[tree[operand].first] == '-')
         return add(place, node::Unary{Operator::minus, operand});
-    tree.numbers[number->number] *= -1;
+    // Not in its place: the same token may stand in several branches, or in each call of a macro.
+    tree.numbers.push_back(-tree.numbers[number->number]);
+    tree[operand].content = node::Number{static_cast<std::uint32_t>(tree.numbers.size() - 1)};
     tree[operand].first = place.first;
     return operand;
 }
@@ -105,11 +108,17 @@ NodeId ParseState::group(List directives, List values, Stretch place) {
 
 NodeId ParseState::vector(List components, Stretch place) {
     // Numbers only: the same as the token that the lexer makes of the plainest form.
+    std::array<double, 5> numbers{};
     std::uint32_t count = 0;
-    for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count)
-        if (!tree.get_if<node::Number>(id)) return add(place, node::Vector{components.first()});
-    if (count < 2 || count > 5) return add(place, node::Vector{components.first()});
-    return add(place, node::Literal{tree.get<node::Number>(components.first()).number, count});
+    for (NodeId id = components.first(); id != no_node; id = tree[id].next, ++count) {
+        const auto* number = tree.get_if<node::Number>(id);
+        if (!number || count == numbers.size()) return add(place, node::Vector{components.first()});
+        numbers[count] = tree.numbers[number->number];
+    }
+    if (count < 2) return add(place, node::Vector{components.first()});
+    const auto first = static_cast<std::uint32_t>(tree.numbers.size());
+    tree.numbers.insert(tree.numbers.end(), numbers.begin(), numbers.begin() + count);
+    return add(place, node::Literal{first, count});
 }
 
 NodeId ParseState::layered(List blocks, Stretch place) {
@@ -167,6 +176,18 @@ List ParseState::word_first(NameId word, Stretch place, List rest) {
     tree[rest.first()].content = node::Block{word, braces->body};
     tree[rest.first()].first = place.first;
     return rest;
+}
+
+List ParseState::without_commas(List values, List names) {
+    const auto* first = tree.get_if<node::Name>(values.last());
+    const std::string_view type = first ? this->names.spelling(first->name) : std::string_view();
+    constexpr auto types = std::array<std::string_view, 4>{"float", "double", "int", "vector"};
+    if (std::ranges::find(types, type) != types.end())
+        diagnostics.add(error(Fault::syntax, tree.span(values.last()),
+                              message("`", type, "` is no type here, but one more parameter"))
+                            .with_help("the parameters of a function are numbers, and only named: "
+                                       "function(X, Y) { X*Y }"));
+    return joined(values, names);
 }
 
 List ParseState::parameter(List list, NameId name, Stretch place) {

@@ -145,6 +145,8 @@ struct ParseState {
     NodeId with_channel(NodeId colour, NodeId channel, Stretch);
     /// The body of a function that begins with a word: `pattern { ... }`, `internal(4)`.
     List word_first(NameId word, Stretch, List rest);
+    /// `a, b` and `c d` of a function's parameters.
+    List without_commas(List values, List names);
     List parameter(List list, NameId name, Stretch);
     /// `array(3)`
     NodeId array_in_parentheses(Stretch);

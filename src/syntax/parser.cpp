@@ -191,10 +191,6 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     }
     if (found == TokenKind::semicolon && wanted == "`}`")
         return "a function is one expression, without `;`";
-    const std::size_t open = before.rfind('(');
-    if ((found == TokenKind::name || found == TokenKind::constant) && open != before.npos &&
-        ends_in_word(without_blanks(before.substr(0, open)), "function"))
-        return "the parameters of a function are numbers, and only named: function(X, Y) { X*Y }";
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
     if (after.size() > 1 && after[1] == '=') return std::string(change);

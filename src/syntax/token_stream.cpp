@@ -44,9 +44,10 @@ Token TokenStream::next() {
 Token TokenStream::fetch() {
     while (ahead_.empty()) {
         const Token token = lexer_.next();
+        const TokenKind before = std::exchange(before_, token.kind);
         const bool defined = std::exchange(names_macro_, token.kind == TokenKind::hash_macro);
         if (macros_.empty() || token.kind != TokenKind::name || defined || passing_over_ ||
-            !call(token))
+            !call(token, before))
             return token;
     }
     const Token token = ahead_.front();
@@ -76,8 +77,8 @@ bool TokenStream::define_open_macro(const Token& opener) {
     return give_back(taken), false;
 }
 
-bool TokenStream::call(const Token& name) {
-    OpenMacros::Macro* macro = macros_.find(NameId(name.value));
+bool TokenStream::call(const Token& name, TokenKind before) {
+    OpenMacros::Macro* macro = macros_.find(NameId(name.value), before);
     if (!macro) return false;
     Tokens taken;
     if (!take_parentheses(taken)) return give_back(taken), false;
@@ -264,25 +265,27 @@ std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
     return in_parentheses(text.substr(taken[first].first));
 }
 
-bool TokenStream::goes_on_with_sign() {
+bool TokenStream::goes_on_with_sign(bool or_is_empty) {
     if (dropped_sign_) return true;
     Tokens taken;
-    const bool found = takes_sign(taken);
+    const bool found = takes_sign(taken, or_is_empty);
     give_back(taken);
     return found;
 }
 
-bool TokenStream::takes_sign(Tokens& taken) {
+bool TokenStream::takes_sign(Tokens& taken, bool or_is_empty) {
     using enum TokenKind;
     for (bool condition = true; !condition || take_parentheses(taken);) {
         const TokenKind kind = take(taken).kind;
         if (is_sign(kind)) return true;
-        condition = kind != hash_else && kind != hash_declare;
+        if (or_is_empty && kind == hash_end) return true;
+        condition = kind != hash_else && kind != hash_declare && kind != hash_break;
         if (kind == hash_declare) {
             while (taken.back().kind != semicolon && taken.size() <= most_ahead &&
                    taken.back().kind != end_of_file)
                 take(taken);
-        } else if (!divides_directive(kind) && (!opens_directive(kind) || kind == hash_macro)) {
+        } else if (!divides_directive(kind) && kind != hash_break &&
+                   (!opens_directive(kind) || kind == hash_macro)) {
             return false;
         }
     }

@@ -53,8 +53,8 @@ public:
     bool define_open_macro(const Token& opener);
 
     /// To be called behind the word of a directive: whether its first part begins with a sign, not
-    /// counting declarations.
-    bool goes_on_with_sign();
+    /// counting declarations; or, on demand, has nothing else in it.
+    bool goes_on_with_sign(bool or_is_empty);
     /// The same: what stands behind its #end, when there is a value before #end and the directive
     /// is short enough to be one.
     TokenKind behind_value();
@@ -71,16 +71,16 @@ private:
     Token fetch();
     Token take(Tokens& taken);
     void give_back(const Tokens& taken);
-    /// Behind a name: whether it and its arguments were a call of an open macro, whose text comes
-    /// next.
-    bool call(const Token& name);
+    /// Behind a name, before which came a token of this kind: whether it and its arguments were a
+    /// call of an open macro, whose text comes next.
+    bool call(const Token& name, TokenKind before);
     /// Behind #if: keeps only the tokens of one branch, if the branches are no whole elements and
     /// the condition is about the version. Otherwise nothing changes, and it is false.
     bool choose_branch();
     std::optional<bool> version_condition(Tokens& taken);
     /// Behind #if: takes the tokens of a first branch away that is never read.
     bool drop_false_branch();
-    bool takes_sign(Tokens& taken);
+    bool takes_sign(Tokens& taken, bool or_is_empty);
     TokenKind take_behind_value(Tokens& taken);
     bool take_parentheses(Tokens& taken);
 
@@ -91,5 +91,6 @@ private:
     bool names_version_ = false;  ///< the last token was #version
     bool names_macro_ = false;    ///< the last token of the text was #macro
     bool dropped_sign_ = false;   ///< behind the last #if stood a sign, but is never read
+    TokenKind before_ = TokenKind::end_of_file;  ///< the last token of the text
     std::deque<Token> ahead_;
 };

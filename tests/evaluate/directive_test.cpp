@@ -14,6 +14,7 @@ TEST_CASE("directives behave as POV-Ray's", "[evaluate]") {
         {"#for (i, 0, 1, .1) #end P(i)", "1.100000"},
         {"#for (i, 3, 1, -1) P(i) #end P(i)", "3.000000 2.000000 1.000000 0.000000"},
         {"#for (i, 2, 1) P(i) #end P(i)", "2.000000"},
+        {"#declare n = 1e999 * 0; #for (i, 0, 1, n) P(i) #end #for (i, 1, 0, n) P(i) #end", ""},
         {"#for (i, 1+1, 2*2) P(i) #end", "2.000000 3.000000 4.000000"},
         {"#for (i, 1, 9) P(i) #if (i = 2) #break #end #end P(i)", "1.000000 2.000000 2.000000"},
         {"#for (i, 1, 5) P(i) #declare i = i + 1; #end", "1.000000 3.000000 5.000000"},

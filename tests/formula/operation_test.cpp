@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 TEST_CASE("functions of one argument have numbers", "[formula]") {
@@ -16,6 +17,18 @@ TEST_CASE("functions of one argument have numbers", "[formula]") {
     CHECK_FALSE(function_number("rand"));
     CHECK(operation_of_two("pow") == Operation::power);
     CHECK_FALSE(operation_of_two("min"));
+}
+
+TEST_CASE("numbers that are close count as equal, and as 0", "[formula]") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    CHECK(about(1, 1 + 0.9 * tolerance));
+    CHECK(!about(1, 1 + 2 * tolerance));
+    CHECK(about(infinite, infinite));
+    CHECK(!about(infinite, -infinite));
+    CHECK(about(std::nan(""), 1));
+    CHECK(is_true(-2 * tolerance));
+    CHECK(!is_true(tolerance));
+    CHECK(!is_true(std::nan("")));
 }
 
 TEST_CASE("whole numbers have 32 bits", "[formula]") {

@@ -22,6 +22,20 @@ TEST_CASE("boxes along an axis are turned from z to it, from the smaller end", "
              {1.51982, 2.46036, 3.40089}));
 }
 
+TEST_CASE("a ball that is turned has the box of a ball, a longish one that of its box",
+          "[extent]") {
+    const Sphere ball{Vec3(1, 0, 0), 1};
+    const Transform turn = Transform::rotation(Vec3(0, 0, 90)).then(Transform::scaling(Vec3(2)));
+    const Transform eighth = Transform::rotation(Vec3(0, 0, 45));
+    const Transform longish = Transform::scaling(Vec3(1, 1, 2)).then(eighth);
+    const double half = std::sqrt(0.5);
+    CHECK(is(shape_extent(ball, nullptr), Vec3(0, -1, -1), Vec3(2, 1, 1)));
+    CHECK(is(shape_extent(ball, &turn), Vec3(-2, 0, -2), Vec3(2, 4, 2)));
+    CHECK(
+        is(shape_extent(ball, &eighth), Vec3(half - 1, half - 1, -1), Vec3(half + 1, half + 1, 1)));
+    CHECK(is(shape_extent(ball, &longish), Vec3(-half, -half, -2), Vec3(3 * half, 3 * half, 2)));
+}
+
 TEST_CASE("triangles are placed before they get a box, tori afterwards", "[extent]") {
     const Transform turn = Transform::rotation(Vec3(0, 0, 45));
     const double r = std::sqrt(0.5);

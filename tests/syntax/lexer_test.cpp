@@ -45,6 +45,10 @@ TEST_CASE("a text becomes these tokens", "[syntax]") {
         {"/* a /* b */ c */ 1 // 2\r3", "number number"},
         {"rgb color red texture array function sin max",
          "colour prefix colour channel layer array function literal unary function function"},
+        {"defined(declare) defined (color) #ifdef(end) (color)",
+         "function ( word ) function ( word ) #ifdef ( word ) ( colour )"},
+        {"(version) version version < 3 sphere version 3",
+         "( constant ) constant constant < number word constant number"},
         {"#version unofficial 3 unofficial", "#version unofficial number name"},
         {std::string("1\0 2\x1a 3", 7), "number number number"},
         {"\xEF\xBB\xBF"
@@ -126,6 +130,7 @@ TEST_CASE("what is no token is reported and left out", "[syntax]") {
         {"#\trgb 1", "this `#` has no effect, for `rgb` is no directive", "colour prefix number"},
         {"1 # 2", "this `#` has no effect, for no word follows it", "number number"},
         {"declare a", "`declare` should have a # before it", "#declare name"},
+        {"a; version 3.5", "`version` should have a # before it", "name ; #version number"},
         {"a == b", "this language writes `=`, not `==`", "name = name"},
         {"a && b", "this language writes `&`, not `&&`", "name & name"},
         {"a || b", "this language writes `|`, not `||`", "name | name"},

@@ -45,6 +45,15 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
         {"#macro P() + #end (1 P() 2)", "(1 + 2)"},
         {"#macro H(r) / r #end (1 H(2))", "(1 / 2)"},
         {"#macro N(r) #if (r) - #end #end (N(1) 5)", "(#if (1) - #end 5)"},
+        // Half a pair of parentheses.
+        {"#macro A() (1 #end #macro B() + 2) #end a(A() B())", "a((1 + 2))"},
+        {"#macro A() (1 #end #declare q = A() + 3);", "#declare q = (1 + 3);"},
+        {"#macro B(r) + r) #end #declare q = (1 B(2);", "#declare q = (1 + 2);"},
+        // What is a value is called, unless it goes on with another one.
+        {"#macro M() + 2 #end a(M()) (1 M())", "#macro M() +2 #end, a(M()), (1 + 2)"},
+        {"#macro M(r) -r #end (1 M(a)) <1 M(2), 3>", "#macro M(r) -r #end, (1 - a), <1 - 2, 3>"},
+        {"#macro M(r) -r #end (1 M(a + 1))",
+         "#macro M(r) -r #end, (1 #local r_of_M = a + 1; - r_of_M)"},
         // Those whose braces match stay what they are.
         {"#macro A() union { } #end A()", "#macro A() union { } #end, A()"},
         {"#macro A() union { #end A() } #macro A() b #end A()", "union { } #macro A() b #end, A()"},
@@ -70,6 +79,9 @@ TEST_CASE("macros whose braces are an oversight are named", "[syntax]") {
          "macro `A` takes 0 arguments, but here is 1"},
         {"#macro A(r) union { #end #macro B() } #end A() B()",
          "macro `A` takes 1 argument, but here are 0"},
+        {"#macro A() (1 #end", "this `(` is not closed before `#end`"},
+        {"#macro A() 1) #end", "`)` closes nothing that is open"},
+        {"#macro A() { (1 } #end", "`}` comes before the end of `(`"},
         // Not the macros' fault: they are called in pairs.
         {"#macro A() union { #end #macro B() } #end A() B() union {", "`{` has no end"},
         {"#macro A() #if (c) union { { #else } } #end #end", "`}` closes nothing that is open"},
