@@ -24,7 +24,7 @@ const ItemInfo PointLight::vocabulary = described<PointLight>([] {
           "half width at which there is no more light: degrees (45), or a length (1)"},
         F{"tightness", &PointLight::tightness, item, "how fast it weakens away from the axis"},
         F{"fade_distance", &PointLight::fade_distance, item,
-          "distance at which it has its colour, when it fades; 0: never", at_least(0)},
+          "distance at which it has its colour, when it fades; 0: never"},
         F{"fade_power", &PointLight::fade_power, item,
           "how fast it fades: 2 is nature's way; 0 or less: it does not"},
         F{"shadowless", &PointLight::shadowless, flag,
@@ -60,9 +60,11 @@ double cosine_of(double degrees) { return std::cos(degrees * radians_per_degree)
 Vec3 axis_of(const PointLight& light) { return unit(light.point_at - light.location); }
 
 double faded(const PointLight& light, double distance) {
-    if (light.fade_power <= 0 || light.fade_distance <= 0) return 1;
+    if (light.fade_power <= 0 || light.fade_distance == 0) return 1;
     const double share = distance / light.fade_distance, power = light.fade_power;
-    return 2 / (1 + (power == 2 ? share * share : std::pow(share, power)));
+    const double amount = 2 / (1 + (power == 2 ? share * share : std::pow(share, power)));
+    // Negative distances have no broken powers, and one that makes too much of odd powers.
+    return std::isfinite(amount) ? amount : 0;
 }
 
 /// The share of a cone's light in the direction of a point.

@@ -7,8 +7,18 @@ TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
     struct Case {
         double fade_distance, fade_power, distance, share;
     };
-    const Case cases[] = {{0, 2, 5, 1},   {3, 0, 5, 1}, {3, 2, 3, 1},
-                          {3, 2, 6, 0.4}, {3, 1, 0, 2}, {2, 4, 4, 2.0 / 17}};
+    const Case cases[] = {{0, 2, 5, 1},
+                          {3, 0, 5, 1},
+                          {3, 2, 3, 1},
+                          {3, 2, 6, 0.4},
+                          {3, 1, 0, 2},
+                          {2, 4, 4, 2.0 / 17},
+                          // Behind the light, so to say.
+                          {-4, 2, 7, 2 / (1 + 49.0 / 16)},
+                          {-9, 1, 7, 9},
+                          {-4, 1, 7, -8.0 / 3},
+                          {-4, 1.5, 7, 0},
+                          {-4, 1, 4, 0}};
     for (const Case& c : cases) {
         PointLight light;
         light.fade_distance = c.fade_distance;
