@@ -16,6 +16,12 @@ struct Box {
     Vec3 size() const { return high - low; }
 };
 
+/// Of what has no bounds.
+inline Box everywhere() {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return {Vec3(-infinity), Vec3(infinity)};
+}
+
 inline Box join(const Box& a, const Box& b) {
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }

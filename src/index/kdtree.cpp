@@ -304,16 +304,17 @@ void KdTree::pack(const PackLeaf& pack_leaf) {
     use_huge_pages(packs_.data(), packs_.size() * sizeof(float));
 }
 
-KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
+KdTree build_kdtree(std::uint32_t items, const ItemBox& box_of, const ClipItem& clip_item,
                     const KdTreeSettings& settings, int threads) {
     std::vector<Fragment> fragments;
-    fragments.reserve(boxes.size());
+    fragments.reserve(items);
     Box bounds;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].empty()) continue;
-        assert(finite(boxes[i]));
-        fragments.push_back({boxes[i], static_cast<std::uint32_t>(i)});
-        bounds = join(bounds, boxes[i]);
+    for (std::uint32_t item = 0; item < items; ++item) {
+        const Box box = box_of(item);
+        if (box.empty()) continue;
+        assert(finite(box));
+        fragments.push_back({box, item});
+        bounds = join(bounds, box);
     }
     if (fragments.empty()) return {};
 

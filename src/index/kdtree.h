@@ -38,6 +38,9 @@ struct KdTreeSettings {
 /// small. Called from several threads.
 using ClipItem = std::function<Box(std::uint32_t item, const Box& cell)>;
 
+/// Bounds of an item.
+using ItemBox = std::function<Box(std::uint32_t item)>;
+
 /// An inner node's plane, or a leaf's range in the array of items. The plane is a double:
 /// eight-byte nodes with single precision gained rays a tenth at most among 10^6 spheres, lost them
 /// as much among 10^4, and cannot divide small clusters far from the origin.
@@ -139,7 +142,8 @@ public:
     void pack(const PackLeaf&);
 
 private:
-    friend KdTree build_kdtree(std::span<const Box>, const ClipItem&, const KdTreeSettings&, int);
+    friend KdTree build_kdtree(std::uint32_t, const ItemBox&, const ClipItem&,
+                               const KdTreeSettings&, int);
     KdTree(const Box& bounds, std::vector<KdNode> nodes, std::vector<std::uint32_t> items,
            const KdTreeSettings&);
 
@@ -165,8 +169,14 @@ private:
 /// item lies on both sides of a plane that it nearly touches. This is some thirty times the
 /// rounding error of a plane's ray parameter, so a hit within that distance of its item is found
 /// for all origins up to thirty times as far away as the items.
-KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
+KdTree build_kdtree(std::uint32_t items, const ItemBox&, const ClipItem&,
                     const KdTreeSettings& = {}, int threads = 0);
+inline KdTree build_kdtree(std::span<const Box> boxes, const ClipItem& clip_item,
+                           const KdTreeSettings& settings = {}, int threads = 0) {
+    return build_kdtree(
+        static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t item) { return boxes[item]; },
+        clip_item, settings, threads);
+}
 
 template <bool likely_first, class Visit>
 bool KdTree::walk(const Ray& ray, Interval range, Visit& visit) const {

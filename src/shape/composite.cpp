@@ -8,7 +8,6 @@
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box everywhere() { return {Vec3(-infinity), Vec3(infinity)}; }
 
 /// So many parts are asked one by one; more are found through an index.
 constexpr std::size_t few = 8;

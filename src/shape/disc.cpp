@@ -36,10 +36,7 @@ bool inside(const Disc& disc, const Vec3& point) {
     return dot(unit(disc.normal), point - disc.centre) < 0;
 }
 
-Box inside_bounds(const Disc&) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {Vec3(-infinity), Vec3(infinity)};
-}
+Box inside_bounds(const Disc&) { return everywhere(); }
 
 std::string problem(const Disc& disc) {
     const double size = length(disc.normal);

@@ -179,7 +179,7 @@ std::string problem(const Polynomial& polynomial) {
            std::to_string(polynomial.degree) + " of its `polynomial`";
 }
 
-Box bounds(const AlgebraicSurface&) { return {Vec3(-infinity), Vec3(infinity)}; }
+Box bounds(const AlgebraicSurface&) { return everywhere(); }
 
 void crossings(const AlgebraicSurface& surface, const Ray& ray, Crossings& found) {
     crossings_between(surface, ray, {-infinity, infinity}, found);

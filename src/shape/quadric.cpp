@@ -47,7 +47,7 @@ Box ellipsoid_bounds(const Quadric& q, const std::array<bool, 3>& uses) {
     const double minor2 = m[0].x * m[1].y - m[0].y * m[1].x;
     const double det = dot(cross(m[0], m[1]), m[2]);
     const double size = max_component(Vec3(m[0].x, m[1].y, m[2].z));
-    Box box{Vec3(-infinity), Vec3(infinity)};
+    Box box = everywhere();
     const bool definite =
         m[0].x > 1e-12 * size && minor2 > 1e-12 * size * size && det > 1e-12 * size * size * size;
     if (!definite) return box;

@@ -7,9 +7,6 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box everywhere() { return {Vec3(-infinity), Vec3(infinity)}; }
-
 double volume(const Box& box) {
     const Vec3 size = glm::max(box.size(), Vec3(0));
     return size.x * size.y * size.z;

@@ -9,6 +9,8 @@
 #include "world/flatten.h"
 #include "world/leans.h"
 
+#include <algorithm>
+
 namespace {
 
 /// Of a primitive or a composite.
@@ -40,10 +42,20 @@ Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {
     return clip(item_bounds(world, item), cell);
 }
 
-void build_tree(World& world, const std::vector<Box>& boxes, int threads) {
+std::uint32_t item_count(const World& world) {
+    return world.leaves_begin() + static_cast<std::uint32_t>(world.composites.size());
+}
+
+/// Empty for what has no end.
+Box bounds_in_tree(const World& world, std::uint32_t item) {
+    return std::ranges::binary_search(world.unbounded, item) ? Box() : item_bounds(world, item);
+}
+
+void build_tree(World& world, int threads) {
     world.tree = build_kdtree(
-        boxes, [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); },
-        {}, threads);
+        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
+        [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); }, {},
+        threads);
     const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
     const auto faces = static_cast<std::uint32_t>(world.triangles.size());
     const PackedKinds kinds{
@@ -139,8 +151,7 @@ Box inside_box(const World& world, std::uint32_t item) {
 ClearSolids find_clear_solids(const World& world) {
     ClearSolids clear;
     std::vector<Box> around;
-    const std::size_t items = world.leaves_begin() + world.composites.size();
-    for (std::uint32_t item = 0; item < items; ++item) {
+    for (std::uint32_t item = 0; item < item_count(world); ++item) {
         if (!world.is_noted_solid(item)) continue;
         const Box box = inside_box(world, item);
         if (box.empty()) continue;
@@ -190,12 +201,8 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
 /// What a flattened world still lacks.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
-    std::vector<Box> boxes(world.leaves_begin() + world.composites.size());
-    for (std::uint32_t item = 0; item < boxes.size(); ++item)
-        boxes[item] = item_bounds(world, item);
-    for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
     note_planes(world);
-    build_tree(world, boxes, options.threads);
+    build_tree(world, options.threads);
     if (world.notes_solids() && world.camera.parallel)
         world.clear_solids = find_clear_solids(world);
     note_luminaires(world);
@@ -203,6 +210,10 @@ void build_indices(World& world, const CompileOptions& options) {
     if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)
         world.sky_light =
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
+    // After the tree, whose building takes the most memory.
+    std::vector<Box> boxes(item_count(world));
+    for (std::uint32_t item = 0; item < boxes.size(); ++item)
+        boxes[item] = bounds_in_tree(world, item);
     const std::vector<Plane> planes = world_planes(world);
     LightScene lit{world.luminaires, boxes, planes};
     lit.pixel = pixel_angle(world.camera, options);

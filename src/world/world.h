@@ -248,7 +248,8 @@ public:
                                         ///< ones are left out when they have none
     /// Of faces of meshes that are leaves, and of components of blobs.
     std::unordered_map<PrimitiveIndex, TextureList> part_textures;
-    std::vector<std::uint32_t> unbounded;    ///< planes and the like: asked apart from the tree
+    /// Planes and the like, asked apart from the tree; ascending.
+    std::vector<std::uint32_t> unbounded;
     std::vector<EndlessPlane> planes;        ///< those of them that are planes in their own place
     std::vector<std::uint32_t> endless;      ///< the others
     std::vector<std::uint32_t> material_of;  ///< per primitive

@@ -10,7 +10,7 @@
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Interval everywhere{-infinity, infinity};
+constexpr Interval whole_line{-infinity, infinity};
 
 std::vector<double> multiplied(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> product(a.size() + b.size() - 1);
@@ -53,7 +53,7 @@ TEST_CASE("the roots of random polynomials are found where they are", "[base]") 
             for (int i = 0; i < 100; ++i) {
                 const auto roots = drawn_roots(count, -3, 3, draw);
                 const auto c = with_roots(roots, pairs, draw);
-                for (const Interval& range : {everywhere, Interval{-10, 10}, Interval{-1e7, 1e6}}) {
+                for (const Interval& range : {whole_line, Interval{-10, 10}, Interval{-1e7, 1e6}}) {
                     const auto at = found(c, range);
                     INFO(count << " roots, " << pairs << " pairs");
                     REQUIRE(at.size() == count);
@@ -83,7 +83,7 @@ TEST_CASE("roots of any size are found", "[base]") {
     for (const double scale : {1e-9, 1e-3, 1.0, 1e4, 1e9}) {
         std::vector<double> c = {1};
         for (const double root : {-2.0, -1.0, 0.5, 7.0}) c = multiplied(c, {-root * scale, 1});
-        const auto at = found(c, everywhere);
+        const auto at = found(c, whole_line);
         REQUIRE(at.size() == 4);
         CHECK(at[0] == Approx(-2 * scale));
         CHECK(at[1] == Approx(-scale));
@@ -93,21 +93,21 @@ TEST_CASE("roots of any size are found", "[base]") {
 }
 
 TEST_CASE("roots that change no sign do not count", "[base]") {
-    CHECK(found(multiplied({1, -2, 1}, {4, 0, 1}), everywhere).empty());
-    const auto one = found(multiplied({1, -2, 1}, {-3, 1}), everywhere);
+    CHECK(found(multiplied({1, -2, 1}, {4, 0, 1}), whole_line).empty());
+    const auto one = found(multiplied({1, -2, 1}, {-3, 1}), whole_line);
     REQUIRE(one.size() == 1);
     CHECK(one[0] == Approx(3));
-    CHECK(found({-8, 12, -6, 1}, everywhere).size() == 1);
-    CHECK(found({-8, 12, -6, 1}, everywhere)[0] == Approx(2).margin(1e-4));
-    CHECK(found({1, 0, 1}, everywhere).empty());
-    CHECK(found({1, 2, 1}, everywhere).empty());
+    CHECK(found({-8, 12, -6, 1}, whole_line).size() == 1);
+    CHECK(found({-8, 12, -6, 1}, whole_line)[0] == Approx(2).margin(1e-4));
+    CHECK(found({1, 0, 1}, whole_line).empty());
+    CHECK(found({1, 2, 1}, whole_line).empty());
 }
 
 TEST_CASE("roots at round numbers are found once", "[base]") {
     for (const double at : {-2.0, -1.0, 0.0, 1.0, 2.0})
         for (const std::vector<double>& rest :
              {std::vector<double>{5, 0, 1}, {-5, 0, -1}, {5, 0, 6, 0, 1}, {1, 1, 1}}) {
-            const auto only = found(multiplied({-at, 1}, rest), everywhere);
+            const auto only = found(multiplied({-at, 1}, rest), whole_line);
             INFO(at);
             REQUIRE(only.size() == 1);
             CHECK(only[0] == Approx(at).margin(1e-15));
@@ -115,14 +115,14 @@ TEST_CASE("roots at round numbers are found once", "[base]") {
 }
 
 TEST_CASE("zeros, infinities and what is no number give no roots", "[base]") {
-    CHECK(found({}, everywhere).empty());
-    CHECK(found({0}, everywhere).empty());
-    CHECK(found({3}, everywhere).empty());
-    CHECK(found({0, 0, 0, 0, 0}, everywhere).empty());
-    CHECK(found({-6, 2, 0, 0, 0}, everywhere) == std::vector<double>{3});
-    CHECK(found({-4, 0, 1, 0}, everywhere) == std::vector<double>{-2, 2});
+    CHECK(found({}, whole_line).empty());
+    CHECK(found({0}, whole_line).empty());
+    CHECK(found({3}, whole_line).empty());
+    CHECK(found({0, 0, 0, 0, 0}, whole_line).empty());
+    CHECK(found({-6, 2, 0, 0, 0}, whole_line) == std::vector<double>{3});
+    CHECK(found({-4, 0, 1, 0}, whole_line) == std::vector<double>{-2, 2});
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(found({nan, 1, 2, 3, nan}, everywhere).size() <= 4);
+    CHECK(found({nan, 1, 2, 3, nan}, whole_line).size() <= 4);
     CHECK(found({infinity, 1, 2, 3, 4}, {-1, 1}).size() <= 4);
 }
 
