@@ -174,18 +174,23 @@ private:
         return work.made;
     }
 
-    /// A pixel that goes into this with more than one sample has them from an earlier run.
+    /// A pixel that goes into this with more than one sample has them from an earlier run. Those
+    /// of the tile that are not wanted are compared, too: the others look as in the whole picture.
     std::uint64_t compare_tile(Work& work, const Region& tile, const ContrastRule& rule) {
-        const Region block = common(tile, state_.share.region);
-        const auto first = [&](int x, int y) {
-            if (block.contains(x, y) && state_.film.at(x, y).samples == 1)
-                return shown(rule.contrast, state_.film.at(x, y), extra_of(x, y));
-            PixelSum alone;
+        const Region own = common(tile, state_.share.region);
+        const auto apart = [&](int x, int y, std::uint32_t samples) {
+            PixelSum pixel;
             std::vector<ExactSum> extra(state_.film.extras());
-            alone.add(look(work, x, y, 0, extra).colour);
-            return shown(rule.contrast, alone, extra);
+            for (std::uint32_t sample = 0; sample < samples; ++sample)
+                pixel.add(look(work, x, y, sample, extra).colour);
+            return shown(rule.contrast, pixel, extra);
+        };
+        const auto first = [&](int x, int y) {
+            if (!own.contains(x, y) || state_.film.at(x, y).samples != 1) return apart(x, y, 1);
+            return shown(rule.contrast, state_.film.at(x, y), extra_of(x, y));
         };
         const auto all = [&](int x, int y) -> std::optional<Shown> {
+            if (!own.contains(x, y)) return apart(x, y, all_samples(rule));
             PixelSum& pixel = state_.film.at(x, y);
             pixel.target = all_samples(rule);
             add_samples(work, x, y, pixel.target);
@@ -193,9 +198,9 @@ private:
             return shown(rule.contrast, pixel, extra_of(x, y));
         };
         Wanted before;
-        for_pixels(block, [&](PixelSum& pixel) { before.add(pixel); });
-        if (!refine_block(rule.contrast, block, {first, all})) return 0;
-        for_pixels(block, [](PixelSum& pixel) { pixel.target = pixel.samples; });
+        for_pixels(own, [&](PixelSum& pixel) { before.add(pixel); });
+        if (!refine_block(rule.contrast, tile, {first, all})) return 0;
+        for_pixels(own, [](PixelSum& pixel) { pixel.target = pixel.samples; });
         return before.missing;
     }
 

@@ -147,6 +147,16 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
                 if (part.share.owns(x, y)) parts.film.add(part.film.index(x, y), part.film);
     }
     CHECK(parts.film.image().pixels == whole.film.image().pixels);
+    for (int edge = 34; edge < 42; ++edge) {
+        RenderState part = begin_picture(settings, hooks.extras.count(world));
+        part.share.region = {13, 9, edge, edge};
+        CHECK(advance(plan_of(world, settings), part, rays, hooks));
+        int others = 0;
+        for (int y = 9; y < edge; ++y)
+            for (int x = 13; x < edge; ++x)
+                others += part.film.at(x, y).mean() != whole.film.at(x, y).mean();
+        CHECK(others == 0);
+    }
     std::atomic<int> asked = 0;
     hooks.cancelled = [&] { return ++asked > 30; };
     int stops = 0;
