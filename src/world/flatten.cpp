@@ -10,6 +10,7 @@
 #include "world/emitters.h"
 #include "world/light_groups.h"
 #include "world/materials.h"
+#include "world/mesh_copies.h"
 
 #include <algorithm>
 
@@ -75,7 +76,7 @@ public:
         }
         TextureList components;
         const std::uint32_t material =
-            has_component_looks(object)
+            has_face_looks(object) || has_component_looks(object)
                 ? materials_.of_parts(object, here, outer.transform, components)
                 : materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
@@ -90,9 +91,16 @@ public:
         }
         objects_.begin(object.span);
         const Shape& shape = std::get<Shape>(object.form);
-        if (has_face_looks(object))
-            add_textured(*std::get<Shared<Mesh>>(shape), object, here, outer.transform);
-        else if (placed) {
+        const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
+        if (!placed) return;
+        if (mesh && is_taken_apart(**mesh, here, material)) {
+            // Faces of one mesh share a material that nothing else has: it tells them apart from
+            // other solids.
+            add_mesh(**mesh, here.transform.get(),
+                     has_face_looks(object) ? materials_.of_faces(object, here, outer.transform)
+                                            : std::vector{materials_.own(material)},
+                     object.span);
+        } else {
             note_parts(PrimitiveKind::shape, world_.shapes.size(), std::move(components));
             place(shape, here, material, object.span);
         }
@@ -195,10 +203,10 @@ private:
         return any;
     }
 
-    void add_textured(const Mesh& mesh, const Object& object, const Inherited& here,
-                      const Handle<Transform>& outside) {
-        const std::vector<std::uint32_t> materials = materials_.of_faces(object, here, outside);
-        add_mesh(mesh, here.transform.get(), materials, object.span);
+    /// Each face of a mesh that glows is a luminaire, and where its inner side has another look the
+    /// faces know which one that is.
+    bool is_taken_apart(const Mesh& mesh, const Inherited& here, std::uint32_t material) {
+        return here.inner || materials_.glows(material) || copies_.takes_apart(mesh);
     }
 
     /// Of the primitive that is placed next; of most, parts have none.
@@ -220,10 +228,6 @@ private:
             if (here.inner) there.put_outer_side_first();
             add_triangle(there.corners, material, span);
             add_normals(there.normals);
-        } else if (const auto* mesh = std::get_if<Shared<Mesh>>(&shape)) {
-            // Faces of one mesh share a material that nothing else has: it tells them apart from
-            // other solids.
-            add_mesh(**mesh, here.transform.get(), {materials_.own(material)}, span);
         } else {
             add_shape(shapes_.built(shape, here.transform), here.transform, material, span);
         }
@@ -373,6 +377,7 @@ private:
     std::vector<Span> leaf_spans_;
     std::vector<GlowingPrimitive> glowing_;
     std::vector<Parted> parted_;
+    MeshCopies copies_;
     ObjectMemory objects_;
     LightStatements statements_;
     std::uint32_t shared_interiors_ = 0;  ///< so far

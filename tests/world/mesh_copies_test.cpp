@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/mesh_copies.h"
+
+#include "render/render.h"
+#include "support/scripts.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// Eight copies of a wavy sheet of 51,200 faces with two looks; `copy` is the sheet.
+std::string sheets(const std::string& copy) {
+    return R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 }
+        camera { location <0, 3, -7> look_at 0 angle 40 }
+        light_source { <5, 20, -10>, 1 }
+        #declare N = 160;
+        #macro Sheet()
+            mesh2 {
+                vertex_vectors { (N + 1)*(N + 1)
+                    #for (I, 0, N) #for (J, 0, N)
+                        <I/N - 0.5, 0.1*sin(I*0.2)*cos(J*0.1), J/N - 0.5>
+                    #end #end }
+                normal_vectors { (N + 1)*(N + 1)
+                    #for (I, 0, N) #for (J, 0, N) <sin(I*0.2)/4, 1, sin(J*0.1)/4> #end #end }
+                texture_list { 2 texture { pigment { checker rgb 0.9 rgb 0.2 scale 0.1 } }
+                                 texture { pigment { rgbf <1, 0.6, 0.2, 0.6> } } }
+                face_indices { 2*N*N
+                    #for (I, 0, N - 1) #for (J, 0, N - 1)
+                        #local A = I*(N + 1) + J;
+                        <A, A + 1, A + N + 1>, 0, 0, (mod(I, 20) < 10)
+                        <A + 1, A + N + 2, A + N + 1>, (mod(J, 40) < 20)
+                    #end #end }
+            }
+        #end
+        #declare Copy = Sheet()
+        #for (K, 0, 7)
+            object { )" +
+           copy + R"( rotate <20*K, 50*K, 0> scale <1, 1, (mod(K, 2) ? 1.4 : -1)>
+                     translate <mod(K, 4)*1.2 - 1.8, K/7 - 0.5, (K > 3)>
+                     #if (K = 6) no_shadow #end }
+        #end
+        plane { y, -1 pigment { rgb 0.5 } finish { reflection 0.3 } }
+    )";
+}
+
+}  // namespace
+
+TEST_CASE("the first copies of a mesh are taken apart", "[world]") {
+    Mesh small, large;
+    small.faces.resize(3);
+    large.faces.resize(100);
+    MeshCopies copies(10);
+    CHECK(copies.takes_apart(large));
+    CHECK_FALSE(copies.takes_apart(large));
+    for (int i = 0; i < 5; ++i) CHECK(copies.takes_apart(small) == (i < 3));
+}
+
+TEST_CASE("copies of a mesh that are whole look as those that are taken apart", "[world]") {
+    const World copies = world_of(sheets("Copy")), others = world_of(sheets("Sheet()"));
+    CHECK(copies.shapes.size() == others.shapes.size() + 3);
+    CHECK(copies.triangles.size() == others.triangles.size() * 5 / 8);
+    RenderSettings settings;
+    settings.width = 64;
+    settings.height = 48;
+    settings.antialias = false;
+    const Rendering a = render(copies, settings), b = render(others, settings);
+    int differing = 0;
+    for (std::size_t i = 0; i < a.image.pixels.size(); ++i)
+        differing += max_abs_component(a.image.pixels[i] - b.image.pixels[i]) > 1e-6;
+    CHECK(differing == 0);
+}
