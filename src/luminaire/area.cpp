@@ -29,6 +29,20 @@ template <ShapeKind T>
 Vec3 flat_normal(const T&) {
     return Vec3(0);
 }
+/// The normal of the surface where a ray crosses it; others are as smooth as the shape looks.
+Vec3 own_normal(const SmoothTriangle& t, const Crossing&) { return flat_normal(t); }
+Vec3 own_normal(const BuiltMesh& m, const Crossing& met) {
+    const auto [a, b, c] = face(*m.mesh, met.part).corners;
+    return triangle_normal(a, b, c);
+}
+template <ShapeKind T>
+Vec3 own_normal(const T&, const Crossing& met) {
+    return met.normal;
+}
+Vec3 own_normal(const AreaEmitter& e, const Crossing& met) {
+    return visit_shape([&](const auto& s) { return own_normal(s, met); }, e.shape);
+}
+
 /// Unit normal of flat shapes in their own space, 0 for others. (Smooth triangles are flat: only
 /// their shading is not.)
 Vec3 flat_normal(const AreaEmitter& e) {
@@ -54,11 +68,20 @@ Vec3 stretched_normal(const AreaEmitter& e, const Vec3& normal) {
     return volume_scale(e) * to_world_normal(e, normal);
 }
 
-/// Whether light leaves the surface there towards the point: solids hide their far side from
-/// outside, their near one from inside.
-bool turned_to(const Vec3& normal, const Vec3& from_surface, bool solid, bool within) {
-    return !solid || (dot(normal, from_surface) > 0) != within;
-}
+/// Which points of the surface shine on a point: solids hide their far side from outside, their
+/// near one from inside.
+class TurnedSide {
+public:
+    TurnedSide(const AreaEmitter& e, const Vec3& from)
+        : solid_(closed(e)), within_(solid_ && inside(e.shape, to_shape_point(e, from))) {}
+
+    bool shows(const Vec3& normal, const Vec3& from_surface) const {
+        return !solid_ || (dot(normal, from_surface) > 0) != within_;
+    }
+
+private:
+    bool solid_, within_;
+};
 
 /// The greatest factor by which the map stretches any length, or a little more (Gershgorin's
 /// circles); exact for similarities.
@@ -161,8 +184,7 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
     const double distance = length(offset);
     if (!(distance > 0)) return {};
     const Vec3 direction = offset / distance, turned = stretched_normal(e, drawn.normal);
-    if (!turned_to(turned, -direction, closed(e), inside(e.shape, to_shape_point(e, from))))
-        return {};
+    if (!TurnedSide(e, from).shows(turned, -direction)) return {};
     const double seen = std::abs(dot(turned, direction));
     if (!(seen > 0)) return {};
     return LightPoint{position, direction, distance, solid_angle_density(per_area, distance, seen)};
@@ -209,8 +231,7 @@ void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction
     Crossings met;
     crossings(e.shape, e.transform ? e.transform->inverse_ray(ray) : ray, met);
     if (met.size() == 0) return;
-    const bool solid = closed(e), within = inside(e.shape, to_shape_point(e, point.position));
-    const Vec3 flat = flat_normal(e);
+    const TurnedSide side(e, point.position);
     const auto faces = seen_faces(e, point.position, horizon_of(point));
     const double per_area = 1 / surface_area(e.shape);
     const auto broadest = [](const Vec3& own_normal) {
@@ -219,9 +240,9 @@ void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction
     };
     for (std::size_t i = 0; i < met.size(); ++i) {
         const double distance = met[i].t;
-        const Vec3 normal = stretched_normal(e, flat != Vec3(0) ? flat : met[i].normal);
+        const Vec3 normal = stretched_normal(e, own_normal(e, met[i]));
         const double seen = std::abs(dot(normal, direction));
-        if (!(distance > 0 && seen > 0 && turned_to(normal, -direction, solid, within))) continue;
+        if (!(distance > 0 && seen > 0 && side.shows(normal, -direction))) continue;
         const double density = faces ? faces->density(broadest(met[i].normal), direction, distance)
                                      : solid_angle_density(per_area, distance, seen);
         if (density > 0) found.push_back({distance, density});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/area.h"
 
+#include "shape/mesh_area.h"
+
 #include <numbers>
 
 namespace {
@@ -137,4 +139,12 @@ double surface_area(const SmoothTriangle& t) { return area(t.corner1, t.corner2,
 
 SurfacePoint sample_area(const SmoothTriangle& t, const Vec2& u) {
     return on_triangle(t.corner1, t.corner2, t.corner3, u);
+}
+
+double surface_area(const BuiltMesh& m) { return m.area->total(); }
+
+SurfacePoint sample_area(const BuiltMesh& m, const Vec2& u) {
+    const auto [number, within] = m.area->at(u.x);
+    const auto [a, b, c] = face(*m.mesh, number).corners;
+    return on_triangle(a, b, c, {within, u.y});
 }

@@ -12,8 +12,7 @@ struct SurfacePoint {
     Vec3 normal = Vec3(0);
 };
 
-/// Area of the surface; 0 for shapes whose surface cannot be sampled: planes have no end, meshes
-/// are taken apart first.
+/// Area of the surface; 0 for shapes whose surface cannot be sampled, as planes, which have no end.
 double surface_area(const Sphere&);
 double surface_area(const Cuboid&);
 double surface_area(const Disc&);
@@ -21,6 +20,7 @@ double surface_area(const Cylinder&);
 double surface_area(const Cone&);
 double surface_area(const Triangle&);
 double surface_area(const SmoothTriangle&);
+double surface_area(const BuiltMesh&);
 template <ShapeKind T>
 double surface_area(const T&) {
     return 0;
@@ -35,6 +35,7 @@ SurfacePoint sample_area(const Cylinder&, const Vec2& u);
 SurfacePoint sample_area(const Cone&, const Vec2& u);
 SurfacePoint sample_area(const Triangle&, const Vec2& u);
 SurfacePoint sample_area(const SmoothTriangle&, const Vec2& u);
+SurfacePoint sample_area(const BuiltMesh&, const Vec2& u);
 template <ShapeKind T>
 SurfacePoint sample_area(const T&, const Vec2&) {
     return {};

@@ -3,6 +3,7 @@
 
 #include "vocabulary/schema.h"
 
+#include "shape/mesh_area.h"
 #include "shape/triangle.h"
 
 const ItemInfo Mesh::vocabulary = described<Mesh>([] {
@@ -68,6 +69,29 @@ Vec3 normal_at(const MeshTriangle& face, const Vec3& own, const TriangleHit& hit
     return smooth == Vec3(0) ? own : smooth;
 }
 
+/// A ray through a mesh.
+class MeshRay {
+public:
+    MeshRay(const Mesh& mesh, const Ray& ray)
+        : mesh_(mesh), direction_(ray.direction), sheared_(ray, Edges::one) {}
+
+    std::optional<Crossing> meet(std::uint32_t i) const {
+        const TriangleHit hit = sheared_.meet(corner(mesh_, i, 0), corner(mesh_, i, 1),
+                                              corner(mesh_, i, 2), whole_line);
+        if (!(hit.t < whole_line.max)) return {};
+        const MeshTriangle met = face(mesh_, i);
+        const Vec3 own = triangle_normal(met.corners[0], met.corners[1], met.corners[2]);
+        if (own == Vec3(0)) return {};
+        const Vec3 shown = normal_at(met, own, hit);
+        return Crossing{hit.t, shown, dot(direction_, shown) < 0, i};
+    }
+
+private:
+    const Mesh& mesh_;
+    Vec3 direction_;
+    ShearedRay sheared_;
+};
+
 }  // namespace
 
 std::string problem(const Mesh& mesh) {
@@ -127,24 +151,28 @@ BuiltMesh build(const Mesh& mesh) {
         for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));
         boxes.push_back(box);
     }
-    return {make_handle<Mesh>(mesh), PartIndex(std::move(boxes))};
+    return {make_handle<Mesh>(mesh), PartIndex(std::move(boxes)), make_handle<MeshArea>(mesh)};
 }
 
 Box bounds(const BuiltMesh& built) { return built.index.bounds(); }
 
 void crossings(const BuiltMesh& built, const Ray& ray, Crossings& found) {
     if (ray.direction == Vec3(0)) return;
-    const Mesh& mesh = *built.mesh;
-    const ShearedRay sheared(ray, Edges::one);
+    const MeshRay along(*built.mesh, ray);
     built.index.along(ray, whole_line, [&](std::uint32_t i) {
-        const TriangleHit hit =
-            sheared.meet(corner(mesh, i, 0), corner(mesh, i, 1), corner(mesh, i, 2), whole_line);
-        if (!(hit.t < whole_line.max)) return;
-        const MeshTriangle met = face(mesh, i);
-        const Vec3 own = triangle_normal(met.corners[0], met.corners[1], met.corners[2]);
-        if (own == Vec3(0)) return;
-        const Vec3 shown = normal_at(met, own, hit);
-        found.add({hit.t, shown, dot(ray.direction, shown) < 0, i});
+        if (const auto crossing = along.meet(i)) found.add(*crossing);
+    });
+}
+
+void nearest_crossings(const BuiltMesh& built, const Ray& ray, const Interval& range,
+                       Crossings& found) {
+    if (ray.direction == Vec3(0)) return;
+    const MeshRay along(*built.mesh, ray);
+    built.index.nearest(ray, range, [&](std::uint32_t i, Interval& left) {
+        const auto crossing = along.meet(i);
+        if (!crossing || !left.contains(crossing->t)) return;
+        left.max = crossing->t;
+        found.add(*crossing);
     });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangle meshes: vertices stored once, faces by index. The world takes them apart into triangles;
-// composites and the functions of the language ask the BuiltMesh.
+// Triangle meshes: vertices stored once, faces by index. The world takes most of them apart into
+// triangles; copies, composites and the functions of the language ask the BuiltMesh.
 #pragma once
 
 #include "base/handle.h"
@@ -43,13 +43,18 @@ MeshTriangle face(const Mesh&, std::size_t i);
 /// u and v of the corners of face number i; 0 where the mesh has none.
 std::array<Vec2, 3> face_uvs(const Mesh&, std::size_t i);
 
+class MeshArea;
+
 /// A mesh as rays ask it where it is not taken apart. A crossing's part is the face.
 struct BuiltMesh {
     Handle<Mesh> mesh;
     PartIndex index;  ///< of the faces
+    Handle<MeshArea> area;
 };
 BuiltMesh build(const Mesh&);
 
 Box bounds(const BuiltMesh&);
 void crossings(const BuiltMesh&, const Ray&, Crossings&);
+/// The first of them in the range, and maybe others.
+void nearest_crossings(const BuiltMesh&, const Ray&, const Interval& range, Crossings&);
 bool inside(const BuiltMesh&, const Vec3&);

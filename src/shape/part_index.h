@@ -31,6 +31,23 @@ public:
             if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
+    /// Calls take(part, range) for parts whose box the ray meets in the range, those in front
+    /// first, and maybe more than once. It may lower the end of the range to where it has met the
+    /// part: what is behind that is left out.
+    template <class Take>
+    void nearest(const Ray& ray, Interval range, Take take) const {
+        const Vec3 inverse = Vec3(1) / ray.direction;
+        const auto ask = [&](std::uint32_t i, Interval& left) {
+            if (meets(ray, inverse, boxes_[i], left)) take(i, left);
+        };
+        if (tree_.nodes().empty())
+            for (std::uint32_t i = 0; i < boxes_.size(); ++i) ask(i, range);
+        tree_.traverse(ray, range, [&](std::span<const std::uint32_t> parts, Interval& left) {
+            for (const std::uint32_t i : parts) ask(i, left);
+            return false;
+        });
+    }
+
     /// Calls take(part) for each part whose box contains the point.
     template <class Take>
     void around(const Vec3& point, Take take) const {

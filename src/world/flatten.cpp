@@ -93,7 +93,7 @@ public:
         const Shape& shape = std::get<Shape>(object.form);
         const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
         if (!placed) return;
-        if (mesh && is_taken_apart(**mesh, here, material)) {
+        if (mesh && is_taken_apart(object, **mesh, here, material)) {
             // Faces of one mesh share a material that nothing else has: it tells them apart from
             // other solids.
             add_mesh(**mesh, here.transform.get(),
@@ -203,10 +203,12 @@ private:
         return any;
     }
 
-    /// Each face of a mesh that glows is a luminaire, and where its inner side has another look the
-    /// faces know which one that is.
-    bool is_taken_apart(const Mesh& mesh, const Inherited& here, std::uint32_t material) {
-        return here.inner || materials_.glows(material) || copies_.takes_apart(mesh);
+    /// Where only some faces of a mesh glow each is a luminaire, and where its inner side has
+    /// another look the faces know which one that is.
+    bool is_taken_apart(const Object& object, const Mesh& mesh, const Inherited& here,
+                        std::uint32_t material) {
+        return here.inner || (has_face_looks(object) && materials_.glows(material)) ||
+               copies_.takes_apart(mesh);
     }
 
     /// Of the primitive that is placed next; of most, parts have none.

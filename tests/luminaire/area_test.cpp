@@ -16,6 +16,20 @@ struct Lamp {
     bool solid;
 };
 
+/// A pyramid whose normals make it look round, without its ground.
+BuiltShape shade() {
+    Mesh mesh;
+    for (int i = 0; i < 4; ++i) {
+        const Vec3 corner(i % 2 ? 0.7 : -0.7, -0.5, i / 2 ? 0.6 : -0.6);
+        mesh.vertices.push_back(corner);
+        mesh.normals.push_back(corner);
+    }
+    mesh.vertices.push_back(Vec3(0.1, 0.6, 0));
+    mesh.normals.push_back(Vec3(0, 1, 0));
+    mesh.faces = {{0, 1, 4}, {1, 3, 4}, {3, 2, 4}, {2, 0, 4}};
+    return Shared<BuiltMesh>(build(mesh));
+}
+
 const std::vector<Lamp>& lamps() {
     static const std::vector<Lamp> all = {
         {"box", Cuboid{Vec3(-1, -0.5, -0.3), Vec3(0.7, 0.5, 0.3)}, true},
@@ -26,6 +40,7 @@ const std::vector<Lamp>& lamps() {
         {"cone", Cone{Vec3(0, -1, 0), 0.8, Vec3(0, 1, 0), 0.2, false}, true},
         {"open cone", Cone{Vec3(0, -1, 0), 0.8, Vec3(0, 1, 0), 0, true}, false},
         {"sphere", Sphere{Vec3(0.2, 0, 0), 0.8}, true},
+        {"shade", shade(), false},
     };
     return all;
 }

@@ -3,6 +3,7 @@
 
 #include "support/draw.h"
 #include "support/hits.h"
+#include "support/line_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -62,6 +63,7 @@ TEST_CASE("the surface of a blob is where the fields reach the threshold", "[sha
                 many.spheres.push_back(ball(a, draw.between(0.3, 1.5), draw.between(-1, 2), turn));
         }
         const BuiltBlob built = build(many);
+        const BuiltShape shape = Shared<BuiltBlob>(built);
         std::size_t met = 0;
         for (int i = 0; i < 600; ++i) {
             const Vec3 from = draw.point(4);
@@ -69,7 +71,7 @@ TEST_CASE("the surface of a blob is where the fields reach the threshold", "[sha
             const auto found = hits(built, ray);
             met += found.size();
             const double some = draw.between(0, 2);
-            CHECK(agree_in({some, some + draw.between(0, 2)}, built, ray));
+            CHECK(agree_in({some, some + draw.between(0, 2)}, shape, ray));
             for (std::size_t k = 0; k < found.size(); ++k) {
                 const Vec3 p = ray.at(found[k].t);
                 CHECK(field(built, p) == Approx(0.4).margin(1e-6));

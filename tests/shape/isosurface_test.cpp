@@ -3,6 +3,7 @@
 
 #include "support/draw.h"
 #include "support/hits.h"
+#include "support/line_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -44,13 +45,14 @@ TEST_CASE("parts of rays meet of an isosurface what they do as wholes", "[shape]
     });
     surface.max_gradient = 12;
     const BuiltIsosurface built = build(surface);
+    const BuiltShape shape = Shared<BuiltIsosurface>(built);
     Draw draw(3);
     std::size_t met = 0;
     for (int i = 0; i < 300; ++i) {
         const Vec3 from = draw.point(2);
         const Ray ray{from, draw.between(0.2, 5) * (draw.point(1) - from)};
         const double some = draw.between(0, 2);
-        CHECK(agree_in({some, some + draw.between(0, 2)}, built, ray));
+        CHECK(agree_in({some, some + draw.between(0, 2)}, shape, ray));
         met += hits(built, ray).size();
     }
     CHECK(met > 300);

@@ -3,6 +3,7 @@
 
 #include "support/draw.h"
 #include "support/hits.h"
+#include "support/line_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -71,6 +72,21 @@ TEST_CASE("faces without area are not met", "[shape]") {
     CHECK(problem(mesh) == "");
     CHECK(answers(build(mesh), {{Vec3(0.5, 0, -5), z}, {}}));
     CHECK(answers(build(mesh), {{Vec3(1, 0, -5), z}, {}}));
+}
+
+TEST_CASE("a part of the line of a ray meets what the whole of it meets", "[shape]") {
+    Draw draw(12);
+    Mesh cloud;  // of triangles across each other, which share corners
+    for (int i = 0; i < 300; ++i) cloud.vertices.push_back(draw.point(3));
+    for (int i = 0; i < 298; ++i) cloud.faces.push_back({i, i + 1, i + 2});
+    for (const Mesh& mesh : {cube(), cloud}) {
+        const BuiltShape shape = Shared<BuiltMesh>(build(mesh));
+        for (int i = 0; i < 2000; ++i) {
+            const double some = draw.between(-3, 3);
+            CHECK(agree_in({some, some + draw.between(0, 4)}, shape,
+                           {draw.point(3), draw.direction()}));
+        }
+    }
 }
 
 TEST_CASE("the inside of a closed mesh is found by counting, also through edges and corners",

@@ -16,24 +16,6 @@ std::vector<Crossing> hits(const T& shape, const Ray& ray) {
     return result;
 }
 
-/// Whether what the shape says of a part of the line agrees with what it says of all of it.
-template <class T>
-bool agree_in(const Interval& range, const T& shape, const Ray& ray) {
-    const auto inside = [&](const auto& all) {
-        std::vector<double> places;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (range.contains(all[i].t)) places.push_back(all[i].t);
-        std::sort(places.begin(), places.end());
-        return places;
-    };
-    Crossings between, nearest;
-    crossings_between(shape, ray, range, between);
-    nearest_crossings(shape, ray, range, nearest);
-    const std::vector<double> all = inside(hits(shape, ray)), first = inside(nearest);
-    return inside(between) == all && first.empty() == all.empty() &&
-           (all.empty() || first[0] == all[0]);
-}
-
 struct ExpectedHit {
     double t;
     Vec3 normal;

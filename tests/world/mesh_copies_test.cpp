@@ -45,6 +45,36 @@ std::string sheets(const std::string& copy) {
     )";
 }
 
+/// Two copies of a globe of 160,000 faces over a floor, both of which glow; `copy` is the globe.
+std::string globes(const std::string& copy) {
+    return R"(
+        #version 3.7;
+        global_settings { assumed_gamma 1 }
+        camera { location <0, 3, -7> look_at 0 angle 40 }
+        #declare N = 400;
+        #macro Globe()
+            mesh2 {
+                vertex_vectors { (N + 1)*(N/2 + 1)
+                    #for (I, 0, N/2) #for (J, 0, N)
+                        vrotate(vrotate(y, I*360/N*x), J*360/N*y)
+                    #end #end }
+                face_indices { N*N
+                    #for (I, 0, N/2 - 1) #for (J, 0, N - 1)
+                        #local A = I*(N + 1) + J;
+                        <A, A + 1, A + N + 1>, <A + 1, A + N + 2, A + N + 1>
+                    #end #end }
+            }
+        #end
+        #declare Copy = Globe()
+        #for (K, 0, 1)
+            object { )" +
+           copy + R"( pigment { rgb 1 } finish { emission 2 diffuse 0 }
+                     scale <0.5, 0.5 + K/4, 0.5> translate <2*K - 1, 0, 0> }
+        #end
+        plane { y, -1 pigment { rgb 0.5 } finish { diffuse 1 emission 0 } }
+    )";
+}
+
 }  // namespace
 
 TEST_CASE("the first copies of a mesh are taken apart", "[world]") {
@@ -70,4 +100,20 @@ TEST_CASE("copies of a mesh that are whole look as those that are taken apart", 
     for (std::size_t i = 0; i < a.image.pixels.size(); ++i)
         differing += max_abs_component(a.image.pixels[i] - b.image.pixels[i]) > 1e-6;
     CHECK(differing == 0);
+}
+
+TEST_CASE("a whole copy of a mesh is one luminaire, and as bright as its faces are", "[world]") {
+    const World copies = world_of(globes("Copy")), others = world_of(globes("Globe()"));
+    CHECK(copies.luminaires.size() == others.luminaires.size() / 2 + 1);
+    RenderSettings settings;
+    settings.width = 32;
+    settings.height = 24;
+    settings.samples = 16;
+    const Rendering a = render(copies, settings), b = render(others, settings);
+    Vec3 sum_a(0), sum_b(0);
+    for (std::size_t i = 0; i < a.image.pixels.size(); ++i) {
+        sum_a += a.image.pixels[i];
+        sum_b += b.image.pixels[i];
+    }
+    CHECK(sum_a.x == Approx(sum_b.x).epsilon(0.01));
 }
