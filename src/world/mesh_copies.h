@@ -12,7 +12,7 @@
 class MeshCopies {
 public:
     /// The meshes outlive this.
-    explicit MeshCopies(std::size_t most_faces = 1 << 18) : most_faces_(most_faces) {}
+    explicit MeshCopies(std::size_t most_faces = 1 << 16) : most_faces_(most_faces) {}
 
     /// Whether the next copy is: the first one, and others while all together have at most so many
     /// faces.

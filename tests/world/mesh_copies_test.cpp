@@ -89,8 +89,8 @@ TEST_CASE("the first copies of a mesh are taken apart", "[world]") {
 
 TEST_CASE("copies of a mesh that are whole look as those that are taken apart", "[world]") {
     const World copies = world_of(sheets("Copy")), others = world_of(sheets("Sheet()"));
-    CHECK(copies.shapes.size() == others.shapes.size() + 3);
-    CHECK(copies.triangles.size() == others.triangles.size() * 5 / 8);
+    CHECK(copies.shapes.size() == others.shapes.size() + 7);
+    CHECK(copies.triangles.size() == others.triangles.size() / 8);
     RenderSettings settings;
     settings.width = 64;
     settings.height = 48;
