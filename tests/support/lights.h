@@ -14,10 +14,20 @@ inline Luminaire glowing(const Emitter& emitter, double radiance = 1) {
 }
 
 /// Number of kinds that emitter() can make.
-inline constexpr int emitter_kinds = 9;
+inline constexpr int emitter_kinds = 10;
+
+/// A pyramid without ground, whose edges look round.
+inline BuiltShape pyramid(const Vec3& top, const std::array<Vec3, 3>& ground) {
+    Mesh mesh;
+    mesh.vertices = {top, ground[0], ground[1], ground[2]};
+    for (const Vec3& vertex : mesh.vertices)
+        mesh.normals.push_back(vertex - 0.25 * (top + ground[0] + ground[1] + ground[2]));
+    mesh.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+    return Shared<BuiltMesh>(build(mesh));
+}
 
 /// An emitter about as large as `size` near `place`: sphere, triangle, box, disc, ring, cylinder,
-/// tube, cone, stretched sphere.
+/// tube, cone, mesh, stretched sphere.
 inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
     const Vec3 a = place + size * draw.direction(), b = place + size * draw.direction(),
                up = draw.direction();
@@ -38,6 +48,8 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
             return AreaEmitter{Cylinder{place, a, size / 3, true}, {}};
         case 7:
             return AreaEmitter{Cone{place, size / 2, a, size / 5, false}, {}};
+        case 8:
+            return AreaEmitter{pyramid(place, {a, b, place + size * up}), {}};
         default:
             break;
     }
