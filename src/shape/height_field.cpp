@@ -34,43 +34,60 @@ const ItemInfo HeightField::vocabulary = described<HeightField>([] {
 
 namespace {
 
+/// What 1 is in units of height.
+constexpr double highest = 65536;
+
 /// Normal of the plane through three heights of neighbours, x and z pointing along the square.
 Vec3 slope_normal(const HeightGrid& grid, double rise_x, double rise_z) {
-    return unit(Vec3(-rise_x * (grid.width - 1), 1, -rise_z * (grid.height - 1)));
+    return unit(Vec3(-rise_x * (grid.width - 1), highest, -rise_z * (grid.height - 1)));
 }
 
 /// The normal of a pixel, of no particular length: the mean of those to its neighbours. As in
 /// POV-Ray, all are unit vectors where pixels are units and heights go to 65536, so that the flat
 /// ones count most, and the mean's parts are whole numbers up to 32767.
 Vec3 pixel_normal(const HeightGrid& grid, int x, int z) {
-    constexpr double highest = 65536, longest = 32767;
+    constexpr double longest = 32767;
     Vec3 sum(0);
     for (const int dx : {-1, 1})
         for (const int dz : {-1, 1}) {
             const int nx = x + dx, nz = z + dz;
             if (nx < 0 || nz < 0 || nx >= grid.width || nz >= grid.height) continue;
-            sum += unit(Vec3(-highest * dx * (grid.at(nx, z) - grid.at(x, z)), 1,
-                             -highest * dz * (grid.at(x, nz) - grid.at(x, z))));
+            sum += unit(Vec3(-dx * (grid.at(nx, z) - grid.at(x, z)), 1,
+                             -dz * (grid.at(x, nz) - grid.at(x, z))));
         }
     return unit(glm::trunc(longest * unit(sum)) * Vec3(grid.width - 1, highest, grid.height - 1));
 }
 
-/// The plane of one half of a cell, in cells: height(x, z) = base + rise . (x, z).
+/// The plane of one half of a cell, in cells and units of height: height(x, z) =
+/// base + rise . (x, z).
 struct Half {
     double base, rise_x, rise_z;
     double height(double x, double z) const { return base + rise_x * x + rise_z * z; }
 };
 
-/// The half below the diagonal from (1, 0) to (0, 1), or that above it.
-Half half_of(const HeightGrid& grid, int x, int z, bool upper) {
-    const double right = grid.at(x + 1, z), far = grid.at(x, z + 1);
-    if (!upper) {
-        const double base = grid.at(x, z);
-        return {base, right - base, far - base};
+/// The heights at the corners of a cell: at (0, 0), (1, 0), (0, 1) and (1, 1).
+struct Cell {
+    std::uint16_t origin, right, far, corner;
+
+    Cell(const HeightGrid& grid, int x, int z)
+        : origin(grid.at(x, z)),
+          right(grid.at(x + 1, z)),
+          far(grid.at(x, z + 1)),
+          corner(grid.at(x + 1, z + 1)) {}
+
+    HeightBlock block() const {
+        return {std::min(std::min(origin, right), std::min(far, corner)),
+                std::max(std::max(origin, right), std::max(far, corner))};
     }
-    const double corner = grid.at(x + 1, z + 1), rise_x = corner - far, rise_z = corner - right;
-    return {corner - rise_x - rise_z, rise_x, rise_z};
-}
+
+    /// The half below the diagonal from (1, 0) to (0, 1), or that above it.
+    Half half(bool upper) const {
+        const double at_right = right, at_far = far;
+        if (!upper) return {static_cast<double>(origin), at_right - origin, at_far - origin};
+        const double rise_x = corner - at_far, rise_z = corner - at_right;
+        return {corner - rise_x - rise_z, rise_x, rise_z};
+    }
+};
 
 Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, const Vec2& in_cell) {
     const HeightGrid& grid = *field.grid;
@@ -86,62 +103,57 @@ Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, co
                 v * ((1 - u) * corner(0, 1) + u * corner(1, 1)));
 }
 
-/// Follows a ray over the cells. The ray is in cells: x and z count pixels.
+/// Follows a ray over the cells. The ray is in cells and units of height: x and z count pixels.
 class Walk {
 public:
-    Walk(const BuiltHeightField& field, const Ray& ray, const Vec3& direction, Crossings& found)
+    Walk(const BuiltHeightField& field, const Ray& ray, const Vec3& direction, double end,
+         Crossings& found)
         : field_(field),
           grid_(*field.grid),
           ray_(ray),
           steps_(Vec3(1) / ray.direction),
           direction_(direction),
+          end_(end),
           found_(found) {}
 
-    /// Up to the first crossing in `wanted`.
-    void along(const Interval& range, const Interval& wanted) {
-        double t = range.min;
-        above_ = true;
-        bool first = true;
-        const auto met = [&] {
-            return found_.size() > 0 && found_[found_.size() - 1].t > wanted.min;
-        };
-        while (t < range.max && t <= wanted.max && !met()) {
-            // The cell in which the ray is right behind t.
-            const double probe = t + 1e-9 * (range.max - range.min);
-            const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
-            const int z = cell(ray_.origin.z + probe * ray_.direction.z, grid_.height);
-            const double over = std::min(range.max, leaves_block(x, z, probe));
-            if (passes_over(block_at(x, z), {t, over}, first)) {
-                first = false;
-                t = over;
-                continue;
-            }
-            const double end = std::min(range.max, leaves(x, z, probe, 1));
-            over_cell(x, z, {t, end}, first);
-            first = false;
-            t = end;
-        }
-    }
+    /// From 0 to the end, up to the first crossing in `wanted`.
+    void along(const Interval& wanted) { over_blocks(field_.levels.size(), {0, end_}, wanted); }
 
 private:
     static int cell(double at, int count) { return std::clamp(static_cast<int>(at), 0, count - 2); }
 
-    const HeightBlock& block_at(int x, int z) const {
-        const int row = (grid_.width - 2) / height_block + 1;
-        return field_.blocks[static_cast<std::size_t>(z / height_block * row + x / height_block)];
+    /// Over the blocks of a level, and within those that it does not pass over the smaller ones; at
+    /// level 0 over the cells themselves.
+    void over_blocks(std::size_t level, const Interval& range, const Interval& wanted) {
+        const HeightBlocks* const blocks = level > 0 ? &field_.levels[level - 1] : nullptr;
+        const int size = blocks ? blocks->size : 1;
+        for (double t = range.min; t < range.max && t <= wanted.max && !met(wanted);) {
+            // The cell in which the ray is right behind t.
+            const double probe = t + 1e-9 * end_;
+            const int x = cell(ray_.origin.x + probe * ray_.direction.x, grid_.width);
+            const int z = cell(ray_.origin.z + probe * ray_.direction.z, grid_.height);
+            const Interval within{
+                t, std::min(range.max, leaves(x / size * size, z / size * size, probe, size))};
+            if (!blocks)
+                over_cell(x, z, within);
+            else if (!passes_over(blocks->at(x, z), within))
+                over_blocks(level - 1, within, wanted);
+            t = within.max;
+        }
     }
 
-    double leaves_block(int x, int z, double after) const {
-        return leaves(x / height_block * height_block, z / height_block * height_block, after,
-                      height_block);
+    bool met(const Interval& wanted) const {
+        return found_.size() > 0 && found_[found_.size() - 1].t > wanted.min;
     }
 
     /// Whether the ray stays on its side of all that the block has.
-    bool passes_over(const HeightBlock& block, const Interval& range, bool first) {
+    bool passes_over(const HeightBlock& block, const Interval& range) {
         const double a = ray_.origin.y + range.min * ray_.direction.y;
         const double b = ray_.origin.y + range.max * ray_.direction.y;
         const bool above = std::min(a, b) > block.high, below = std::max(a, b) < block.low;
-        if (first && (above || below)) above_ = above;
+        if (!(above || below)) return false;
+        if (first_) above_ = above;
+        first_ = false;
         return above_ ? above : below;
     }
 
@@ -158,33 +170,38 @@ private:
         return t;
     }
 
-    void over_cell(int x, int z, const Interval& range, bool first) {
+    void over_cell(int x, int z, const Interval& range) {
+        const Cell cell(grid_, x, z);
+        if (passes_over(cell.block(), range)) return;
         const Ray local{ray_.origin - Vec3(x, 0, z), ray_.direction};
         const double sum = local.origin.x + local.origin.z - 1;
         const double speed = local.direction.x + local.direction.z;
         const double middle = speed != 0 ? -sum / speed : range.max;
         const auto upper_at = [&](double t) { return sum + t * speed > 0; };
         if (!(middle > range.min && middle < range.max))
-            return over_half(x, z, upper_at(0.5 * (range.min + range.max)), local, range, first);
-        over_half(x, z, upper_at(0.5 * (range.min + middle)), local, {range.min, middle}, first);
-        over_half(x, z, upper_at(0.5 * (middle + range.max)), local, {middle, range.max}, false);
+            return over_half(x, z, cell.half(upper_at(0.5 * (range.min + range.max))), local,
+                             range);
+        over_half(x, z, cell.half(upper_at(0.5 * (range.min + middle))), local,
+                  {range.min, middle});
+        over_half(x, z, cell.half(upper_at(0.5 * (middle + range.max))), local,
+                  {middle, range.max});
     }
 
-    void over_half(int x, int z, bool upper, const Ray& local, const Interval& range, bool first) {
-        const Half half = half_of(grid_, x, z, upper);
+    void over_half(int x, int z, const Half& half, const Ray& local, const Interval& range) {
         const auto height = [&](double t) {
             const Vec3 p = local.at(t);
             return p.y - half.height(p.x, p.z);
         };
         const double start = height(range.min), end = height(range.max);
-        if (first) above_ = start > 0;
+        if (first_) above_ = start > 0;
+        first_ = false;
         const bool above_after = end > 0;
         if (above_after == above_) return;
         above_ = above_after;
         const double share = start == end ? 0.5 : std::clamp(start / (start - end), 0.0, 1.0);
         const double t = range.min + share * (range.max - range.min);
         const Vec3 p = local.at(t);
-        if (p.y < field_.water_level) return;
+        if (p.y < highest * field_.water_level) return;
         const Vec3 normal = normal_at(field_, half, x, z, {p.x, p.z});
         const Vec3 flat = slope_normal(grid_, half.rise_x, half.rise_z);
         const bool entering =
@@ -197,23 +214,33 @@ private:
     const Ray& ray_;
     const Vec3 steps_;       ///< of t from one pixel to the next
     const Vec3& direction_;  ///< in the unit square
+    const double end_;       ///< of the ray
     Crossings& found_;
+    bool first_ = true;  ///< nothing is known of the side yet
     bool above_ = true;
 };
 
-std::vector<HeightBlock> blocks_of(const HeightGrid& grid) {
-    std::vector<HeightBlock> blocks;
-    for (int z = 0; z < grid.height - 1; z += height_block)
-        for (int x = 0; x < grid.width - 1; x += height_block) {
-            HeightBlock block{grid.at(x, z), grid.at(x, z)};
-            for (int v = z; v <= std::min(z + height_block, grid.height - 1); ++v)
-                for (int u = x; u <= std::min(x + height_block, grid.width - 1); ++u) {
-                    block.low = std::min(block.low, grid.at(u, v));
-                    block.high = std::max(block.high, grid.at(u, v));
-                }
-            blocks.push_back(block);
+/// Of so many cells each way.
+HeightBlock block_of(const HeightGrid& grid, int x, int z, int size) {
+    HeightBlock block{grid.at(x, z), grid.at(x, z)};
+    for (int v = z; v <= std::min(z + size, grid.height - 1); ++v)
+        for (int u = x; u <= std::min(x + size, grid.width - 1); ++u) {
+            block.low = std::min(block.low, grid.at(u, v));
+            block.high = std::max(block.high, grid.at(u, v));
         }
-    return blocks;
+    return block;
+}
+
+std::vector<HeightBlocks> levels_of(const HeightGrid& grid) {
+    std::vector<HeightBlocks> levels;
+    for (const int size : {4, 16, 64}) {
+        HeightBlocks level{size, (grid.width - 2) / size + 1, {}};
+        for (int z = 0; z < grid.height - 1; z += size)
+            for (int x = 0; x < grid.width - 1; x += size)
+                level.blocks.push_back(block_of(grid, x, z, size));
+        levels.push_back(std::move(level));
+    }
+    return levels;
 }
 
 }  // namespace
@@ -229,8 +256,8 @@ BuiltHeightField build(const HeightField& field) {
     const HeightGrid& grid = *field.grid;
     const auto [low, high] = std::ranges::minmax_element(grid.values);
     BuiltHeightField result{field.grid,     field.water_level, field.smooth,
-                            *low / 65536.0, *high / 65536.0,   {},
-                            blocks_of(grid)};
+                            *low / highest, *high / highest,   {},
+                            levels_of(grid)};
     if (!field.smooth) return result;
     for (int z = 0; z < grid.height; ++z)
         for (int x = 0; x < grid.width; ++x) result.normals.push_back(pixel_normal(grid, x, z));
@@ -238,7 +265,7 @@ BuiltHeightField build(const HeightField& field) {
 }
 
 Box bounds(const BuiltHeightField& field) {
-    constexpr double least = 0.001 / 65536;
+    constexpr double least = 0.001 / highest;
     return {Vec3(0, std::fmax(field.low, field.water_level) - least, 0),
             Vec3(1, std::fmax(field.high, field.water_level) + least, 1)};
 }
@@ -255,13 +282,13 @@ void nearest_crossings(const BuiltHeightField& field, const Ray& ray, const Inte
         clip(ray, bounds(field),
              {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()});
     if (!(range.min < range.max)) return;
-    const Vec3 cells(field.grid->width - 1, 1, field.grid->height - 1);
+    const Vec3 cells(field.grid->width - 1, highest, field.grid->height - 1);
     // From where it comes in, so that a far origin costs no digits.
     const Vec3 start = ray.at(range.min);
     const Ray over{cells * start, cells * ray.direction};
     Crossings met;
-    Walk(field, over, ray.direction, met)
-        .along({0, range.max - range.min}, {wanted.min - range.min, wanted.max - range.min});
+    Walk(field, over, ray.direction, range.max - range.min, met)
+        .along({wanted.min - range.min, wanted.max - range.min});
     for (std::size_t i = 0; i < met.size(); ++i)
         found.add({range.min + met[i].t, met[i].normal, met[i].entering});
 }
@@ -273,7 +300,7 @@ bool inside(const BuiltHeightField& field, const Vec3& point) {
     if (point.y < field.water_level) return true;
     const int column = static_cast<int>(x), row = static_cast<int>(z);
     const double u = x - column, v = z - row;
-    return point.y < half_of(grid, column, row, u + v > 1).height(u, v);
+    return highest * point.y < Cell(grid, column, row).half(u + v > 1).height(u, v);
 }
 
 Box inside_bounds(const BuiltHeightField& field) {

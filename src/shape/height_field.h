@@ -14,10 +14,9 @@ struct HeightGrid {
     int width = 0, height = 0;
     std::vector<std::uint16_t> values;
 
-    double at(int x, int z) const {
+    std::uint16_t at(int x, int z) const {
         return values[static_cast<std::size_t>(z) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(x)] /
-               65536.0;
+                      static_cast<std::size_t>(x)];
     }
 };
 
@@ -33,19 +32,30 @@ struct HeightField {
     static const ItemInfo vocabulary;
 };
 
-/// The lowest and the highest height of some cells side by side, a square of height_block each way.
+/// The lowest and the highest height of some cells, in units of 1/65536.
 struct HeightBlock {
-    double low, high;
+    std::uint16_t low, high;
 };
-inline constexpr int height_block = 16;
+
+/// All cells of a grid in squares of so many cells each way.
+struct HeightBlocks {
+    int size = 0;
+    int columns = 0;
+    std::vector<HeightBlock> blocks;  ///< row by row
+
+    /// That of a cell.
+    const HeightBlock& at(int x, int z) const {
+        return blocks[static_cast<std::size_t>(z / size * columns + x / size)];
+    }
+};
 
 struct BuiltHeightField {
     Handle<HeightGrid> grid;
     double water_level = 0;
     bool smooth = false;
-    double low = 0, high = 0;              ///< of all heights
-    std::vector<Vec3> normals;             ///< of the pixels, when it is smooth
-    std::vector<HeightBlock> blocks = {};  ///< row by row
+    double low = 0, high = 0;               ///< of all heights, up to 1
+    std::vector<Vec3> normals;              ///< of the pixels, when it is smooth
+    std::vector<HeightBlocks> levels = {};  ///< from the smallest blocks on
 };
 
 /// What is wrong beyond the ranges of single fields (no heights), as a sentence; empty when nothing

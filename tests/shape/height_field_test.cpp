@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/height_field.h"
 
-#include "support/hits.h"
+#include "support/draw.h"
+#include "support/line_parts.h"
 
 #include <catch2/catch.hpp>
 
@@ -51,6 +52,43 @@ TEST_CASE("a smooth height field has POV-Ray's normals", "[shape]") {
         REQUIRE(found.size() == 1);
         CHECK(max_abs_component(found[0].normal - normal) < 0.005);
     }
+}
+
+TEST_CASE("a landscape is met where its triangles are", "[shape]") {
+    Draw draw(4);
+    HeightField field;
+    field.grid = make_handle<HeightGrid>(HeightGrid{150, 71, {}});
+    const HeightGrid& grid = *field.grid;
+    Mesh mesh;
+    for (int z = 0; z < grid.height; ++z)
+        for (int x = 0; x < grid.width; ++x) {
+            const double hill = 0.5 + 0.3 * std::sin(x * 0.1) * std::cos(z * 0.15);
+            const auto value = static_cast<std::uint16_t>(65536 * (hill + draw.between(0, 0.1)));
+            field.grid.edit().values.push_back(value);
+            mesh.vertices.push_back(
+                Vec3(x / (grid.width - 1.0), value / 65536.0, z / (grid.height - 1.0)));
+            if (x == 0 || z == 0) continue;
+            const auto corner = static_cast<int>(mesh.vertices.size()) - 1;
+            const int left = corner - 1, near = corner - grid.width;
+            mesh.faces.push_back({near - 1, near, left});
+            mesh.faces.push_back({corner, left, near});
+        }
+    const BuiltHeightField land = build(field);
+    const BuiltMesh triangles = build(mesh);
+    const BuiltShape shape = Shared<BuiltHeightField>(land);
+    std::size_t met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 from = 0.5 * (draw.point() + Vec3(1));
+        const Ray ray{from, unit(draw.direction() * Vec3(1, i % 3 ? 0.2 : 1, 1))};
+        const auto found = hits(land, ray), expected = hits(triangles, ray);
+        met += found.size();
+        REQUIRE(found.size() == expected.size());
+        for (std::size_t k = 0; k < found.size(); ++k)
+            CHECK(found[k].t == Approx(expected[k].t).margin(1e-6));
+        const double some = draw.between(-1, 1);
+        CHECK(agree_in({some, some + draw.between(0, 2)}, shape, ray));
+    }
+    CHECK(met > 2000);
 }
 
 TEST_CASE("a height field needs heights", "[shape]") {
