@@ -16,13 +16,15 @@
 struct StoredPicture {
     int width = 0;
     int height = 0;
-    int channels = 3;           ///< 1 or 3
-    int bits = 8;               ///< of a channel
-    std::vector<float> values;  ///< row by row from the top, channels side by side
-    std::vector<float> alpha;   ///< of each pixel; empty: the file has none
-    bool linear = false;        ///< the file says so, or holds floating-point numbers
-    double gamma = 0;           ///< of the values, if the file says it; otherwise 0
-    std::string format;         ///< in OpenImageIO's words: "png", "pnm", "openexr" ...
+    int channels = 3;                    ///< 1 or 3
+    int bits = 8;                        ///< of a channel
+    std::vector<float> values;           ///< row by row from the top, channels side by side
+    std::vector<float> alpha;            ///< of each pixel; empty: the file has none
+    std::vector<std::uint16_t> numbers;  ///< of each pixel's colour in the file's table; empty: it
+                                         ///< has none, or whoever read it does not tell
+    bool linear = false;                 ///< the file says so, or holds floating-point numbers
+    double gamma = 0;                    ///< of the values, if the file says it; otherwise 0
+    std::string format;                  ///< in OpenImageIO's words: "png", "pnm", "openexr" ...
 };
 
 /// What a file shall hold: 1 or 3 channels of colours, and one more for alpha. Colours of whole

@@ -204,27 +204,37 @@ double grey_at(const PictureMap& map, const Vec3& point) {
     return place ? std::clamp(grey(sampled(map, *place).rgb), 0.0, 1.0) : 0;
 }
 
-/// Of a colour in the file's table.
-double number_at(const PictureMap& map, const Vec2& place) {
-    return mixed_at(map, place, [&](int x, int y) {
-        return static_cast<double>(map.texels->numbers[map.texels->at(x, y)]);
-    });
-}
-
-/// The number of a texture, which each pixel has for itself. In single precision, like POV-Ray's.
-float texture_number_at(const PictureMap& map, const Vec2& place) {
+/// The number of a colour in the file's table: as in POV-Ray, numbers are mixed like colours.
+/// Nothing where the file has no table, or the mixture is -1, which means the same to POV-Ray.
+std::optional<int> number_at(const PictureMap& map, const Vec2& place) {
     const Texels& texels = *map.texels;
-    const double number =
-        !texels.numbers.empty() ? number_at(map, place) : mixed_at(map, place, [&](int x, int y) {
-            const auto red = static_cast<float>(texel(texels, x, y).rgbt.x);
-            return std::trunc(double{red * 255.0F});
-        });
-    return static_cast<float>(number);
+    if (texels.numbers.empty()) return std::nullopt;
+    const int number = static_cast<int>(mixed_at(map, place, [&](int x, int y) {
+        return static_cast<double>(texels.numbers[texels.at(x, y)]);
+    }));
+    return number == -1 ? std::nullopt : std::optional(number);
 }
 
-double height_at(const BumpMap& map, const Vec2& place) {
-    if (!map.use_index || map.texels->numbers.empty()) return grey(sampled(map, place).rgb);
-    return std::trunc(number_at(map, place));  // a mixture of numbers is a number
+/// The number of a texture. Red is mixed before it becomes a number, in single precision like
+/// POV-Ray's.
+int texture_number_at(const PictureMap& map, const Vec2& place) {
+    if (const auto number = number_at(map, place)) return *number;
+    const auto red = static_cast<float>(sampled(map, place).rgb.x);
+    return static_cast<int>(std::fmax(red * 255.0F, 0.0F));
+}
+
+/// Heights of a point and two others: numbers where all have them and they are asked for.
+std::array<double, 3> heights_at(const BumpMap& map, const std::array<Vec2, 3>& places) {
+    std::array<double, 3> heights{};
+    bool numbered = map.use_index;
+    for (std::size_t i = 0; numbered && i < places.size(); ++i) {
+        const auto number = number_at(map, places[i]);
+        numbered = number.has_value();
+        heights[i] = number.value_or(0);
+    }
+    for (std::size_t i = 0; !numbered && i < places.size(); ++i)
+        heights[i] = grey(sampled(map, places[i]).rgb);
+    return heights;
 }
 
 }  // namespace
@@ -254,12 +264,12 @@ std::optional<Vec3> bump_at(const BumpMap& map, const Vec3& point, double height
     const auto place = place_on(map, point);
     if (!place) return std::nullopt;
     const Vec2 size(map.texels->width, map.texels->height);
-    const auto height_of = [&](double x, double y) {
-        return height *
-               height_at(map, {floor_mod(place->x + x, size.x), floor_mod(place->y + y, size.y)});
+    const auto moved = [&](double x, double y) {
+        return Vec2(floor_mod(place->x + x, size.x), floor_mod(place->y + y, size.y));
     };
-    const Vec3 here(0, height_of(0, 0), 0), left(-1, height_of(-1, 1), 1),
-        right(1, height_of(1, 1), 1);
+    const auto heights = heights_at(map, {moved(0, 0), moved(-1, 1), moved(1, 1)});
+    const Vec3 here(0, height * heights[0], 0), left(-1, height * heights[1], 1),
+        right(1, height * heights[2], 1);
     return unit(cross(right - left, here - left));
 }
 
@@ -279,8 +289,7 @@ double evaluate(const BumpMap& map, const Vec3& point) { return grey_at(map, poi
 double evaluate(const MaterialMap& map, const Vec3& point) {
     const auto place = place_on(map, point);
     if (!place) return 0;
-    // As in POV-Ray, numbers are mixed like colours.
-    const int number = static_cast<int>(std::fmax(texture_number_at(map, *place), 0.0F));
+    const int number = texture_number_at(map, *place);
     if (number == map.textures) return map.textures - 1;
     return number > map.textures ? number % map.textures : number;
 }

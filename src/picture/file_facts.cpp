@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/file_facts.h"
 
+#include "picture/tga.h"
 #include "png/png.h"
 
 #include <algorithm>
@@ -48,10 +49,13 @@ FileFacts file_facts(const std::string& path) {
     std::string bytes(8, ' ');
     file.read(bytes.data(), 8);
     const bool gif = bytes.starts_with("GIF8"), png = is_png(bytes);
-    if (!gif && !png) return facts;
+    const bool tga = is_tga(path);
+    if (!gif && !png && !tga) return facts;
     bytes.append(std::istreambuf_iterator<char>(file), {});
     if (png)
         read_png(bytes, facts);
+    else if (tga)
+        facts.table = tga_table(bytes);
     else if ((byte_at(bytes, 10) & 0x80) != 0)
         add_colours(facts, bytes, 13, std::size_t{2} << (byte_at(bytes, 10) & 7));
     return facts;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture file says of itself that its pixels do not tell: the table of colours that PNG and
-// GIF files number, and whether a PNG file says how its values are coded. Called by the readers of
-// pictures and of heights.
+// What a picture file says of itself that its pixels do not tell: the table of colours that PNG,
+// GIF and Targa files number, and whether a PNG file says how its values are coded. Called by the
+// readers of pictures and of heights.
 #pragma once
 
 #include <array>

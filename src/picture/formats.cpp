@@ -2,6 +2,7 @@
 #include "picture/formats.h"
 
 #include "base/loaded_library.h"
+#include "picture/tga.h"
 #include "png/png.h"
 #include "text/harmless.h"
 #include "text/message.h"
@@ -12,11 +13,11 @@
 
 namespace {
 
-/// All bytes of a PNG file; nothing of others.
-std::string png_bytes(const std::string& path) {
+/// All bytes of a PNG or Targa file; nothing of others.
+std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string bytes(8, ' ');
-    if (!file.read(bytes.data(), 8) || !is_png(bytes)) return {};
+    if (!file.read(bytes.data(), 8) || (!is_png(bytes) && !is_tga(path))) return {};
     bytes.append(std::istreambuf_iterator<char>(file), {});
     return bytes;
 }
@@ -39,9 +40,10 @@ std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& d
                                          Span asked_at) {
     StoredPicture stored;
     std::string problem;
-    if (const std::string bytes = png_bytes(path); !bytes.empty()) {
+    const std::string bytes = bytes_of(path);
+    if (is_png(bytes)) {
         problem = read_png(bytes, most_pixels, stored);
-    } else {
+    } else if (!read_tga(bytes, most_pixels, stored)) {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
         problem = formats->read(path, most_pixels, stored);

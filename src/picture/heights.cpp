@@ -19,12 +19,12 @@ FileFacts facts_without_alpha(const std::string& path) {
     return facts;
 }
 
-/// A pixel's height; `value` are its channels from 0 to 1.
-double height_of(const StoredPicture& picture, const ColourNumbers* number_of, const float* value) {
-    if (number_of) {
-        const std::span<const float> colour(value, static_cast<std::size_t>(picture.channels));
-        return 256 * static_cast<double>((*number_of)(colour, 1));
-    }
+/// The height of a pixel of this number in the picture.
+double height_of(const StoredPicture& picture, const ColourNumbers* number_of, std::size_t pixel) {
+    if (!picture.numbers.empty()) return 256.0 * picture.numbers[pixel];
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const float* const value = &picture.values[pixel * channels];
+    if (number_of) return 256 * static_cast<double>((*number_of)({value, channels}, 1));
     if (keeps_whole_brightness(picture)) return most * whole_brightness(value[0]);
     if (picture.channels < 3) return most * value[0];
     if (picture.bits == 8) return (256.0 * value[0] + value[1]) * 255;
@@ -45,11 +45,10 @@ std::optional<Heights> read_heights(const std::string& path, double gamma, Diagn
     const ColourNumbers number_of(facts);
     Heights result{stored.width, stored.height, {}};
     const auto width = static_cast<std::size_t>(stored.width);
-    const auto channels = static_cast<std::size_t>(stored.channels);
     for (auto row = static_cast<std::size_t>(stored.height); row-- > 0;)
         for (std::size_t x = 0; x < width; ++x) {
-            const double height = height_of(stored, facts.table.empty() ? nullptr : &number_of,
-                                            &stored.values[(row * width + x) * channels]);
+            const double height =
+                height_of(stored, facts.table.empty() ? nullptr : &number_of, row * width + x);
             // 1/255 has no exact float.
             result.values.push_back(
                 static_cast<std::uint16_t>(std::clamp(std::floor(height + 1e-2), 0.0, most)));

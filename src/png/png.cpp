@@ -44,13 +44,20 @@ void give_bytes(png_structp png, png_bytep source, std::size_t count) {
 
 void flush(png_structp) {}
 
-/// The size, and how the pixels shall come: all channels with 8 or 16 bits, tables and bits of
-/// transparency made to channels.
+bool numbers_colours(const PngWork& work) {
+    return png_get_color_type(work.png, work.info) == PNG_COLOR_TYPE_PALETTE;
+}
+
+/// The size, and how the pixels shall come: all channels with 8 or 16 bits, bits of transparency
+/// made to channels, but numbers of colours as they are.
 bool read_head(PngWork& work) {
     if (setjmp(work.failed) != 0) return false;
     png_set_read_fn(work.png, &work, take_bytes);
     png_read_info(work.png, work.info);
-    png_set_expand(work.png);
+    if (numbers_colours(work))
+        png_set_packing(work.png);
+    else
+        png_set_expand(work.png);
     png_set_interlace_handling(work.png);
     png_read_update_info(work.png, work.info);
     return true;
@@ -62,10 +69,11 @@ bool read_rows(PngWork& work, png_bytepp rows) {
     return true;
 }
 
-/// From 0 to 1, rounded as OpenImageIO does: numbers of one or two bytes, the higher one first.
+/// From 0 to 1: numbers of one byte, rounded as OpenImageIO does, or of two, the higher one first,
+/// rounded so that 255 times a value is whole where it should be.
 float value_at(const png_byte* bytes, std::size_t i, bool wide) {
     if (!wide) return static_cast<float>(bytes[i]) * (1.0F / 255);
-    return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) * (1.0F / 65535);
+    return static_cast<float>(bytes[2 * i] << 8 | bytes[2 * i + 1]) / 65535;
 }
 
 /// What the file says about the meaning of its values.
@@ -78,6 +86,28 @@ void read_coding(PngWork& work, StoredPicture& picture) {
     const double gamma = std::round(100 / exponent) / 100;
     picture.linear = gamma == 1;
     picture.gamma = gamma;
+}
+
+/// Colours and alpha of pixels that have numbers. Returns what is wrong with one.
+std::string look_up(PngWork& work, std::span<const png_byte> numbers, StoredPicture& picture) {
+    png_colorp colours = nullptr;
+    png_bytep alphas = nullptr;
+    int colour_count = 0, alpha_count = 0;
+    png_get_PLTE(work.png, work.info, &colours, &colour_count);
+    png_get_tRNS(work.png, work.info, &alphas, &alpha_count, nullptr);
+    picture.channels = 3;
+    for (const png_byte number : numbers) {
+        if (number >= colour_count) return "a pixel has a colour that the table has not";
+        const png_color& colour = colours[number];
+        for (const png_byte value : {colour.red, colour.green, colour.blue})
+            picture.values.push_back(value_at(&value, 0, false));
+        if (alpha_count > 0)
+            picture.alpha.push_back(number < alpha_count
+                                        ? value_at(alphas, static_cast<std::size_t>(number), false)
+                                        : 1);
+        picture.numbers.push_back(number);
+    }
+    return {};
 }
 
 std::string read(PngWork& work, std::int64_t most_pixels, StoredPicture& picture) {
@@ -105,6 +135,7 @@ std::string read(PngWork& work, std::int64_t most_pixels, StoredPicture& picture
 
     const auto colours = static_cast<std::size_t>(picture.channels);
     const auto pixels = static_cast<std::size_t>(width * height);
+    if (numbers_colours(work)) return look_up(work, bytes, picture);
     picture.values.reserve(pixels * colours);
     if (stored > colours) picture.alpha.reserve(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {

@@ -293,7 +293,7 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
         if (!limits_asked && !within_limits(index, ray)) return;
         limits_asked = true;
         const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;
-        take(Meeting{c.t, leaf.inverse ? -normal : normal, index, c.part});
+        take(Meeting{c.t, leaf.inverse != leaf.turned ? -normal : normal, index, c.part});
     }
 }
 

@@ -33,6 +33,7 @@ struct CompositeLeaf {
     BuiltShape shape;
     Handle<Transform> transform = nullptr;  ///< null: none
     bool inverse = false;                   ///< inside and outside are swapped
+    bool turned = false;                    ///< normals point to the other side
 };
 
 class Composite {

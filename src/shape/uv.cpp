@@ -120,8 +120,9 @@ std::optional<Vec2> uv(const BuiltSor& sor, const Vec3& point, std::uint32_t) {
     for (const bool top : {false, true}) {
         const double rim = std::sqrt(top ? sor.parts.back().high2 : sor.parts.front().low2);
         const bool on_end = !sor.open && std::abs(share - (top ? 1 : 0)) < 1e-9;
+        // As in POV-Ray, v goes on beyond 0 and 1 towards the middle of an end.
         if (on_end && radius < rim * (1 - 1e-9))
-            return Vec2(turn_around_axis(point), top ? 1 - radius / rim : radius / rim);
+            return Vec2(turn_around_axis(point), top ? 2 - radius / rim : radius / rim - 1);
     }
     // All pieces of the curve have the same part of v, as in POV-Ray.
     const auto above = std::ranges::find_if(

@@ -44,13 +44,16 @@ private:
     PartRef content(const Object& object, const Handle<Transform>& transform, bool inverse) {
         if (const auto* parts = std::get_if<Union>(&object.form))
             return group(*parts, transform, inverse);
-        const auto leaf = [&](const BuiltShape& shape, bool swapped) {
+        const auto leaf = [&](const BuiltShape& shape, bool swapped, bool turned = false) {
             visitor_.leaf(object);
-            return builder_.add({shape, transform, swapped});
+            return builder_.add({shape, transform, swapped, turned});
         };
-        // As in POV-Ray, what has no inside stays so, whatever is swapped.
-        if (const auto* shape = std::get_if<Shape>(&object.form))
-            return leaf(shapes_.built(*shape, transform), inverse && has_inside(*shape));
+        // As in POV-Ray, what has no inside stays so, whatever is swapped; but a mesh is turned.
+        if (const auto* shape = std::get_if<Shape>(&object.form)) {
+            const bool swapped = inverse && has_inside(*shape);
+            const bool mesh = std::holds_alternative<Shared<Mesh>>(*shape);
+            return leaf(shapes_.built(*shape, transform), swapped, mesh && inverse && !swapped);
+        }
         std::vector<PartRef> parts;
         for (const Sphere& sphere : std::get<SphereRow>(object.form).spheres)
             parts.push_back(leaf(sphere, inverse));

@@ -23,6 +23,14 @@ BuiltHeightField stretched(BuiltHeightField field, const Transform& place) {
     return field;
 }
 
+/// A patch for a place that mirrors it: as in POV-Ray, its points are mirrored before its normals
+/// are computed, so that its outer side is another one.
+BuiltBicubicPatch mirrored(BuiltBicubicPatch patch) {
+    for (BuiltBicubicPatch::Facet& facet : patch.facets)
+        for (Vec3& normal : facet.normals) normal = -normal;
+    return patch;
+}
+
 }  // namespace
 
 BuiltShape ShapeStore::built(const Shape& shape) {
@@ -35,9 +43,16 @@ BuiltShape ShapeStore::built(const Shape& shape) {
 
 BuiltShape ShapeStore::built(const Shape& shape, const Handle<Transform>& place) {
     BuiltShape result = built(shape);
+    if (!place) return result;
+    const auto made = [&](const auto& shared, auto make) {
+        const auto [found, added] = placed_.try_emplace({&*shared, place.get()});
+        if (added) found->second = {place, Shared(make(*shared))};
+        return found->second.built;
+    };
     const auto* field = std::get_if<Shared<BuiltHeightField>>(&result);
-    if (!field || !(*field)->smooth || !place || place->uniform_scale() > 0) return result;
-    const auto [found, added] = stretched_.try_emplace({&**field, place.get()});
-    if (added) found->second = {place, Shared(stretched(**field, *place))};
-    return found->second.built;
+    if (field && (*field)->smooth && place->uniform_scale() == 0)
+        return made(*field, [&](const auto& each) { return stretched(each, *place); });
+    const auto* patch = std::get_if<Shared<BuiltBicubicPatch>>(&result);
+    if (patch && place->determinant() < 0) return made(*patch, mirrored);
+    return result;
 }

@@ -12,7 +12,7 @@ class ShapeStore {
 public:
     /// Precondition: problem(shape) is empty.
     BuiltShape built(const Shape&);
-    /// For a place; null: none. Landscapes are made for the place where they are.
+    /// For a place; null: none. Landscapes and patches are made for the place where they are.
     BuiltShape built(const Shape&, const Handle<Transform>& place);
 
 private:
@@ -26,5 +26,5 @@ private:
         Handle<Transform> place;
         BuiltShape built;
     };
-    std::map<std::pair<const BuiltHeightField*, const Transform*>, Placed> stretched_;
+    std::map<std::pair<const void*, const Transform*>, Placed> placed_;
 };

@@ -23,7 +23,7 @@ void check_same(const StoredPicture& ours, const StoredPicture& theirs) {
     CHECK(ours.linear == theirs.linear);
     CHECK(ours.gamma == Approx(theirs.gamma));
     CHECK(ours.format == theirs.format);
-    CHECK(ours.values == theirs.values);
+    CHECK_THAT(ours.values, Catch::Matchers::Approx(theirs.values).margin(1e-7));
     CHECK(ours.alpha == theirs.alpha);
 }
 

@@ -54,9 +54,9 @@ TEST_CASE("v follows the points of a lathe and of a sor", "[shape]") {
     sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}};
     const BuiltSor vase = build(sor);
     CHECK(close(uv(vase, Vec3(-1, 1, 0), 0), {.5, .25}));
-    // On its lower end v goes from the middle to the rim, on the upper one back.
-    CHECK(close(uv(vase, Vec3(.25, 4, 0), 0), {0, .75}));
-    CHECK(close(uv(vase, Vec3(0, 0, .25), 0), {.25, .25}));
+    // On its ends v goes on towards the middle.
+    CHECK(close(uv(vase, Vec3(.25, 4, 0), 0), {0, 1.75}));
+    CHECK(close(uv(vase, Vec3(0, 0, .25), 0), {.25, -.75}));
     // Pieces of different heights have the same part of v.
     sor.points = {{1, -1}, {1, 0}, {1, 4}, {1, 5}, {1, 6}};
     const BuiltSor tall = build(sor);

@@ -42,3 +42,18 @@ TEST_CASE("a smooth landscape is made for the place that stretches it", "[solid]
     for (const Vec3& normal : landscape(wide)->normals)
         CHECK(length(wide->normal(normal)) == Approx(1));
 }
+
+TEST_CASE("a patch is made for a place that mirrors it", "[solid]") {
+    ShapeStore store;
+    BicubicPatch patch;
+    patch.type = 1;
+    for (int i = 0; i < 16; ++i) patch.points.push_back(Vec3(i % 4, i / 4, 0));
+    const Shape shape = Shared(patch);
+    const auto normal = [&](const Vec3& scale) {
+        const auto place = make_handle<Transform>(Transform::scaling(scale));
+        const BuiltShape built = store.built(shape, place);
+        return std::get<Shared<BuiltBicubicPatch>>(built)->facets.front().normals.front();
+    };
+    CHECK(normal(Vec3(2, 1, 1)) == normal(Vec3(1)));
+    CHECK(normal(Vec3(-1, 1, 1)) == -normal(Vec3(1)));
+}

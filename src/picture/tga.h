@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Targa files as POV-Ray reads them where other programs differ: those whose pixels are numbers of
+// colours in a table, and those of 15 or 16 bits a pixel. The library of all formats reads the
+// others.
+#pragma once
+
+#include "formats/formats.h"
+
+#include <array>
+
+/// Whether a file is one by the end of its name: Targa files have no other mark.
+bool is_tga(std::string_view path);
+
+/// The colours that a file of numbers has: red, green, blue, alpha. Empty for others.
+std::vector<std::array<std::uint8_t, 4>> tga_table(std::string_view bytes);
+
+/// Reads the bytes of a file. False, and no picture, when the file is none of these, is damaged, or
+/// has more than `most_pixels`.
+bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture&);
