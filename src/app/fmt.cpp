@@ -59,7 +59,8 @@ private:
         SourceStore sources;
         Names names;
         Diagnostics diagnostics;
-        parse(sources.add(name, text), sources, names, diagnostics);
+        parse(sources.add(name, text), sources, names, diagnostics,
+              {.included = name.ends_with(".inc")});
         for (const Diagnostic& each : diagnostics.all())
             if (each.severity == Severity::error)
                 console_.err(format(each, sources, console_.coloured));

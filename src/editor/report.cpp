@@ -22,7 +22,8 @@ void report(const Workspace& workspace, const std::string& path,
     const SourceId main = result.sources.add(path, found->text);
     if (path.ends_with(".inc")) {
         Names names;
-        const Tree tree = parse(main, result.sources, names, result.diagnostics);
+        const Tree tree =
+            parse(main, result.sources, names, result.diagnostics, {.included = true});
         lint(tree, names, result.diagnostics);
         return;
     }

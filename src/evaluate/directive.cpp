@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directives: control of the walk, messages, versions, includes. Declarations are in declare.cpp.
 #include "evaluate/state.h"
-#include "syntax/parser.h"
 #include "text/message.h"
 
 #include <cmath>
@@ -312,17 +311,15 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         stopped_ = true;
         return nullptr;
     }
-    const Tree*& known = loaded[found->path];
-    if (!known) {
-        const std::size_t errors = diagnostics.error_count();
-        const SourceId source = sources.add(found->path, found->text, span);
-        frames.push({Frame::include, no_name, source, span});
-        known = &trees.emplace_back(parse(source, sources, names, diagnostics, version, true));
+    const FileTrees::Included file = files.included(*found, span, version);
+    if (file.first) {
+        frames.push({Frame::include, no_name, file.tree->source, span});
+        for (const Diagnostic& each : file.found.all()) diagnostics.add(each);
         frames.pop();
-        codes.add(*known);
-        if (diagnostics.error_count() > errors) stopped_ = true;
+        codes.add(*file.tree);
+        if (file.found.failed()) stopped_ = true;
     }
-    return stopped_ ? nullptr : known;
+    return stopped_ ? nullptr : file.tree;
 }
 
 void Evaluator::State::speak(const Tree& tree, const node::Message& node, NodeId id) {

@@ -7,7 +7,6 @@
 #include "font/system_font.h"
 #include "syntax/foreign.h"
 #include "syntax/lint.h"
-#include "syntax/parser.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -183,7 +182,8 @@ void Evaluator::State::run_within_memory(SourceId main) {
 }
 
 void Evaluator::State::run(SourceId main) {
-    const Tree& tree = trees.emplace_back(parse(main, sources, names, diagnostics, version, true));
+    files.deepest = limits.include_depth;
+    const Tree& tree = files.main(main, version);
     lint(tree, names, diagnostics);
     // A tree with holes would only give errors that follow from the first ones.
     if (diagnostics.failed()) stopped_ = true;
@@ -260,7 +260,7 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
 /// does not.
 std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
     std::pair<const Tree*, NodeId> result{nullptr, no_node};
-    for (const Tree& tree : trees) {
+    for (const Tree& tree : files.all()) {
         if (tree.source != use.source) continue;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
             const NodeId id{static_cast<std::uint32_t>(i)};

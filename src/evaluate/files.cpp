@@ -59,7 +59,7 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
             error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
     // An #include of this file is to see what is in it then.
     if (!loader.keeps_off_disk()) loader.written(*path);
-    loaded.erase(*path);
+    files.forget(*path);
     file.writer = writer;
     written_files.push_back({file.name, file.opened, writer});
 }

@@ -2,6 +2,7 @@
 #include "evaluate/models.h"
 
 #include "evaluate/convert.h"
+#include "shape/crossed_cone.h"
 
 namespace {
 
@@ -45,8 +46,9 @@ ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
     Object& object = made.edit();
     if (item) {
         Shape& shape = std::get<Shape>(object.form);
+        const auto* cone = std::get_if<Cone>(&shape);
         if (!set_values(Kinds<Shape>::address(shape), *item, variation) ||
-            !problem(shape).empty() || !vanishes(shape).empty())
+            !problem(shape).empty() || !vanishes(shape).empty() || (cone && is_crossed(*cone)))
             return nullptr;
     }
     if (variable.coloured()) {

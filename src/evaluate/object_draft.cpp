@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/object_draft.h"
 
+#include "shape/crossed_cone.h"
 #include "vocabulary/schema.h"
 
 const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
@@ -96,6 +97,24 @@ ObjectHandle ObjectDraft::finished(Span span) {
     if (textured) object.texture = texture.shared(binder.textures);
     object.switches() = switches;
     return std::move(made);
+}
+
+void ObjectDraft::divide_form() {
+    const auto* cone = std::get_if<Cone>(&std::get<Shape>(made->form));
+    if (!cone || !is_crossed(*cone)) return;
+    const std::vector<Cone> parts = uncrossed(*cone);
+    Object& object = made.edit();
+    if (parts.size() == 1) {
+        object.form = Shape(parts.front());
+        return;
+    }
+    Union both;
+    for (const Cone& part : parts) {
+        both.children.push_back(binder.pool.make());
+        both.children.back().edit().form = Shape(part);
+        nest(object, *both.children.back());
+    }
+    object.form = std::move(both);
 }
 
 void nest_rows(Object& whole) {

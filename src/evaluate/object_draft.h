@@ -42,6 +42,8 @@ struct ObjectDraft {
     void take(const Object&);
     /// What comes before is moved, what comes after is not.
     void move(const Movement&);
+    /// A shape of which the renderer knows only parts: a cone that is crossed.
+    void divide_form();
     /// The object as it is now; nobody else has it, unless it is the same as a declared one. The
     /// draft is used up.
     ObjectHandle finished(Span);

@@ -291,7 +291,7 @@ private:
     /// without area, and a text may be blank, which needs no word.
     void leave_out_if_nothing(const Shape& shape) {
         const std::string why = vanishes(shape);
-        if (why.empty()) return;
+        if (why.empty()) return draft_.divide_form();
         if (!std::holds_alternative<Shared<Text>>(shape))
             block_.report(warning(Fault::degenerate, element_.word_span,
                                   message("this ", block_.quoted(), " is left out: ", why)));

@@ -6,6 +6,7 @@
 #include "evaluate/array_data.h"
 #include "evaluate/code.h"
 #include "evaluate/evaluator.h"
+#include "evaluate/file_trees.h"
 #include "evaluate/files.h"
 #include "evaluate/frames.h"
 #include "evaluate/functions.h"
@@ -13,7 +14,6 @@
 #include "evaluate/scope.h"
 #include "evaluate/sink.h"
 
-#include <deque>
 #include <map>
 #include <set>
 #include <string>
@@ -321,8 +321,7 @@ struct Evaluator::State {
     std::vector<const FunctionInfo*> functions;  ///< by name; null: none
     const NameId concat = names.find("concat");
     const NameId str = names.find("str");
-    std::deque<Tree> trees;
-    std::map<std::string, const Tree*> loaded;
+    FileTrees files{sources, loader, names, diagnostics};
     std::map<std::pair<std::string, std::string>, std::string> fonts;  ///< by folder and name
     CodeTable codes;
     std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined

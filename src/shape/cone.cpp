@@ -7,13 +7,13 @@
 
 const ItemInfo Cone::vocabulary = described<Cone>([] {
     using F = Field<Cone>;
-    return schema<Cone>(
-        "cone", "A cone or a frustum with flat ends.",
-        F{"base", &Cone::base, positional, "centre of one end"},
-        F{"base_radius", &Cone::base_radius, positional, "radius at that end", at_least(0)},
-        F{"cap", &Cone::cap, positional, "centre of the other end"},
-        F{"cap_radius", &Cone::cap_radius, positional, "radius there", at_least(0)},
-        F{"open", &Cone::open, flag, "leaves the ends out"});
+    return schema<Cone>("cone", "A cone or a frustum with flat ends.",
+                        F{"base", &Cone::base, positional, "centre of one end"},
+                        F{"base_radius", &Cone::base_radius, positional,
+                          "radius at that end; the side goes through the axis when one is below 0"},
+                        F{"cap", &Cone::cap, positional, "centre of the other end"},
+                        F{"cap_radius", &Cone::cap_radius, positional, "radius there"},
+                        F{"open", &Cone::open, flag, "leaves the ends out"});
 });
 
 namespace {

@@ -126,8 +126,13 @@ std::optional<TokenKind> Brackets::mark_before_end(const Token& token) {
     return std::nullopt;
 }
 
-bool Brackets::in_directive() const {
-    return std::ranges::any_of(open_, [](const Open& o) { return opens_directive(o.token.kind); });
+/// Only `#ifndef (A)` or the #else of `#ifdef (A)`, with which files begin, may be around it.
+bool Brackets::may_define_open_macro() const {
+    return std::ranges::none_of(open_, [](const Open& o) {
+        const bool guard = o.token.kind == TokenKind::hash_ifdef &&
+                           (o.token.value == 1 ? !o.divided : o.closed_to_else);
+        return opens_directive(o.token.kind) && !guard;
+    });
 }
 
 /// Whether a parenthesis that comes now belongs to the beginning of a directive or of a case.
@@ -170,7 +175,7 @@ Token Brackets::match() {
     for (;;) {
         const Token token = tokens_.next();
         if (plain[static_cast<std::size_t>(token.kind)]) return token;
-        if (token.kind == TokenKind::hash_macro && !in_directive() &&
+        if (token.kind == TokenKind::hash_macro && may_define_open_macro() &&
             tokens_.define_open_macro(token))
             continue;
         bool fits = true;
@@ -337,10 +342,9 @@ void Brackets::report_unclosed(const Token& closer, std::size_t depth) {
 }
 
 void Brackets::end_of_file(const Token& end) {
-    macros_.report_idle();
     if (open_.empty()) return;
     const Token opener = open_.back().token;
-    if (!open_.back().blamed && !macros_.blame_all()) {
+    if (!open_.back().blamed && !macros_.blame_all() && !macros_.blame(opener)) {
         const bool directive = opens_directive(opener.kind);
         Diagnostic problem =
             error(Fault::syntax, span(opener),

@@ -15,9 +15,10 @@
 
 class Brackets {
 public:
-    Brackets(Lexer& lexer, Names& names, double version, SourceId source, std::string_view text,
-             Diagnostics& diagnostics)
-        : macros_(names, source, diagnostics),
+    /// `version`: of the language, until the text names one.
+    Brackets(Lexer& lexer, OpenMacros& macros, double version, SourceId source,
+             std::string_view text, Diagnostics& diagnostics)
+        : macros_(macros),
           tokens_(lexer, version, macros_),
           source_(source),
           text_(text),
@@ -61,7 +62,7 @@ private:
                !open_.back().head;
     }
     bool in_elements() const { return open_.empty() || in_braces(); }
-    bool in_directive() const;
+    bool may_define_open_macro() const;
     Token take();
     Token match();
     std::optional<TokenKind> mark_before(const Token&);
@@ -86,7 +87,7 @@ private:
         return text_.substr(token.first, token.last - token.first);
     }
 
-    OpenMacros macros_;
+    OpenMacros& macros_;
     TokenStream tokens_;
     SourceId source_;
     std::string_view text_;

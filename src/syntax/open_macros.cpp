@@ -82,6 +82,34 @@ std::optional<Token> odd_parenthesis(std::span<const Token> body) {
     return first || open.empty() ? first : open.back();
 }
 
+/// `1, 2>` or `<1, 2,`: the end of a vector that begins elsewhere, or the beginning of one.
+/// `A < 2` is a comparison.
+std::optional<Token> odd_angle(std::span<const Token> body) {
+    using enum TokenKind;
+    struct Begun {
+        Token token;
+        bool behind_value;  // so it may compare
+    };
+    std::vector<Begun> begun;  // by `<`, or by another bracket
+    const auto in_angle = [&] { return !begun.empty() && begun.back().token.kind == less; };
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const TokenKind kind = body[i].kind;
+        if (kind == less || opens(kind)) {
+            begun.push_back({body[i], i > 0 && may_end_value(body[i - 1].kind)});
+        } else if (kind == greater) {
+            const bool compares = i + 1 < body.size() && may_begin_value(body[i + 1].kind);
+            if (!in_angle() && !compares) return body[i];
+            if (in_angle()) begun.pop_back();
+        } else if (closes(kind)) {
+            for (; in_angle(); begun.pop_back())
+                if (!begun.back().behind_value) return begun.back().token;
+            if (!begun.empty()) begun.pop_back();
+        }
+    }
+    return in_angle() && !begun.back().behind_value ? std::optional(begun.back().token)
+                                                    : std::nullopt;
+}
+
 /// `* 2`, `2 +`, `#if (A) - #end`: an operator whose other operand is elsewhere.
 bool lacks_operand(const Tokens& body) {
     if (body.empty()) return false;
@@ -111,6 +139,27 @@ bool contains(const std::vector<NameId>& names, NameId name) {
     return std::ranges::find(names, name) != names.end();
 }
 
+/// Copies the numbers and strings of tokens into the tree that they are for.
+void move_values(Tokens& tokens, const Tree& from, Tree& to) {
+    for (Token& token : tokens) {
+        const std::uint32_t old = token.value;
+        if (token.kind == TokenKind::number || token.kind == TokenKind::literal) {
+            token.value = static_cast<std::uint32_t>(to.numbers.size());
+            const std::uint32_t count = token.kind == TokenKind::number ? 1 : token.count;
+            for (std::uint32_t i = 0; i < count; ++i) to.numbers.push_back(from.numbers[old + i]);
+        } else if (token.kind == TokenKind::text) {
+            token.value = static_cast<std::uint32_t>(to.texts.size());
+            to.texts.push_back(from.texts[old]);
+            if (std::ranges::binary_search(from.verbatim, old)) to.verbatim.push_back(token.value);
+        }
+    }
+}
+
+/// Of a token of the macro's text.
+Span place(const OpenMacro& macro, const Token& token) {
+    return {macro.values.source, token.first, token.last};
+}
+
 }  // namespace
 
 bool OpenMacros::define(const Tokens& macro) {
@@ -129,54 +178,88 @@ bool OpenMacros::define(const Tokens& macro) {
     const auto names = ::parameters({macro.begin() + head, closer});
     const Tokens body(closer + 1, macro.end() - 1);
     const bool matches = balance.braces == 0 && least == 0;
-    const std::optional<Token> odd = matches ? odd_parenthesis(body) : odd_brace(body);
+    std::optional<Token> odd = matches ? odd_parenthesis(body) : odd_brace(body);
+    if (!odd) odd = odd_angle(body);
     const bool closed = !odd && !lacks_operand(body);
     const bool sign = closed && !body.empty() && is_sign(body.front().kind);
-    if ((closed && !sign) || !names) return by_name_.erase(name), false;
-    by_name_[name] = macros_.size();
-    macros_.push_back({name, macro.front(), macro.back(), balance.braces, *names, body});
-    macros_.back().declared = declared(body, Declares::globals);
-    macros_.back().locals = declared(body, Declares::locals);
-    macros_.back().odd = odd.value_or(Token{});
-    macros_.back().continues = sign;
+    forget(name);
+    if ((closed && !sign) || !names) return false;
+    auto shared = std::make_shared<OpenMacro>(
+        OpenMacro{name, macro.front(), macro.back(), balance.braces, *names, body});
+    shared->values.source = tree_.source;
+    move_values(shared->body, tree_, shared->values);
+    shared->declared = declared(body, Declares::globals);
+    shared->locals = declared(body, Declares::locals);
+    shared->odd = odd.value_or(Token{});
+    shared->continues = sign;
+    known_.push_back(shared);
+    learn(shared);
     return !sign;
+}
+
+void OpenMacros::include(const Token& file, double version) {
+    if (!reader_) return;
+    reader_(std::string(tree_.texts[file.value]), span(file), version, known_);
+    learn_known();
+}
+
+void OpenMacros::learn_known() {
+    by_name_.clear();
+    for (const auto& each : known_) learn(each);
+}
+
+void OpenMacros::learn(const std::shared_ptr<OpenMacro>& macro) {
+    const auto found = std::ranges::find(macros_, macro, &Macro::shared);
+    by_name_[macro->name] = static_cast<std::size_t>(found - macros_.begin());
+    if (found != macros_.end()) return;
+    macros_.push_back({macro, macro->body});
+    move_values(macros_.back().body, macro->values, tree_);
+}
+
+void OpenMacros::forget(NameId name) {
+    by_name_.erase(name);
+    std::erase_if(known_, [&](const auto& each) { return each->name == name; });
 }
 
 OpenMacros::Macro* OpenMacros::find(NameId name, TokenKind before) {
     const auto found = by_name_.find(name);
     if (found == by_name_.end()) return nullptr;
     Macro& macro = macros_[found->second];
-    return macro.continues && !may_end_value(before) ? nullptr : &macro;
+    return macro.shared->continues && !may_end_value(before) ? nullptr : &macro;
 }
 
-Tokens OpenMacros::expand(Macro& macro, const Token& call, std::span<const Token> parenthesised) {
-    ++macro.calls;
+Tokens OpenMacros::expand(Macro& called, const Token& call, std::span<const Token> parenthesised) {
+    OpenMacro& macro = *called.shared;
+    called.calls.push_back(call.first);
+    macro.called = true;
     const auto values = arguments(parenthesised.subspan(1, parenthesised.size() - 2));
     if (const std::size_t most = macro.parameters.size(); values.size() != most) {
         diagnostics_.add(error(Fault::wrong_count, span(call),
                                message("macro `", names_.spelling(macro.name), "` takes ", most,
                                        most == 1 ? " argument" : " arguments", ", but here ",
                                        values.size() == 1 ? "is " : "are ", values.size()))
-                             .pointing(span(macro.opener), "defined here"));
+                             .pointing(place(macro, macro.opener), "defined here"));
     }
     Tokens result;
     const Instead instead = bind(macro, call, values, result);
-    for (Token token : macro.body) {
+    for (Token token : called.body) {
+        // Places are those of one file.
+        if (!is_own(macro)) token.first = call.first, token.last = call.last;
         const auto other =
             token.kind == TokenKind::name ? instead.find(NameId(token.value)) : instead.end();
         if (other == instead.end()) {
             result.push_back(token);
+        } else if (other->second.size() > 1) {
+            result.insert(result.end(), other->second.begin(), other->second.end());
         } else {
-            token.kind = other->second.kind;
-            token.count = other->second.count;
-            token.value = other->second.value;
-            result.push_back(token);
+            const Token& one = other->second.front();
+            result.push_back({one.kind, one.count, token.first, token.last, one.value});
         }
     }
     return result;
 }
 
-OpenMacros::Instead OpenMacros::bind(const Macro& macro, const Token& call,
+OpenMacros::Instead OpenMacros::bind(const OpenMacro& macro, const Token& call,
                                      const std::vector<std::span<const Token>>& values,
                                      Tokens& result) {
     const auto made = [&](TokenKind kind, std::uint32_t value) {
@@ -187,18 +270,25 @@ OpenMacros::Instead OpenMacros::bind(const Macro& macro, const Token& call,
         const std::string own = message(names_.spelling(name), "_of_", names_.spelling(macro.name));
         return made(TokenKind::name, static_cast<std::uint32_t>(names_.intern(own)));
     };
-    for (const NameId name : macro.locals) instead[name] = own_name(name);
+    for (const NameId name : macro.locals) instead[name] = {own_name(name)};
     for (std::size_t i = 0; i < std::min(values.size(), macro.parameters.size()); ++i) {
         const NameId parameter = macro.parameters[i];
         const std::span<const Token> value = values[i];
         const bool changed =
             contains(macro.declared, parameter) || contains(macro.locals, parameter);
         if (value.size() == 1 && (value[0].kind == TokenKind::name || !changed)) {
-            instead[parameter] = value[0];
+            instead[parameter] = {value[0]};
+            continue;
+        }
+        if (!changed && may_stand_in_parentheses(value, macro, parameter)) {
+            Tokens& all = instead[parameter];
+            all.push_back(made(TokenKind::open_parenthesis, 0));
+            all.insert(all.end(), value.begin(), value.end());
+            all.push_back(made(TokenKind::close_parenthesis, 0));
             continue;
         }
         const Token own = own_name(parameter);
-        instead[parameter] = own;
+        instead[parameter] = {own};
         result.push_back(made(TokenKind::hash_declare, std::uint32_t(Declares::locals)));
         result.push_back(own);
         result.push_back(made(TokenKind::equal, 0));
@@ -208,43 +298,69 @@ OpenMacros::Instead OpenMacros::bind(const Macro& macro, const Token& call,
     return instead;
 }
 
+/// Behind a value a declaration would end it: 2 #local A = 3; - A.
+bool OpenMacros::may_stand_in_parentheses(std::span<const Token> value, const OpenMacro& macro,
+                                          NameId parameter) const {
+    const auto is_parameter = [&](const Token& t) {
+        return t.kind == TokenKind::name && NameId(t.value) == parameter;
+    };
+    const auto is_no_number = [](const Token& t) {
+        return t.kind == TokenKind::text || t.kind == TokenKind::open_brace;
+    };
+    return macro.continues && !value.empty() && std::ranges::none_of(value, is_no_number) &&
+           std::ranges::count_if(macro.body, is_parameter) == 1;
+}
+
 bool OpenMacros::blame(const Token& token) {
-    const auto found = std::ranges::find_if(macros_, [&](const Macro& macro) {
-        return macro.opener.first <= token.first && token.first < macro.end.first;
+    const auto found = std::ranges::find_if(macros_, [&](const Macro& each) {
+        const OpenMacro& macro = *each.shared;
+        return is_own(macro) ? macro.opener.first <= token.first && token.first < macro.end.first
+                             : std::ranges::find(each.calls, token.first) != each.calls.end();
     });
-    if (found == macros_.end() || found->odd.kind == TokenKind::end_of_file) return false;
-    return report(*found), true;
+    if (found == macros_.end() || found->shared->odd.kind == TokenKind::end_of_file) return false;
+    return report(*found->shared), true;
 }
 
 bool OpenMacros::blame_all() {
+    const auto left_by = [](const Macro& each) {
+        return static_cast<long>(each.calls.size()) * each.shared->braces;
+    };
     long left = 0;
-    for (const Macro& macro : macros_) left += long{macro.calls} * macro.braces;
+    for (const Macro& each : macros_) left += left_by(each);
     if (left <= 0) return false;
-    for (Macro& macro : macros_)
-        if (macro.calls > 0 && macro.braces > 0) report(macro);
+    for (const Macro& each : macros_)
+        if (left_by(each) > 0) report(*each.shared);
     return true;
 }
 
 void OpenMacros::report_idle() {
-    for (Macro& macro : macros_)
-        if (macro.calls == 0 && macro.odd.kind != TokenKind::end_of_file) report(macro);
+    for (const Macro& each : macros_) {
+        OpenMacro& macro = *each.shared;
+        if (is_own(macro) && !macro.called && macro.odd.kind != TokenKind::end_of_file)
+            report(macro);
+    }
 }
 
-void OpenMacros::report(Macro& macro) {
+void OpenMacros::report(OpenMacro& macro) {
     if (std::exchange(macro.told, true)) return;
     using enum TokenKind;
     const TokenKind kind = macro.odd.kind;
-    const bool opens = kind == open_brace || kind == open_parenthesis;
-    const bool brace = kind != open_parenthesis && kind != close_parenthesis;
-    Diagnostic problem =
-        error(Fault::syntax, span(macro.odd),
-              opens ? message("this `", brace ? "{" : "(", "` is not closed before `#end`")
-                    : message("`", brace ? "}" : ")", "` closes nothing that is open"));
-    if (opens) problem.pointing(span(macro.end), "the macro ends here");
-    problem
-        .pointing(span(macro.opener), opens ? "what it belongs to" : "the innermost that is open")
-        .with_help(brace   ? (opens ? unclosed : unopened)
-                   : opens ? "add the missing `)`, or let another macro of this file close it"
-                           : "leave it out, or let another macro of this file open it");
+    const bool opens = kind == open_brace || kind == open_parenthesis || kind == less;
+    const bool angle = kind == less || kind == greater;
+    const bool brace = !angle && kind != open_parenthesis && kind != close_parenthesis;
+    const char sign = (brace ? "{}" : angle ? "<>" : "()")[opens ? 0 : 1];
+    Diagnostic problem = error(Fault::syntax, place(macro, macro.odd),
+                               opens ? message("this `", sign, "` is not closed before `#end`")
+                                     : message("`", sign, "` closes nothing that is open"));
+    if (opens) problem.pointing(place(macro, macro.end), "the macro ends here");
+    problem.pointing(place(macro, macro.opener),
+                     opens ? "what it belongs to" : "the innermost that is open");
+    if (brace)
+        problem.with_help(opens ? unclosed : unopened);
+    else if (opens)
+        problem.with_help(
+            message("add the missing `", angle ? '>' : ')', "`, or let another macro close it"));
+    else
+        problem.with_help("leave it out, or let another macro open it");
     diagnostics_.add(problem);
 }

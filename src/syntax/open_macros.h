@@ -8,51 +8,83 @@
 // and those that hold operators without their operands, `#macro Half() / 2 #end`, or half a pair of
 // parentheses. They are no lists of elements, so they have no place in the tree: their text stands
 // where they are called; that of `#macro More() + 2 #end` only behind a value: (1 More()). An
-// argument of one token stands where its parameter does; any other is declared in front, by a name
-// of its own (R_of_Begin), which #locals get as well.
+// argument of one token stands where its parameter does, and so does one of numbers behind a value,
+// in parentheses; any other is declared in front, by a name of its own (R_of_Begin), which #locals
+// get as well. Files that include one another share them.
 #pragma once
 
 #include "syntax/token.h"
+#include "syntax/tree.h"
 #include "text/diagnostic.h"
 
+#include <functional>
+#include <memory>
 #include <span>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
+/// What any file of a scene has to know of an open macro.
+struct OpenMacro {
+    NameId name;
+    Token opener;  ///< #macro
+    Token end;     ///< #end
+    int braces;    ///< how many it leaves open
+    std::vector<NameId> parameters;
+    std::vector<Token> body;
+    Tree values = {};  ///< where the numbers and strings of the body lie; its source is the file's
+    std::vector<NameId> declared = {}, locals = {};  ///< by #declare and by #local
+    /// The last brace that it leaves open, or the first that it did not open; or nothing.
+    Token odd = {};
+    bool continues = false;  ///< a whole value with a sign: open only behind another value
+    bool called = false;     ///< in some file
+    bool told = false;       ///< it has been reported
+};
+
+/// In the order in which they were defined.
+using OpenMacroList = std::vector<std::shared_ptr<OpenMacro>>;
+
+/// Parses what `#include "name"` names, for a language of that version, and adds the open macros
+/// that it defines; a file that cannot be read has none.
+using IncludeReader =
+    std::function<void(const std::string& name, Span, double version, OpenMacroList&)>;
+
 class OpenMacros {
 public:
-    OpenMacros(Names& names, SourceId source, Diagnostics& diagnostics)
-        : names_(names), source_(source), diagnostics_(diagnostics) {}
+    /// `known`: by this file, from its beginning and, in the end, behind it. No reader: only its
+    /// own.
+    OpenMacros(Names& names, Tree& tree, Diagnostics& diagnostics, OpenMacroList& known,
+               IncludeReader reader)
+        : names_(names),
+          tree_(tree),
+          diagnostics_(diagnostics),
+          known_(known),
+          reader_(std::move(reader)) {
+        learn_known();
+    }
 
     using Tokens = std::vector<Token>;
 
     /// For messages: the way out for a brace of a macro that does not match.
     static constexpr const char* unclosed =
-        "add the missing `}`; or let another macro of this file, defined outside of directives as "
-        "this one is, close it: #macro End() } #end";
+        "add the missing `}`; or let another macro, defined outside of directives as this one is, "
+        "close it: #macro End() } #end";
     static constexpr const char* unopened =
-        "leave it out; or let another macro of this file, defined outside of directives as this "
-        "one is, open it: #macro Begin() union { #end";
+        "leave it out; or let another macro, defined outside of directives as this one is, open "
+        "it: #macro Begin() union { #end";
 
     struct Macro {
-        NameId name;
-        Token opener;  ///< #macro
-        Token end;     ///< #end
-        int braces;    ///< how many it leaves open
-        std::vector<NameId> parameters;
-        Tokens body;
-        std::vector<NameId> declared = {}, locals = {};  ///< by #declare and by #local
-        /// The last brace that it leaves open, or the first that it did not open; or nothing.
-        Token odd = {};
-        bool continues = false;  ///< a whole value with a sign: open only behind another value
-        int calls = 0;
-        bool told = false;  ///< it has been reported
+        std::shared_ptr<OpenMacro> shared;
+        Tokens body;                            ///< with this file's numbers and strings
+        std::vector<std::uint32_t> calls = {};  ///< where it is called in this file
     };
 
     bool empty() const { return macros_.empty(); }
     /// From #macro to its #end. False when it is a list of elements, or not written as a macro is:
     /// then it is none of these, or only where it is called behind a value.
     bool define(const Tokens& macro);
+    /// At #include and this string.
+    void include(const Token& file, double version);
     /// The macro that a call is replaced for, which comes behind a token of this kind.
     Macro* find(NameId name, TokenKind before);
     /// What stands for a call; `arguments` with their parentheses. A wrong number of them is
@@ -64,21 +96,29 @@ public:
     /// Whether the calls up to here have opened more braces than they closed; then the macros that
     /// do are reported.
     bool blame_all();
-    /// Reports the macros that were never called: what they leave open may be an oversight.
+    /// Reports the macros of this file that were never called: what they leave open may be an
+    /// oversight.
     void report_idle();
 
 private:
-    void report(Macro&);
-    using Instead = std::unordered_map<NameId, Token>;
+    void report(OpenMacro&);
+    using Instead = std::unordered_map<NameId, Tokens>;
 
+    void learn_known();
+    void learn(const std::shared_ptr<OpenMacro>&);
+    void forget(NameId);
+    bool is_own(const OpenMacro& macro) const { return macro.values.source == tree_.source; }
+    bool may_stand_in_parentheses(std::span<const Token> value, const OpenMacro&, NameId) const;
     /// What stands for the names of a body; what has to be declared for it goes to the result.
-    Instead bind(const Macro&, const Token& call, const std::vector<std::span<const Token>>& values,
-                 Tokens& result);
-    Span span(const Token& token) const { return {source_, token.first, token.last}; }
+    Instead bind(const OpenMacro&, const Token& call,
+                 const std::vector<std::span<const Token>>& values, Tokens& result);
+    Span span(const Token& token) const { return {tree_.source, token.first, token.last}; }
 
     Names& names_;
-    SourceId source_;
+    Tree& tree_;
     Diagnostics& diagnostics_;
-    std::vector<Macro> macros_;                        ///< in the order of the text
+    OpenMacroList& known_;
+    IncludeReader reader_;
+    std::vector<Macro> macros_;                        ///< all that were ever known
     std::unordered_map<NameId, std::size_t> by_name_;  ///< the last of each name
 };

@@ -327,7 +327,7 @@ static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
 Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
-           double version, bool postpones) {
+           const ParseOptions& options) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
@@ -337,9 +337,12 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
     Diagnostics found = diagnostics.fresh();
     Lexer lexer(source, sources, names, tree, found);
-    Brackets brackets(lexer, names, version, source, text, found);
-    ParseState state{tree, names, brackets, found, text, postpones};
+    OpenMacroList own;
+    OpenMacros macros(names, tree, found, options.macros ? *options.macros : own, options.reader);
+    Brackets brackets(lexer, macros, options.version, source, text, found);
+    ParseState state{tree, names, brackets, found, text, options.postpones};
     grammar_parse(state);
+    if (!options.included) macros.report_idle();
     for (const Diagnostic& each : found.all()) diagnostics.add(each);
     return tree;
 }

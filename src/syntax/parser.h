@@ -4,12 +4,22 @@
 // diagnostics say why.
 #pragma once
 
+#include "syntax/open_macros.h"
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
 #include "text/source.h"
 
-/// `version`: of the language, until the text names one; it decides conditions about the version
-/// whose branches are no whole elements. `postpones`: what is wrong in a branch of a condition is
-/// not reported but kept in the tree, for nobody may ever come there.
-Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, double version = 3.7,
-           bool postpones = false);
+struct ParseOptions {
+    /// Of the language, until the text names one; it decides conditions about the version whose
+    /// branches are no whole elements.
+    double version = 3.7;
+    /// What is wrong in a branch of a condition is not reported but kept in the tree, for nobody
+    /// may ever come there.
+    bool postpones = false;
+    /// Others include it: they may call the open macros that nobody calls here.
+    bool included = false;
+    OpenMacroList* macros = nullptr;  ///< open macros that are known before the file, then behind
+    IncludeReader reader = {};        ///< for those of the files that it includes
+};
+
+Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, const ParseOptions& = {});

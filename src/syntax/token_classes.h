@@ -77,6 +77,13 @@ constexpr bool may_end_value(TokenKind kind) {
            kind == close_parenthesis || kind == close_bracket || kind == greater || kind == channel;
 }
 
+/// What may be the first token of a value; a `+` there joins it with what is before.
+constexpr bool may_begin_value(TokenKind kind) {
+    using enum TokenKind;
+    return (kind >= name && kind <= text) || kind == open_parenthesis || kind == less ||
+           kind == minus || kind == no;
+}
+
 constexpr TokenKind closer_of(TokenKind opener) {
     using enum TokenKind;
     if (opener == open_brace) return close_brace;

@@ -36,8 +36,8 @@ Token TokenStream::next() {
         if (names_version_ && token.kind == TokenKind::number) version_ = lexer_.number(token);
         names_version_ = token.kind == TokenKind::hash_version;
         dropped_sign_ = false;
-        if (token.kind != TokenKind::hash_if || drop_false_branch() || !choose_branch())
-            return token;
+        if (token.kind != TokenKind::hash_if) return token;
+        if (drop_false_branch() ? !keep_else() : !choose_branch()) return token;
     }
 }
 
@@ -46,6 +46,8 @@ Token TokenStream::fetch() {
         const Token token = lexer_.next();
         const TokenKind before = std::exchange(before_, token.kind);
         const bool defined = std::exchange(names_macro_, token.kind == TokenKind::hash_macro);
+        if (before == TokenKind::hash_include && token.kind == TokenKind::text && !passing_over_)
+            macros_.include(token, version_);
         if (macros_.empty() || token.kind != TokenKind::name || defined || passing_over_ ||
             !call(token, before))
             return token;
@@ -115,6 +117,25 @@ bool TokenStream::drop_false_branch() {
     taken.push_back(token);
     give_back(taken);
     return true;
+}
+
+bool TokenStream::keep_else() {
+    Tokens taken;
+    take_parentheses(taken);
+    if (take(taken).kind != TokenKind::hash_else) return give_back(taken), false;
+    Tokens part;
+    Balance balance;
+    for (;;) {
+        const Token token = take(taken);
+        if (token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+            (balance.directives() == 0 && divides_directive(token.kind)))
+            return give_back(taken), false;
+        if (balance.directives() == 0 && token.kind == TokenKind::hash_end) break;
+        balance.add(token.kind);
+        part.push_back(token);
+    }
+    give_back(balance.braces == 0 ? taken : part);
+    return balance.braces != 0;
 }
 
 /// `(version >= 3.1)`

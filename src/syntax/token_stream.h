@@ -80,6 +80,9 @@ private:
     std::optional<bool> version_condition(Tokens& taken);
     /// Behind #if: takes the tokens of a first branch away that is never read.
     bool drop_false_branch();
+    /// Then: keeps only the tokens of its #else, if these are no whole elements. Otherwise nothing
+    /// changes, and it is false.
+    bool keep_else();
     bool takes_sign(Tokens& taken, bool or_is_empty);
     TokenKind take_behind_value(Tokens& taken);
     bool take_parentheses(Tokens& taken);
