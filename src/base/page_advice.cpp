@@ -7,6 +7,9 @@
 
 #include <sys/mman.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -27,7 +30,17 @@ void give_back_pages(void* begin, std::size_t bytes) {
     advise(begin, bytes, static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), MADV_DONTNEED);
 }
 
-void use_huge_pages(void* begin, std::size_t bytes) {
+void expect_huge_pages(void* begin, std::size_t bytes) {
     advise(begin, bytes, page_block, MADV_HUGEPAGE);
+}
+
+void use_huge_pages(void* begin, std::size_t bytes) {
+    expect_huge_pages(begin, bytes);
     advise(begin, bytes, page_block, collapse);  // now, and not when there is time
+}
+
+void give_back_freed() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }

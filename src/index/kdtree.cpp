@@ -15,7 +15,7 @@
 namespace {
 
 /// Cells with more fragments than this have their halves built side by side.
-constexpr std::size_t fork_limit = 4096;
+constexpr std::size_t fork_limit = 16384;
 /// Packs of leaves are tested by so many items at once.
 constexpr double group_size = 8;
 
@@ -25,6 +25,14 @@ struct Task {
     double slack;
     int threads;
 };
+
+/// Room for what is written once, and read by rays for as long as the tree lives.
+template <class T>
+void reserve_huge(std::vector<T>& list, std::size_t size) {
+    if (size <= list.size()) return;
+    list.reserve(size);
+    expect_huge_pages(list.data() + list.size(), (list.capacity() - list.size()) * sizeof(T));
+}
 
 Box grown(const Box& box, double by) { return {box.low - Vec3(by), box.high + Vec3(by)}; }
 
@@ -277,11 +285,12 @@ KdTree::KdTree(const Box& bounds, std::vector<KdNode> nodes, std::vector<std::ui
 
 std::size_t KdTree::memory_bytes() const {
     return sizeof(*this) + nodes_.capacity() * sizeof(KdNode) +
-           items_.capacity() * sizeof(std::uint32_t) + packs_.capacity() * sizeof(float);
+           items_.capacity() * sizeof(std::uint32_t) + packs_.size() * sizeof(float);
 }
 
 void KdTree::pack(const PackLeaf& pack_leaf) {
     if (nodes_.empty()) return;
+    std::size_t packed = 0;
     std::vector<std::pair<std::uint32_t, Box>> todo{{0, bounds_}};
     while (!todo.empty()) {
         const auto [index, cell] = todo.back();
@@ -290,7 +299,13 @@ void KdTree::pack(const PackLeaf& pack_leaf) {
         if (node.is_leaf()) {
             node = node.with_pack(packs_.size());
             const auto items = std::span(items_).subspan(node.first_item(), node.item_count());
-            if (!items.empty()) pack_leaf(items, cell, packs_);
+            if (items.empty()) continue;
+            pack_leaf(items, cell, packs_);
+            // The first of many leaves tell about how much all of them take: what has its place
+            // from the start need not be moved.
+            const std::size_t before = std::exchange(packed, packed + items.size());
+            if (const std::size_t some = items_.size() / 16; before < some && packed >= some)
+                reserve_huge(packs_, packs_.size() * 17 / packed * items_.size() / 16);
             continue;
         }
         const auto cells = halves(cell, {static_cast<int>(node.axis()), node.plane(), 0});
@@ -299,7 +314,7 @@ void KdTree::pack(const PackLeaf& pack_leaf) {
     }
     // Those who read packs in lanes may read beyond the last one.
     packs_.resize(packs_.size() + 16);
-    packs_.shrink_to_fit();
+    if (packs_.capacity() > packs_.size() + packs_.size() / 8) packs_.shrink_to_fit();
     use_huge_pages(nodes_.data(), nodes_.size() * sizeof(KdNode));
     use_huge_pages(packs_.data(), packs_.size() * sizeof(float));
 }
@@ -325,5 +340,6 @@ KdTree build_kdtree(std::uint32_t items, const ItemBox& box_of, const ClipItem& 
     const Task task{clip_item, settings, slack, threads};
     std::optional<Subtree> tree;
     run_on_threads(threads, [&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
+    if (items > fork_limit) give_back_freed();
     return KdTree(bounds, tree->take_nodes(), tree->take_items(), settings);
 }

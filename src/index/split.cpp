@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/split.h"
 
+#include "base/every_machine.h"
+
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
+#include <cstring>
 
 namespace {
 
@@ -27,22 +29,35 @@ double tests(double items, double group) {
     return 0.5 * (items + group * whole);
 }
 
-/// Both ends of a box along three axes side by side, as they are stored: loops over them are
-/// vectorised.
-using Ends = std::array<double, 6>;
+/// Both ends of a box along three axes side by side, as they are stored: four lanes and two.
+struct Ends {
+    using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
+    using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
 
-Box held_by(std::span<const Fragment> fragments) {
-    Ends least, most;
-    least.fill(std::numeric_limits<double>::infinity());
-    most.fill(-std::numeric_limits<double>::infinity());
-    for (const Fragment& f : fragments) {
-        const auto ends = std::bit_cast<Ends>(f.box);
-        for (std::size_t i = 0; i < 6; ++i) {
-            least[i] = std::min(least[i], ends[i]);
-            most[i] = std::max(most[i], ends[i]);
-        }
+    Four four;  ///< the lower ends, the upper one of x
+    Two two;    ///< the upper ends of y and z
+
+    [[gnu::always_inline]] static Ends of(const Fragment& f) {
+        Ends ends;
+        static_assert(sizeof f.box == sizeof ends.four + sizeof ends.two);
+        std::memcpy(&ends.four, &f.box, sizeof ends.four);
+        std::memcpy(&ends.two, &f.box.high.y, sizeof ends.two);
+        return ends;
     }
-    return {{least[0], least[1], least[2]}, {most[3], most[4], most[5]}};
+};
+
+[[gnu::always_inline]] inline Box held_by(std::span<const Fragment> fragments) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Ends least = {Ends::Four{} + infinity, {}};
+    Ends most = {-least.four, Ends::Two{} - infinity};
+    for (const Fragment& f : fragments) {
+        const Ends at = Ends::of(f);
+        least.four = at.four < least.four ? at.four : least.four;
+        most.four = at.four > most.four ? at.four : most.four;
+        most.two = at.two > most.two ? at.two : most.two;
+    }
+    return {{least.four[0], least.four[1], least.four[2]},
+            {most.four[3], most.two[0], most.two[1]}};
 }
 
 /// How many fragments start and end in each bin, of equal width along each axis.
@@ -51,26 +66,33 @@ struct Bins {
     std::array<double, 3> scale;  ///< bins for each unit of length; 0: all are in one
     std::array<std::array<std::uint32_t, most_bins>, 3> starts, ends;
 
-    Bins(std::span<const Fragment> fragments, const Box& held)
+    [[gnu::always_inline]] inline Bins(std::span<const Fragment> fragments, const Box& held)
         : count(fragments.size() > few_fragments ? most_bins : most_bins / 2) {
-        Ends from, factor;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double low = held.low[static_cast<int>(axis)];
             scale[axis] = count / (held.high[static_cast<int>(axis)] - low);
             if (!(scale[axis] < std::numeric_limits<double>::infinity())) scale[axis] = 0;
-            from[axis] = from[axis + 3] = low;
-            factor[axis] = factor[axis + 3] = scale[axis];
         }
+        const Ends from = {{held.low.x, held.low.y, held.low.z, held.low.x},
+                           {held.low.y, held.low.z}};
+        const Ends factor = {{scale[0], scale[1], scale[2], scale[0]}, {scale[1], scale[2]}};
         // Two sets in turns, as neighbours often fall into the same bin.
         std::array<std::array<std::array<std::uint32_t, most_bins>, 6>, 2> found{};
         std::size_t turn = 0;
+        using Four [[gnu::vector_size(4 * sizeof(std::int32_t))]] = std::int32_t;
+        using Two [[gnu::vector_size(2 * sizeof(std::int32_t))]] = std::int32_t;
+        const int last = count - 1;
         for (const Fragment& f : fragments) {
-            const auto at = std::bit_cast<Ends>(f.box);
-            std::array<std::int32_t, 6> bin;
-            for (std::size_t i = 0; i < 6; ++i)
-                bin[i] = static_cast<std::int32_t>((at[i] - from[i]) * factor[i]);
-            for (std::size_t i = 0; i < 6; ++i)
-                ++found[turn][i][static_cast<std::size_t>(std::min(bin[i], count - 1))];
+            const Ends at = Ends::of(f);
+            Four four = __builtin_convertvector((at.four - from.four) * factor.four, Four);
+            Two two = __builtin_convertvector((at.two - from.two) * factor.two, Two);
+            four = four < last ? four : Four{} + last;
+            two = two < last ? two : Two{} + last;
+            const auto count_in = [&](std::size_t end, int bin) {
+                ++found[turn][end][static_cast<std::size_t>(bin)];
+            };
+            for (std::size_t i = 0; i < 4; ++i) count_in(i, four[i]);
+            for (std::size_t i = 0; i < 2; ++i) count_in(4 + i, two[i]);
             turn ^= 1;
         }
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -161,8 +183,8 @@ void SplitFinder::sweep(std::span<const Fragment> fragments, const Axis& axis, S
 
 /// Planes between bins of equal width, and at both ends of what the cell holds to cut off empty
 /// space. Memory is what takes time here: each fragment is read twice, not twice for each axis.
-void SplitFinder::bin(std::span<const Fragment> fragments, const std::array<Axis, 3>& axes,
-                      Split& best) const {
+CANDELABRA_EVERY_MACHINE void SplitFinder::bin(std::span<const Fragment> fragments,
+                                               const std::array<Axis, 3>& axes, Split& best) const {
     const Box held = held_by(fragments);
     const Bins bins(fragments, held);
     const double n = static_cast<double>(fragments.size());

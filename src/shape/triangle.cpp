@@ -40,8 +40,8 @@ struct Polygon {
 
 /// The part on one side of a plane across an axis (Sutherland and Hodgman): above it for sign 1,
 /// below for sign -1.
-Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
-    Polygon result;
+void cut(const Polygon& polygon, int axis, double plane, double sign, Polygon& result) {
+    result.count = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Vec3 &from = polygon.corners[i],
                    &to = polygon.corners[i + 1 < polygon.count ? i + 1 : 0];
@@ -53,7 +53,6 @@ Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
             result.add(between);
         }
     }
-    return result;
 }
 
 Box corner_box(const Vec3& a, const Vec3& b, const Vec3& c) { return join(join(Box{a, a}, b), c); }
@@ -103,20 +102,26 @@ bool inside(const Triangle&, const Vec3&) { return false; }
 
 Box clipped_bounds(const Triangle& t, const Box& cell) {
     if (cell.empty()) return {};
-    const Vec3 pad(32 * ulp * extent(t.corner1, t.corner2, t.corner3));
+    Box part = bounds(t);
+    const Vec3 farthest = glm::max(-part.low, part.high);
+    const Vec3 pad(32 * ulp * std::max(farthest.x, std::max(farthest.y, farthest.z)));
     const Box around{cell.low - pad, cell.high + pad};
-    Polygon polygon;
+    Polygon polygon, rest;
     polygon.add(t.corner1);
     polygon.add(t.corner2);
     polygon.add(t.corner3);
+    Polygon *now = &polygon, *next = &rest;
+    const auto keep = [&](int axis, double plane, double sign) {
+        cut(*now, axis, plane, sign, *next);
+        std::swap(now, next);
+    };
     // Most planes of a cell pass a triangle by.
-    Box part = bounds(t);
     for (int axis = 0; axis < 3; ++axis) {
         const bool low = part.low[axis]<around.low[axis], high = part.high[axis]> around.high[axis];
-        if (low) polygon = cut(polygon, axis, around.low[axis], 1);
-        if (high) polygon = cut(polygon, axis, around.high[axis], -1);
-        if (polygon.count == 0) return {};
-        if (low || high) part = corner_box(polygon);
+        if (low) keep(axis, around.low[axis], 1);
+        if (high) keep(axis, around.high[axis], -1);
+        if (now->count == 0) return {};
+        if (low || high) part = corner_box(*now);
     }
     return clip(Box{part.low - pad, part.high + pad}, cell);
 }
