@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace {
 
@@ -47,6 +48,36 @@ constexpr auto foreign_names = std::array{
     ForeignName{"sqr", "a square is X*X, or pow(X, 2)"},
     ForeignName{"random", "random numbers come from a stream: #declare S = seed(1); ... rand(S)"},
     ForeignName{"this", "a macro gets what it works on as a parameter"},
+    ForeignName{"then", "an #if needs no `then`: #if (A) ... #else ... #end"},
+    ForeignName{"do", "a loop is written #while (A) ... #end"},
+    ForeignName{"begin", "a directive needs no `begin`: #if (A) ... #end"},
+    ForeignName{"intensity", "a light is as bright as its colour: rgb 2"},
+    ForeignName{"brightness", "a light is as bright as its colour: rgb 2"},
+    ForeignName{"transparency", "what is half clear has a colour like rgbt <1, 0, 0, 0.5>"},
+    ForeignName{"user_defined", "cameras of functions are not available in this version"},
+    ForeignName{"halo", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
+    ForeignName{"atmosphere", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
+};
+
+struct ForeignWord {
+    std::string_view word, meant;
+};
+
+constexpr auto words = std::array{
+    ForeignWord{"jpg", "jpeg"},
+    ForeignWord{"tif", "tiff"},
+    ForeignWord{"position", "location"},
+    ForeignWord{"eye", "location"},
+    ForeignWord{"fov", "angle"},
+    ForeignWord{"move", "translate"},
+    ForeignWord{"opacity", "transmit"},
+    ForeignWord{"shininess", "phong_size"},
+    ForeignWord{"reflectivity", "reflection"},
+    ForeignWord{"metalness", "metallic"},
+    ForeignWord{"emissive", "emission"},
+    ForeignWord{"glow", "emission"},
+    ForeignWord{"bump", "normal"},
+    ForeignWord{"target", "point_at"},
 };
 
 constexpr auto signs = std::array{
@@ -65,6 +96,14 @@ constexpr auto signs = std::array{
     ForeignSign{"\u00D7", "a multiplication sign", "*"},
     ForeignSign{"\u00B7", "a multiplication sign", "*"},
     ForeignSign{"\u00F7", "a division sign", "/"},
+    ForeignSign{"\u00B0", "a degree sign, and angles are in degrees", ""},
+    ForeignSign{"\uFF0C", "a wide comma", ","},
+    ForeignSign{"\u3001", "a wide comma", ","},
+    ForeignSign{"\uFF1B", "a wide semicolon", ";"},
+    ForeignSign{"\uFF08", "a wide parenthesis", "("},
+    ForeignSign{"\uFF09", "a wide parenthesis", ")"},
+    ForeignSign{"\uFF1D", "a wide equals sign", "="},
+    ForeignSign{"\uFF0B", "a wide plus sign", "+"},
     ForeignSign{"\u2264", "a sign beyond ASCII", "<="},
     ForeignSign{"\u2265", "a sign beyond ASCII", ">="},
     ForeignSign{"\u2260", "a sign beyond ASCII", "!="},
@@ -95,6 +134,11 @@ std::string_view foreign_name(std::string_view name) {
     return found == foreign_names.end() ? std::string_view() : found->way_out;
 }
 
+std::string_view foreign_word(std::string_view word) {
+    const auto found = std::ranges::find(words, word, &ForeignWord::word);
+    return found == words.end() ? std::string_view() : found->meant;
+}
+
 std::string hexadecimal_colour(std::string_view word) {
     constexpr std::size_t digits = 6;
     unsigned value = 0;
@@ -117,6 +161,35 @@ bool Lexer::takes_if(const char* hash) {
     return true;
 }
 
+/// `# words of a comment`, as other languages begin one: more words follow on the line.
+bool Lexer::takes_comment() {
+    const char* p = cursor_;
+    while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
+    if (p == cursor_ || p == limit_ || !is_letter(*p)) return false;
+    skip_line_comment();
+    return true;
+}
+
+void Lexer::second_point(const char* first) {
+    Diagnostic problem = error(Fault::syntax, span(first, cursor_), "a number has only one point");
+    if (std::string_view(first, cursor_).find("..") != std::string_view::npos)
+        problem.with_help("from one number to another is written with a comma: #for (I, 0, 9)");
+    report(problem);
+}
+
+/// A colour as web pages have it, with the numbers that it says where a colour is wanted.
+Token Lexer::read_hexadecimal_colour(const char* hash, std::string_view word) {
+    if (previous_ != TokenKind::colour && previous_ != TokenKind::colour_prefix) return scan();
+    unsigned value = 0;
+    std::from_chars(word.data(), word.data() + word.size(), value, 16);
+    Token result =
+        token(TokenKind::literal, hash, static_cast<std::uint32_t>(tree_.numbers.size()));
+    for (const unsigned shift : {16U, 8U, 0U})
+        tree_.numbers.push_back((value >> shift & 255) / 255.0);
+    result.count = 3;
+    return result;
+}
+
 bool Lexer::between_values() const {
     using enum TokenKind;
     constexpr auto ends =
@@ -134,15 +207,26 @@ std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSi
     cursor_ += sign.sign.size();
     diagnostics_.add(
         error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
-            .with_help(sign.meant == " " ? "write an ordinary blank"
-                                         : message("write `", sign.meant, "`")));
-    if (sign.meant == "-") return token(minus, first);
-    if (sign.meant == "*") return token(times, first);
-    if (sign.meant == "/") return token(divide, first);
-    if (sign.meant == "<=") return token(less_equal, first);
-    if (sign.meant == ">=") return token(greater_equal, first);
-    if (sign.meant == "!=") return token(not_equal, first);
-    if (sign.meant == " ") return std::nullopt;
+            .with_help(sign.meant == " "    ? "write an ordinary blank"
+                       : sign.meant.empty() ? "leave it out"
+                                            : message("write `", sign.meant, "`")));
+    constexpr auto tokens = std::array{
+        std::pair{"-", minus},
+        std::pair{"*", times},
+        std::pair{"/", divide},
+        std::pair{"<=", less_equal},
+        std::pair{">=", greater_equal},
+        std::pair{"!=", not_equal},
+        std::pair{",", comma},
+        std::pair{";", semicolon},
+        std::pair{"(", open_parenthesis},
+        std::pair{")", close_parenthesis},
+        std::pair{"=", equal},
+        std::pair{"+", plus},
+    };
+    for (const auto& [meant, kind] : tokens)
+        if (sign.meant == meant) return token(kind, first);
+    if (sign.meant.empty() || sign.meant == " ") return std::nullopt;
     // A string goes on to the other quote, if that is on the same line.
     for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
         const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});

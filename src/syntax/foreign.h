@@ -29,6 +29,9 @@ std::string_view foreign_directive(std::string_view word);
 /// What to write for a name that means something in other languages; empty: none.
 std::string_view foreign_name(std::string_view name);
 
+/// The word of a block that other programs call by this one; empty: none.
+std::string_view foreign_word(std::string_view word);
+
 /// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
 /// words.
 std::string hexadecimal_colour(std::string_view word);

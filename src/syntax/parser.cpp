@@ -112,6 +112,8 @@ std::string_view in_parentheses(std::string_view before) {
     if (word.starts_with("#macro")) return "parameters stand in parentheses: #macro Name(A, B)";
     if (word.starts_with("#switch") || word.starts_with("#case"))
         return "what is looked at stands in parentheses: #switch (A) #case (1)";
+    if (word == "#write") return "what is written stands in parentheses: #write (File, A, \"\\n\")";
+    if (word == "#read") return "what is read stands in parentheses: #read (File, A, B)";
     if (word.find_first_of(" \t\r\n") == word.npos && word.starts_with('#'))
         return "a condition stands in parentheses: (a > b)";
     return {};
@@ -153,6 +155,33 @@ std::string_view word_habit(std::string_view before, std::string_view after) {
     return {};
 }
 
+bool reserved_word(TokenKind kind) {
+    return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
+}
+
+/// What is wrong in a directive that is read so far.
+std::string_view directive_habit(TokenKind found, const Expected& expected,
+                                 std::string_view directive) {
+    if (directive == "#fclose") return "the name that #fopen gave the file: #fclose File";
+    if (directive.starts_with("#fopen") && directive.find('"') != directive.npos && expected.name())
+        return "what the file is for comes last: #fopen File \"data.txt\" read, or write, or "
+               "append";
+    if (directive.starts_with("#case") && found == TokenKind::comma)
+        return "each value has its own case, and a range is #range (1, 2)";
+    if (directive.starts_with("#range") && expected.has(TokenKind::comma))
+        return "a range has two ends: #range (1, 2)";
+    return {};
+}
+
+/// What a `:` is meant for in other languages.
+std::string_view colon_habit(std::string_view before) {
+    const std::string_view line = before.substr(before.find_last_of("\r\n") + 1);
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != line.npos && begins_with_word(line.substr(first), "def"))
+        return "a macro is written #macro Name(A, B) ... #end";
+    return before.ends_with(']') ? "dictionaries are not available in this version" : "";
+}
+
 /// What people write who come from another language; `before` and `after` are the text around the
 /// place.
 std::string habit(TokenKind found, const Expected& expected, std::string_view before,
@@ -162,6 +191,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     if (before.ends_with("++") || before.ends_with("--")) return std::string(change);
     before = without_blanks(before);
     if (const auto help = word_habit(before, after); !help.empty()) return std::string(help);
+    if (found == TokenKind::greater && before.ends_with('>')) return "one `>` ends the vector";
     if (found == TokenKind::greater && before.ends_with('<')) return "`!=` is not equal: (a != b)";
     if (found == TokenKind::greater && before.ends_with('='))
         return "`>=` is greater or equal: (a >= b)";
@@ -174,6 +204,14 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
     if (found == TokenKind::text && directive == "#fopen")
         return "the name of the open file comes first: #fopen File \"data.txt\" write";
+    if (const auto help = directive_habit(found, expected, directive); !help.empty())
+        return std::string(help);
+    if (found == TokenKind::colon)
+        if (const auto help = colon_habit(before); !help.empty()) return std::string(help);
+    const bool sum = before.ends_with('-') || before.ends_with('+') || before.ends_with('*');
+    if (sum && reserved_word(found) &&
+        without_blanks(before.substr(0, before.size() - 1)).ends_with('}'))
+        return "objects are joined by blocks: difference { A B }, union { A B }";
     const bool no_comma = found == TokenKind::equal || found == TokenKind::semicolon;
     if (no_comma && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
@@ -214,10 +252,6 @@ std::string capitalised(std::string_view word) {
     std::string result(word);
     if (result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 'a' + 'A');
     return result;
-}
-
-bool reserved_word(TokenKind kind) {
-    return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
 }
 
 }  // namespace
