@@ -360,23 +360,41 @@ int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
 static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
-Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
-           const ParseOptions& options) {
+static Tree parse_once(SourceId source, const SourceStore& sources, Names& names,
+                       const ParseOptions& options, Diagnostics& found, bool& again) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
-    // There are at most so many nodes in most texts; very long ones are numbers, with one node for
-    // twenty bytes. What is not used of this costs nothing.
+    // So many nodes or fewer are in most texts; very long ones are numbers, one in twenty bytes.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
-    Diagnostics found = diagnostics.fresh();
     Lexer lexer(source, sources, names, tree, found);
-    OpenMacroList own;
-    OpenMacros macros(names, tree, found, options.macros ? *options.macros : own, options.reader);
+    OpenMacros macros(names, tree, found, *options.macros, options.reader);
     Brackets brackets(lexer, macros, options.version, source, text, found);
     ParseState state{tree, names, brackets, found, text, options.postpones};
     grammar_parse(state);
     if (!options.included) macros.report_idle();
+    again = macros.called_too_early();
+    return tree;
+}
+
+Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
+           const ParseOptions& given) {
+    ParseOptions options = given;
+    OpenMacroList own;
+    if (!options.macros) options.macros = &own;
+    Diagnostics found = diagnostics.fresh();
+    bool again = false;
+    Tree tree = parse_once(source, sources, names, options, found, again);
+    // Each time macros are known that call what was found to be open the time before.
+    constexpr int most = 8;
+    for (int times = 1; again && times < most; ++times) {
+        Diagnostics anew = diagnostics.fresh();
+        Tree better = parse_once(source, sources, names, options, anew, again);
+        if (anew.failed()) continue;
+        tree = std::move(better);
+        found = std::move(anew);
+    }
     for (const Diagnostic& each : found.all()) diagnostics.add(each);
     return tree;
 }
