@@ -7,6 +7,7 @@
 #include "font/system_font.h"
 #include "syntax/foreign.h"
 #include "syntax/lint.h"
+#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -239,7 +240,13 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     const auto [own, id] = own_declaration(name, span);
     const bool above = own && own->span(id).last <= span.first;
     const bool within = own && !above && own->span(id).first < span.first;
-    if (within)
+    if (const std::string* file = files.opening(name))
+        problem.with_help(message("`", names.spelling(name),
+                                  "` leaves braces to other macros to close "
+                                  "or open; they are found in files that are named as they are: "
+                                  "#include \"",
+                                  harmless(*file), "\""));
+    else if (within)
         problem.with_help(
             "a name has no value in its own declaration; only macros call themselves");
     else if (own)

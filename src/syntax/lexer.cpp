@@ -175,6 +175,7 @@ Token Lexer::read_word(const char* first) {
         if (spelling == "deprecated") kind = TokenKind::deprecated;
         if (spelling == "once") kind = TokenKind::once;
         if (const auto* directive = without_hash(spelling)) {
+            if (stands_behind_end(first, spelling)) return scan();
             report(error(Fault::syntax, span(first, cursor_),
                          message("`", spelling, "` needs a # before it"))
                        .with_help(message("write `#", spelling, "`")));

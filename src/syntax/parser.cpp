@@ -75,6 +75,8 @@ std::string_view advice(TokenKind found, const Expected& expected) {
         case TokenKind::both:
         case TokenKind::either:
         case TokenKind::question:
+            if (found == TokenKind::either && expected.value() && !expected.element())
+                return "the size of a number without its sign is abs(X), of a vector vlength(V)";
             return "comparisons and conditions are written in parentheses: (a > b)";
         case TokenKind::equal:
             if (expected.name()) return "the name comes before the `=`: #declare Name = value;";
@@ -123,36 +125,11 @@ std::string_view without_blanks(std::string_view before) {
     return before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
 }
 
-/// Whether the text ends in that word.
-bool ends_in_word(std::string_view text, std::string_view word) {
-    return text.ends_with(word) &&
-           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
-}
-
-bool begins_with_word(std::string_view text, std::string_view word) {
-    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
-}
-
 /// The word that the text ends in.
 std::string_view last_word(std::string_view text) {
     std::size_t first = text.size();
     while (first > 0 && (is_letter(text[first - 1]) || is_digit(text[first - 1]))) --first;
     return text.substr(first);
-}
-
-/// Words where the language has signs, or needs a number.
-std::string_view word_habit(std::string_view before, std::string_view after) {
-    if (ends_in_word(before, "not")) return "`not` is written as a sign: (!A)";
-    if (ends_in_word(before, "return"))
-        return "a function needs no `return`: function(X) { X*2 } gives what its expression gives";
-    if (begins_with_word(after, "and")) return "`and` is written as a sign: (A & B)";
-    if (begins_with_word(after, "or")) return "`or` is written as a sign: (A | B)";
-    if (begins_with_word(after, "mod")) return "the remainder of a division is mod(A, B)";
-    for (const std::string_view channel : {"red", "green", "blue"})
-        if (ends_in_word(before, channel))
-            return "red, green and blue are channels, and need a number; colors.inc declares the "
-                   "colours Red, Green and Blue";
-    return {};
 }
 
 bool reserved_word(TokenKind kind) {
@@ -168,18 +145,13 @@ std::string_view directive_habit(TokenKind found, const Expected& expected,
                "append";
     if (directive.starts_with("#case") && found == TokenKind::comma)
         return "each value has its own case, and a range is #range (1, 2)";
+    const bool declares = directive.starts_with("#declare") || directive.starts_with("#local");
+    if (declares && found == TokenKind::equal && !expected.name() &&
+        directive.find_first_of(";{\n") == directive.npos && directive.find('=') != directive.npos)
+        return "each name has its own #declare: #declare A = 1; #declare B = 1;";
     if (directive.starts_with("#range") && expected.has(TokenKind::comma))
         return "a range has two ends: #range (1, 2)";
     return {};
-}
-
-/// What a `:` is meant for in other languages.
-std::string_view colon_habit(std::string_view before) {
-    const std::string_view line = before.substr(before.find_last_of("\r\n") + 1);
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first != line.npos && begins_with_word(line.substr(first), "def"))
-        return "a macro is written #macro Name(A, B) ... #end";
-    return before.ends_with(']') ? "dictionaries are not available in this version" : "";
 }
 
 /// What people write who come from another language; `before` and `after` are the text around the
@@ -190,7 +162,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     const std::string wanted = expected.list();
     if (before.ends_with("++") || before.ends_with("--")) return std::string(change);
     before = without_blanks(before);
-    if (const auto help = word_habit(before, after); !help.empty()) return std::string(help);
+    if (const auto help = foreign_words(before, after); !help.empty()) return std::string(help);
     if (found == TokenKind::greater && before.ends_with('>')) return "one `>` ends the vector";
     if (found == TokenKind::greater && before.ends_with('<')) return "`!=` is not equal: (a != b)";
     if (found == TokenKind::greater && before.ends_with('='))
@@ -207,7 +179,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     if (const auto help = directive_habit(found, expected, directive); !help.empty())
         return std::string(help);
     if (found == TokenKind::colon)
-        if (const auto help = colon_habit(before); !help.empty()) return std::string(help);
+        if (const auto help = foreign_colon(before); !help.empty()) return std::string(help);
     const bool sum = before.ends_with('-') || before.ends_with('+') || before.ends_with('*');
     if (sum && reserved_word(found) &&
         without_blanks(before.substr(0, before.size() - 1)).ends_with('}'))
@@ -218,7 +190,11 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     if (found == TokenKind::equal && directive.starts_with("#macro"))
         return "a parameter that may be left out: "
                "#macro M(A, optional B) #ifndef (B) #local B = 2; #end ... #end";
-    if (directive == "#default") return "the last part of a #switch is `#else`";
+    if (directive == "#default")
+        return after.starts_with("texture") || after.starts_with("pigment") ||
+                       after.starts_with("finish")
+                   ? "defaults stand in braces: #default { texture { ... } }"
+                   : "the last part of a #switch is `#else`";
     const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
     if (bracket && expected.value() && before.ends_with('='))
         return "an array is written array { 1, 2, 3 }";
@@ -231,6 +207,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
         return "a function is one expression, without `;`";
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
+    if (after.starts_with(":=")) return "a name gets its value by `=` alone: #declare A = 1;";
     if (after.size() > 1 && after[1] == '=') return std::string(change);
     if (found == TokenKind::semicolon) return "a name is declared with its value: #declare A = 0;";
     if (after.starts_with('.'))
