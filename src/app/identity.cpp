@@ -180,7 +180,7 @@ std::string difference(const Identity& before, const Identity& now) {
                 return &some == &now ? message("`", file, "` was not read then")
                                      : message("`", file, "` is not read any more");
             }
-            const auto shown = [&](const Identity& identity) {
+            const auto shown = [&name = name](const Identity& identity) {
                 const std::string text = fact(identity, name);
                 return text.empty() ? std::string("not given") : harmless(text);
             };

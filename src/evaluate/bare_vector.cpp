@@ -142,6 +142,17 @@ std::string moved_without_times(const Element& element, const Names& names) {
                    tree->numbers[number->number]);
 }
 
+bool begins_comment(const Element& element, const Evaluator& evaluator) {
+    constexpr int least = 3;
+    const auto& [tree, node] = element.origin;
+    NodeId id = node;
+    for (int words = 0; words < least; ++words, id = (*tree)[id].next) {
+        const auto* name = id == no_node ? nullptr : tree->get_if<node::Name>(id);
+        if (!name || evaluator.find(name->name)) return false;
+    }
+    return true;
+}
+
 bool is_told_of(const Element& element, const Diagnostics& diagnostics) {
     const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::entry;
     if (!value || diagnostics.all().empty()) return false;

@@ -6,6 +6,7 @@
 #include "evaluate/previous.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
+#include "syntax/foreign.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -73,24 +74,6 @@ constexpr auto structure = std::array{
     Structure{"uv_mapping", "object"},
 };
 
-/// Words that other programs have for what this language calls otherwise.
-struct Synonym {
-    std::string_view word, meant;
-};
-constexpr auto synonyms = std::array{
-    Synonym{"jpg", "jpeg"},          Synonym{"tif", "tiff"},
-    Synonym{"position", "location"}, Synonym{"eye", "location"},
-    Synonym{"fov", "angle"},         Synonym{"move", "translate"},
-    Synonym{"opacity", "transmit"},  Synonym{"shininess", "phong_size"},
-    Synonym{"bump", "normal"},
-};
-
-std::string_view synonym(std::string_view word) {
-    for (const Synonym& each : synonyms)
-        if (each.word == word) return each.meant;
-    return {};
-}
-
 /// Words that follow a word without effect, and need not be spoken of.
 constexpr std::string_view values_of_charset = "utf8 ascii sys";
 
@@ -123,16 +106,6 @@ std::vector<std::string_view> homes(std::string_view word) {
             if (item->name == word) add(group.block);
         }
     return result;
-}
-
-/// Whether the word is nothing without what follows in braces.
-bool takes_braces(NameId word) {
-    constexpr auto others = std::array{
-        "texture"_word,        "pigment"_word,    "normal"_word,           "finish"_word,
-        "interior"_word,       "material"_word,   "interior_texture"_word, "camera"_word,
-        "color_map"_word,      "colour_map"_word, "light_source"_word,     "background"_word,
-        "global_settings"_word};
-    return makes_object(word) || std::ranges::find(others, word) != others.end();
 }
 
 bool has_word(const WordList& words, std::string_view word) {
@@ -256,7 +229,9 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         unbraced_ = word;
         return false;
     }
-    if (binder.evaluator.names().reserved(element.word)) {
+    if (in_comment(element)) return false;
+    const std::string_view meant = foreign_word(word);
+    if (binder.evaluator.names().reserved(element.word) && !has_word(words, meant)) {
         reject_reserved(element, word);
         return false;
     }
@@ -264,8 +239,7 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
     if (!before.empty() && has_word(words, message(before, '_', word))) return false;
     std::string near = nearest(word, words);
     if (near.empty()) near = beginning_with(words, message(word, '_'));
-    if (const std::string_view meant = synonym(word); !meant.empty())
-        if (has_word(words, meant)) near = meant;
+    if (has_word(words, meant)) near = meant;
     if (!near.empty()) {
         report(error(Fault::unknown_word, element.word_span,
                      message(quoted(), " has no word `", word, "`"))
@@ -280,15 +254,34 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
                                    message(quoted(), " has no word `", word, "`"));
         const Value* declared = block ? binder.evaluator.find(element.word) : nullptr;
         const std::string_view bare = declared ? bare_kind(*declared) : std::string_view();
-        report(std::move(available(bare)
-                             ? unknown.with_help(message("write `", bare, " { ", word, " ... }`"))
-                             : unknown.with_help(help())));
+        const std::string_view way_out = foreign_name(word);
+        report(std::move(unknown.with_help(available(bare)
+                                               ? message("write `", bare, " { ", word, " ... }`")
+                                           : way_out.empty() ? help()
+                                                             : std::string(way_out))));
         return false;
     }
     // As in an expression: the evaluator knows what the library would have declared.
     binder.evaluator.value_of(element);
     broken = true;
     passing_over_ = false;
+    return true;
+}
+
+/// Words side by side that nothing is declared as, three or more: a comment, as other languages
+/// begin one. It is spoken of at its first word.
+bool OpenBlock::in_comment(const Element& element) {
+    const auto& [tree, node] = element.origin;
+    if (!tree || node == no_node || !name.empty()) return false;
+    if (node == comment_) {
+        comment_ = (*tree)[node].next;
+        return true;
+    }
+    if (!begins_comment(element, binder.evaluator)) return false;
+    report(error(Fault::unknown_name, element.word_span,
+                 message("nothing is declared as `", spelling(element.word), "`"))
+               .with_help("a comment begins with `//`"));
+    comment_ = (*tree)[node].next;
     return true;
 }
 
@@ -327,6 +320,13 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         // It may belong to what is not available, or has no braces.
         const std::vector<std::string_view> places = homes(word);
         if (told_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
+        const bool block = element.kind == Element::Kind::block;
+        if (block && std::ranges::find(places, name) != places.end()) {
+            report(error(Fault::misplaced, element.word_span,
+                         message('`', word, "` takes what is behind it, without braces"))
+                       .with_help(help()));
+            return;
+        }
         Diagnostic misplaced = error(Fault::misplaced, element.word_span,
                                      message('`', word, "` has no place in ", quoted()));
         std::string list;
@@ -346,7 +346,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
 }
 
 void OpenBlock::reject_value(const Element& element) {
-    if (element.value.broken()) broken = true;
+    if (element.value.broken()) broken = passing_over_ = true;
     if (element.value.absent() || broken) return;
     if (const auto bare = bare_vector(element, binder.evaluator.names())) return report(*bare);
     if (const std::string meant = moved_without_times(element, binder.evaluator.names());

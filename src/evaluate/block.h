@@ -72,6 +72,7 @@ private:
     /// place is a hole.
     bool reject(const Element&, const WordList& words, bool wanted);
     bool reject_word(const Element&, const WordList& words, bool wanted);
+    bool in_comment(const Element&);
     std::string_view in_other_case(std::string_view word) const;
     void reject_reserved(const Element&, std::string_view word);
     void reject_value(const Element&);
@@ -80,6 +81,7 @@ private:
 
     bool passing_over_ = false;  ///< values until the next word
     bool told_unavailable_ = false;
+    NodeId comment_ = no_node;        ///< its next word
     std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
     std::string_view rejected_ = {};  ///< the word before, if nobody knows it
 };

@@ -92,7 +92,9 @@ std::optional<FieldValue> converted(OpenBlock& block, const Element& element, Fi
     if (!numbers) return wrong(Fault::wrong_type, kind_name(element.value));
     for (int i = 0; i < numbers->count; ++i)
         if (!std::isfinite(numbers->at[i]))
-            return wrong(Fault::out_of_range, message(numbers->at[i]), "finite");
+            return wrong(Fault::out_of_range,
+                         std::isnan(numbers->at[i]) ? "not a number" : message(numbers->at[i]),
+                         "finite");
 
     switch (type) {
         case FieldType::number:

@@ -231,7 +231,10 @@ Flow Evaluator::State::loop_for(const Tree& tree, const node::For& node, NodeId 
 Flow Evaluator::State::choose(const Tree& tree, const node::Switch& node, const Sink& take) {
     const std::optional<double> subject = number(tree, node.subject, "what #switch looks at");
     if (!subject) return stopped_ ? Flow::stopped : Flow::end;
-    Flow flow = walk(tree, node.opening, take);
+    Flow flow = walk(tree, node.opening, [&](const Element& element) {
+        report(error(Fault::misplaced, element.span,
+                     "only directives can stand between a #switch and its first #case"));
+    });
     bool matched = false;  // from then on all bodies are walked, until #break
     for (NodeId id = node.cases; id != no_node && flow == Flow::end; id = tree[id].next) {
         const auto* part = tree.get_if<node::Case>(id);

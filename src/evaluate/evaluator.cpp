@@ -7,6 +7,7 @@
 #include "font/system_font.h"
 #include "syntax/foreign.h"
 #include "syntax/lint.h"
+#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -237,12 +238,21 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
         for (const FunctionInfo& function : ::functions()) known.push_back(function.name);
     const std::string library = loader.library_file_declaring(names.spelling(name));
     const auto [own, id] = own_declaration(name, span);
-    const bool within = own && own->span(id).first < span.first;
-    if (within)
+    const bool above = own && own->span(id).last <= span.first;
+    const bool within = own && !above && own->span(id).first < span.first;
+    if (const std::string* file = files.opening(name))
+        problem.with_help(message("`", names.spelling(name),
+                                  "` leaves braces to other macros to close "
+                                  "or open; they are found in files that are named as they are: "
+                                  "#include \"",
+                                  harmless(*file), "\""));
+    else if (within)
         problem.with_help(
             "a name has no value in its own declaration; only macros call themselves");
     else if (own)
-        problem.pointing(heading(*own, id, name), "declared only here");
+        problem.pointing(
+            heading(*own, id, name),
+            above ? "declared only here, where the scene has not come by" : "declared only here");
     else if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
         problem.with_help(std::string(way_out));
     else if (!library.empty())
@@ -256,10 +266,10 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     return Absence::broken;
 }
 
-/// Where the file that uses the name declares it around that place, or first behind it; null: it
-/// does not.
+/// Where the file that uses the name declares it around that place, or first behind it, or last
+/// before it, in a part that has not been walked; null: it does not.
 std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
-    std::pair<const Tree*, NodeId> result{nullptr, no_node};
+    std::pair<const Tree*, NodeId> result{nullptr, no_node}, above = result;
     for (const Tree& tree : files.all()) {
         if (tree.source != use.source) continue;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -269,11 +279,17 @@ std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Sp
             const auto* target = declare ? tree.get_if<node::Name>(declare->target) : nullptr;
             const bool declares = (macro && macro->name == name) ||
                                   (target && target->name == name && !declare->local);
-            if (!declares || tree[id].last <= use.first) continue;
-            if (!result.first || tree[id].first < tree[result.second].first) result = {&tree, id};
+            const auto* undef = tree.get_if<node::Undef>(id);
+            const auto* gone = undef ? tree.get_if<node::Name>(undef->target) : nullptr;
+            if (gone && gone->name == name) return {nullptr, no_node};
+            if (!declares) continue;
+            auto& found = tree[id].last <= use.first ? above : result;
+            const bool better =
+                !found.first || &found == &above || tree[id].first < tree[found.second].first;
+            if (better) found = {&tree, id};
         }
     }
-    return result;
+    return result.first ? result : above;
 }
 
 Span Evaluator::State::heading(const Tree& tree, NodeId declaration, NameId name) const {

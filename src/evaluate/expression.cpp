@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Expressions: numbers of one to five components with POV-Ray's rules of promotion, strings, and
 // colours.
+#include "evaluate/objects.h"
+#include "evaluate/previous.h"
 #include "evaluate/state.h"
 #include "text/message.h"
 
@@ -104,6 +106,10 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
         const std::size_t last = before.find_last_not_of(" \t");
         const bool elements = last != before.npos && before[last] == ']';
+        const NodeId ahead = previous(tree, id);
+        const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
+        // That its braces are missing is said of the word.
+        if (word && takes_braces(word->word)) return Absence::broken;
         report(error(Fault::wrong_count, tree.span(id), "one value is wanted here")
                    .with_help(elements ? "the elements of an array stand in braces: { 1, 2, 3 }"
                                        : "a vector is written between `<` and `>`: <1, 2, 3>"));

@@ -70,3 +70,10 @@ FileTrees::Included FileTrees::included(const Found& found, Span at, double vers
     const bool first = !std::exchange(file.met, true);
     return {file.tree, first, first ? std::move(file.found) : diagnostics_.fresh()};
 }
+
+const std::string* FileTrees::opening(NameId macro) const {
+    for (const auto& [path, file] : files_)
+        for (const auto& each : file.macros)
+            if (each->name == macro) return &path;
+    return nullptr;
+}

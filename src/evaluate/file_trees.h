@@ -29,6 +29,10 @@ public:
     /// The file at this path is another one from now on.
     void forget(const std::string& path) { files_.erase(path); }
 
+    /// The path of a file that defines a macro of this name which leaves braces open; null: none
+    /// does.
+    const std::string* opening(NameId macro) const;
+
     const std::deque<Tree>& all() const { return trees_; }
     /// How far files may include each other.
     std::size_t deepest = 100;

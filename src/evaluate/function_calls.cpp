@@ -144,8 +144,16 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::funct
     const auto of_one = function_number(name);
     const bool of_two = operation_of_two(name).has_value();
     const bool extreme = name == "min" || name == "max", select = name == "select";
-    if (!of_one && !of_two && !extreme && !select)
-        return wrong(tree.span(id), message("`", name, "` cannot be used in functions"));
+    if (!of_one && !of_two && !extreme && !select) {
+        Diagnostic problem = error(Fault::wrong_type, tree.span(id),
+                                   message("`", name, "` cannot be used in functions"));
+        if (name == "rand")
+            problem.with_help(
+                "a function gives the same whenever it is asked; at random over "
+                "space is f_noise3d(x, y, z) of functions.inc");
+        state.report(problem);
+        return std::nullopt;
+    }
     const auto values = arguments(tree, node.arguments);
     if (!values) return std::nullopt;
     const std::size_t least = of_one ? 1 : select ? 3 : 2;

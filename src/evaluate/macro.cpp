@@ -71,13 +71,20 @@ void Evaluator::State::report_arguments(const MacroData& macro, std::size_t coun
     for (const MacroData::Parameter& parameter : macro.parameters)
         list += message(list.empty() ? "" : ", ", parameter.optional ? "optional " : "",
                         names.spelling(parameter.name));
-    report(error(Fault::wrong_count, span,
-                 message("macro `", names.spelling(macro.name), "` takes ",
-                         least == most ? message(most) : message(least, " to ", most),
-                         most == 1 ? " argument" : " arguments", ", but here ",
-                         count == 1 ? "is " : "are ", count))
-               .pointing(macro.defined,
-                         message("defined as ", names.spelling(macro.name), "(", list, ")")));
+    Diagnostic problem = error(Fault::wrong_count, span,
+                               message("macro `", names.spelling(macro.name), "` takes ",
+                                       least == most ? message(most) : message(least, " to ", most),
+                                       most == 1 ? " argument" : " arguments", ", but here ",
+                                       count == 1 ? "is " : "are ", count));
+    problem.pointing(macro.defined,
+                     message("defined as ", names.spelling(macro.name), "(", list, ")"));
+    // `M(1 -2)`: a difference, where a comma was meant.
+    const std::string_view call =
+        sources.text(span.source).substr(span.first, span.last - span.first);
+    const std::size_t minus = call.find(" -");
+    if (count < least && minus != call.npos && minus + 2 < call.size() && call[minus + 2] != ' ')
+        problem.with_help("a value and a `-` behind it are one value: a comma keeps them apart");
+    report(problem);
 }
 
 /// What a macro gives as arguments of another: perhaps several.

@@ -162,9 +162,12 @@ std::string problem(const Lathe& lathe) {
         return "a `lathe` with this spline needs at least " + std::to_string(least) + " points";
     if (kind == bezier_curve && lathe.points.size() % 4 != 0)
         return "a `lathe` with `bezier_spline` needs four points for each piece";
-    const bool in_order = std::all_of(lathe.points.begin(), lathe.points.end(),
+    // As in POV-Ray the curve may begin and end beyond the axis.
+    const bool in_order = std::all_of(lathe.points.begin() + 1, lathe.points.end() - 1,
                                       [](const Vec2& p) { return p.x >= 0; });
-    return in_order || kind != linear_curve ? "" : "a `lathe` needs radii that are not below 0";
+    return in_order || kind != linear_curve
+               ? ""
+               : "a `lathe` needs radii that are not below 0 between its first and its last point";
 }
 
 Box bounds(const BuiltLathe& lathe) { return lathe.bounds; }
@@ -184,7 +187,9 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
         if (!seen.comes_near(part)) continue;
         meet(seen, part, [&](const Meeting& m) {
             const Vec3 p = near.at(m.s);
-            const Vec2 slope = part.piece.slope(m.u);
+            Vec2 slope = part.piece.slope(m.u);
+            // Beyond the axis the curve is seen in a mirror.
+            if (part.piece.at(m.u).x < 0) slope.x = -slope.x;
             const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
             const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);
             const Vec3 normal = unit(side * (slope.y * out - Vec3(0, slope.x, 0)));

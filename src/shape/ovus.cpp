@@ -11,9 +11,9 @@ const ItemInfo Ovus::vocabulary = described<Ovus>([] {
     return schema<Ovus>(
         "ovus", "An egg.",
         F{"bottom_radius", &Ovus::bottom_radius, positional,
-          "radius of the sphere around the origin, and height of the other's centre", above(0)},
+          "radius of the sphere around the origin, and height of the other's centre", at_least(0)},
         F{"top_radius", &Ovus::top_radius, positional, "radius of the sphere at the top",
-          above(0)});
+          at_least(0)});
 });
 
 namespace {

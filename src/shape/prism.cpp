@@ -118,11 +118,14 @@ void cross_sides(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
 
 void cross_ends(const BuiltPrism& prism, const Ray& ray, Crossings& found) {
     if (prism.open || ray.direction.y == 0) return;
-    for (const double y : {prism.bottom, prism.top}) {
+    // The nearer one first: without a thickness both are in one place.
+    const bool down = ray.direction.y < 0;
+    for (const bool entering : {true, false}) {
+        const bool top = down == entering;
+        const double y = top ? prism.top : prism.bottom;
         const double t = (y - ray.origin.y) / ray.direction.y;
-        if (!in_section(prism, flat(ray.at(t)), y)) continue;
-        const Vec3 normal(0, y == prism.top ? 1 : -1, 0);
-        found.add({t, normal, dot(ray.direction, normal) < 0});
+        if (in_section(prism, flat(ray.at(t)), y))
+            found.add({t, Vec3(0, top ? 1 : -1, 0), entering});
     }
 }
 
@@ -148,7 +151,7 @@ std::string problem(const Prism& prism) {
         return "a `prism` with `bezier_spline` needs four points for each piece";
     if (!closed_curves(kind, prism.points).closed)
         return "a loop of this `prism` does not come back to its start";
-    return prism.height1 != prism.height2 ? "" : "a `prism` needs two different heights";
+    return {};
 }
 
 Box bounds(const BuiltPrism& prism) {

@@ -23,7 +23,6 @@ Vec3 exchanged(const Vec3& v) { return {v.x, v.z, v.y}; }
 
 std::string problem(const Text& text) {
     if (text.font.empty() && text.internal == 0) return "a `text` needs `ttf` or `internal`";
-    if (text.thickness == 0) return "a `text` needs a thickness";
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "vocabulary/schema.h"
 
 #include "base/roots.h"
+#include "shape/sphere.h"
 
 const ItemInfo Torus::vocabulary = described<Torus>([] {
     using F = Field<Torus>;
@@ -49,6 +50,8 @@ Box bounds(const Torus& torus) {
 void crossings(const Torus& torus, const Ray& ray, Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
+    // A sphere that is covered twice has only double roots.
+    if (torus.major == 0) return crossings(Sphere{Vec3(0), torus.minor}, ray, found);
     // From the point nearest to the centre the quartic has no cubic term, and far origins cost no
     // digits.
     const Vec3 u = ray.direction / speed;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
 namespace {
 
@@ -47,6 +48,42 @@ constexpr auto foreign_names = std::array{
     ForeignName{"sqr", "a square is X*X, or pow(X, 2)"},
     ForeignName{"random", "random numbers come from a stream: #declare S = seed(1); ... rand(S)"},
     ForeignName{"this", "a macro gets what it works on as a parameter"},
+    ForeignName{"print", "#debug \"...\\n\" prints a string"},
+    ForeignName{"printf",
+                "#debug concat(\"N = \", str(N, 0, 2), \"\\n\") prints a string and a number"},
+    ForeignName{"echo", "#debug \"...\\n\" prints a string"},
+    ForeignName{"None", "a name that is not declared has no value: #ifdef (Name)"},
+    ForeignName{"nil", "a name that is not declared has no value: #ifdef (Name)"},
+    ForeignName{"then", "an #if needs no `then`: #if (A) ... #else ... #end"},
+    ForeignName{"do", "a loop is written #while (A) ... #end"},
+    ForeignName{"begin", "a directive needs no `begin`: #if (A) ... #end"},
+    ForeignName{"intensity", "a light is as bright as its colour: rgb 2"},
+    ForeignName{"brightness", "a light is as bright as its colour: rgb 2"},
+    ForeignName{"transparency", "what is half clear has a colour like rgbt <1, 0, 0, 0.5>"},
+    ForeignName{"user_defined", "cameras of functions are not available in this version"},
+    ForeignName{"halo", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
+    ForeignName{"atmosphere", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
+};
+
+struct ForeignWord {
+    std::string_view word, meant;
+};
+
+constexpr auto words = std::array{
+    ForeignWord{"jpg", "jpeg"},
+    ForeignWord{"tif", "tiff"},
+    ForeignWord{"position", "location"},
+    ForeignWord{"eye", "location"},
+    ForeignWord{"fov", "angle"},
+    ForeignWord{"move", "translate"},
+    ForeignWord{"opacity", "transmit"},
+    ForeignWord{"shininess", "phong_size"},
+    ForeignWord{"reflectivity", "reflection"},
+    ForeignWord{"metalness", "metallic"},
+    ForeignWord{"emissive", "emission"},
+    ForeignWord{"glow", "emission"},
+    ForeignWord{"bump", "normal"},
+    ForeignWord{"target", "point_at"},
 };
 
 constexpr auto signs = std::array{
@@ -65,6 +102,19 @@ constexpr auto signs = std::array{
     ForeignSign{"\u00D7", "a multiplication sign", "*"},
     ForeignSign{"\u00B7", "a multiplication sign", "*"},
     ForeignSign{"\u00F7", "a division sign", "/"},
+    ForeignSign{"\u00B0", "a degree sign, and angles are in degrees", ""},
+    ForeignSign{"\uFF0C", "a wide comma", ","},
+    ForeignSign{"\u3001", "a wide comma", ","},
+    ForeignSign{"\uFF1B", "a wide semicolon", ";"},
+    ForeignSign{"\uFF08", "a wide parenthesis", "("},
+    ForeignSign{"\uFF09", "a wide parenthesis", ")"},
+    ForeignSign{"\uFF1D", "a wide equals sign", "="},
+    ForeignSign{"\uFF0B", "a wide plus sign", "+"},
+    ForeignSign{"'", "a single quote", "\""},
+    ForeignSign{"\u00B2", "a sign for a square, which is written X*X", ""},
+    ForeignSign{"\u00B3", "a sign for a cube, which is written pow(X, 3)", ""},
+    ForeignSign{"\u221A", "a sign for a root, which is written sqrt(X)", ""},
+    ForeignSign{"\u03C0", "a Greek letter", "pi"},
     ForeignSign{"\u2264", "a sign beyond ASCII", "<="},
     ForeignSign{"\u2265", "a sign beyond ASCII", ">="},
     ForeignSign{"\u2260", "a sign beyond ASCII", "!="},
@@ -75,6 +125,10 @@ constexpr auto signs = std::array{
     ForeignSign{"\u3000", "a wide space", " "},
     ForeignSign{"\uFEFF", "a byte order mark", " "},
 };
+
+bool begins_with_word(std::string_view text, std::string_view word) {
+    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
+}
 
 }  // namespace
 
@@ -95,12 +149,49 @@ std::string_view foreign_name(std::string_view name) {
     return found == foreign_names.end() ? std::string_view() : found->way_out;
 }
 
+std::string_view foreign_word(std::string_view word) {
+    const auto found = std::ranges::find(words, word, &ForeignWord::word);
+    return found == words.end() ? std::string_view() : found->meant;
+}
+
 std::string hexadecimal_colour(std::string_view word) {
     constexpr std::size_t digits = 6;
     unsigned value = 0;
     const char* const end = word.data() + word.size();
     if (word.size() != digits || std::from_chars(word.data(), end, value, 16).ptr != end) return {};
     return message("srgb <", value >> 16, ", ", value >> 8 & 255, ", ", value & 255, ">/255");
+}
+
+bool ends_in_word(std::string_view text, std::string_view word) {
+    return text.ends_with(word) &&
+           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
+}
+
+std::string_view foreign_words(std::string_view before, std::string_view after) {
+    if (ends_in_word(before, "not")) return "`not` is written as a sign: (!A)";
+    if (ends_in_word(before, "return"))
+        return "a function needs no `return`: function(X) { X*2 } gives what its expression gives";
+    if (begins_with_word(after, "and")) return "`and` is written as a sign: (A & B)";
+    if (begins_with_word(after, "or")) return "`or` is written as a sign: (A | B)";
+    if (begins_with_word(after, "mod")) return "the remainder of a division is mod(A, B)";
+    for (const std::string_view channel : {"red", "green", "blue"})
+        if (ends_in_word(before, channel))
+            return "red, green and blue are channels, and need a number; colors.inc declares the "
+                   "colours Red, Green and Blue";
+    return {};
+}
+
+std::string_view foreign_colon(std::string_view before) {
+    const std::string_view line = before.substr(before.find_last_of("\r\n") + 1);
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != line.npos && begins_with_word(line.substr(first), "def"))
+        return "a macro is written #macro Name(A, B) ... #end";
+    constexpr auto conditions =
+        std::array<std::string_view, 5>{"#if", "#elseif", "#while", "#for", "#switch"};
+    for (const std::string_view word : conditions)
+        if (first != line.npos && begins_with_word(line.substr(first), word))
+            return "no `:` stands behind a condition";
+    return before.ends_with(']') ? "dictionaries are not available in this version" : "";
 }
 
 // ---- what the lexer does with them
@@ -112,9 +203,49 @@ bool Lexer::takes_if(const char* hash) {
     if (!std::string_view(p, static_cast<std::size_t>(limit_ - p)).starts_with("if")) return false;
     if (p + 2 < limit_ && (is_letter(p[2]) || is_digit(p[2]))) return false;
     cursor_ = p + 2;
-    diagnostics_.add(error(Fault::syntax, span(hash, cursor_), "`#else if` is one word")
-                         .with_help("write `#elseif`, which has the `#end` of its `#if`"));
+    report(error(Fault::syntax, span(hash, cursor_), "`#else if` is one word")
+               .with_help("write `#elseif`, which has the `#end` of its `#if`"));
     return true;
+}
+
+/// `#end if`, as other languages end one.
+bool Lexer::stands_behind_end(const char* first, std::string_view word) {
+    const char* p = first;
+    while (p > begin_ && (p[-1] == ' ' || p[-1] == '\t')) --p;
+    if (previous_ != TokenKind::hash_end || p == first || !is_letter(p[-1])) return false;
+    report(error(Fault::syntax, span(first, cursor_),
+                 message("`#end` ends any directive, and no `", word, "` follows it"))
+               .with_help("write `#end`"));
+    return true;
+}
+
+/// `# words of a comment`, as other languages begin one: more words follow on the line.
+bool Lexer::takes_comment() {
+    const char* p = cursor_;
+    while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
+    if (p == cursor_ || p == limit_ || !is_letter(*p)) return false;
+    skip_line_comment();
+    return true;
+}
+
+void Lexer::second_point(const char* first) {
+    Diagnostic problem = error(Fault::syntax, span(first, cursor_), "a number has only one point");
+    if (std::string_view(first, cursor_).find("..") != std::string_view::npos)
+        problem.with_help("from one number to another is written with a comma: #for (I, 0, 9)");
+    report(problem);
+}
+
+/// A colour as web pages have it, with the numbers that it says where a colour is wanted.
+Token Lexer::read_hexadecimal_colour(const char* hash, std::string_view word) {
+    if (previous_ != TokenKind::colour && previous_ != TokenKind::colour_prefix) return scan();
+    unsigned value = 0;
+    std::from_chars(word.data(), word.data() + word.size(), value, 16);
+    Token result =
+        token(TokenKind::literal, hash, static_cast<std::uint32_t>(tree_.numbers.size()));
+    for (const unsigned shift : {16U, 8U, 0U})
+        tree_.numbers.push_back((value >> shift & 255) / 255.0);
+    result.count = 3;
+    return result;
 }
 
 bool Lexer::between_values() const {
@@ -132,17 +263,30 @@ bool Lexer::between_values() const {
 std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSign& sign) {
     using enum TokenKind;
     cursor_ += sign.sign.size();
-    diagnostics_.add(
-        error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
-            .with_help(sign.meant == " " ? "write an ordinary blank"
-                                         : message("write `", sign.meant, "`")));
-    if (sign.meant == "-") return token(minus, first);
-    if (sign.meant == "*") return token(times, first);
-    if (sign.meant == "/") return token(divide, first);
-    if (sign.meant == "<=") return token(less_equal, first);
-    if (sign.meant == ">=") return token(greater_equal, first);
-    if (sign.meant == "!=") return token(not_equal, first);
-    if (sign.meant == " ") return std::nullopt;
+    report(error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
+               .with_help(sign.meant == " "    ? "write an ordinary blank"
+                          : sign.meant.empty() ? "leave it out"
+                                               : message("write `", sign.meant, "`")));
+    constexpr auto tokens = std::array{
+        std::pair{"-", minus},
+        std::pair{"*", times},
+        std::pair{"/", divide},
+        std::pair{"<=", less_equal},
+        std::pair{">=", greater_equal},
+        std::pair{"!=", not_equal},
+        std::pair{",", comma},
+        std::pair{";", semicolon},
+        std::pair{"(", open_parenthesis},
+        std::pair{")", close_parenthesis},
+        std::pair{"=", equal},
+        std::pair{"+", plus},
+    };
+    for (const auto& [meant, kind] : tokens)
+        if (sign.meant == meant) return token(kind, first);
+    if (sign.meant == "pi")
+        return token(constant, first, static_cast<std::uint32_t>(names_.intern("pi")));
+    // What is passed over has apostrophes, too.
+    if (sign.meant.empty() || sign.meant == " " || quiet_) return std::nullopt;
     // A string goes on to the other quote, if that is on the same line.
     for (const char* p = cursor_; p < limit_ && *p != '\n'; ++p) {
         const ForeignSign* end = foreign_sign({p, static_cast<std::size_t>(limit_ - p)});
@@ -163,8 +307,8 @@ bool Lexer::foreign_letter() const {
 Token Lexer::read_foreign_word(const char* first) {
     while (cursor_ < limit_ && (is_letter(*cursor_) || is_digit(*cursor_) || foreign_letter()))
         ++cursor_;
-    diagnostics_.add(error(Fault::unknown_character, span(first, cursor_),
-                           "a name consists of the letters A to Z and a to z, digits and `_`"));
+    report(error(Fault::unknown_character, span(first, cursor_),
+                 "a name consists of the letters A to Z and a to z, digits and `_`"));
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
     return token(TokenKind::name, first, static_cast<std::uint32_t>(names_.intern(spelling)));
 }

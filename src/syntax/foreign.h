@@ -29,6 +29,19 @@ std::string_view foreign_directive(std::string_view word);
 /// What to write for a name that means something in other languages; empty: none.
 std::string_view foreign_name(std::string_view name);
 
+/// The word of a block that other programs call by this one; empty: none.
+std::string_view foreign_word(std::string_view word);
+
+/// The way out where words of other languages are around the place that the parser stopped at:
+/// signs for them, or what they lack; empty: there are none.
+std::string_view foreign_words(std::string_view before, std::string_view after);
+
+/// What to do without a `:` behind that text; empty: nobody knows.
+std::string_view foreign_colon(std::string_view before);
+
+/// Whether the text ends in that word.
+bool ends_in_word(std::string_view text, std::string_view word);
+
 /// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
 /// words.
 std::string hexadecimal_colour(std::string_view word);

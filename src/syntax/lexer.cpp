@@ -175,6 +175,7 @@ Token Lexer::read_word(const char* first) {
         if (spelling == "deprecated") kind = TokenKind::deprecated;
         if (spelling == "once") kind = TokenKind::once;
         if (const auto* directive = without_hash(spelling)) {
+            if (stands_behind_end(first, spelling)) return scan();
             report(error(Fault::syntax, span(first, cursor_),
                          message("`", spelling, "` needs a # before it"))
                        .with_help(message("write `#", spelling, "`")));
@@ -253,7 +254,7 @@ Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling)
                                message("there is no directive `#", word, "`"));
     if (const std::string colour = hexadecimal_colour(word); !colour.empty()) {
         report(problem.with_help(message("as a colour, write ", colour)));
-        return scan();
+        return read_hexadecimal_colour(hash, word);
     }
     std::vector<std::string_view> known;
     for (const DirectiveWord& directive : directive_words) known.push_back(directive.spelling);
@@ -265,6 +266,9 @@ Token Lexer::read_unknown_directive(const char* hash, std::string_view spelling)
         for (const DirectiveWord& directive : directive_words)
             if (directive.spelling == guess) return token(directive.kind, hash, directive.value);
     }
+    if (guess.empty())
+        problem.with_help(takes_comment() ? "a comment begins with `//`"
+                                          : std::string(foreign_name(spelling)));
     report(problem);
     return scan();
 }
@@ -387,10 +391,6 @@ std::optional<Token> Lexer::stray(const char* first) {
     // Between two values it goes on as a sign that there is.
     if ((*first == '^' || *first == '%') && between_values()) return token(TokenKind::times, first);
     return std::nullopt;
-}
-
-void Lexer::second_point(const char* first) {
-    report(error(Fault::syntax, span(first, cursor_), "a number has only one point"));
 }
 
 void Lexer::double_sign(const char* first, std::string_view instead) {

@@ -32,6 +32,9 @@ private:
     Token read_directive(const char* hash);
     Token read_unknown_directive(const char* hash, std::string_view spelling);
     bool takes_if(const char* hash);
+    bool takes_comment();
+    bool stands_behind_end(const char* first, std::string_view word);
+    Token read_hexadecimal_colour(const char* hash, std::string_view word);
     bool is_asked_about() const;
     bool begins_version() const;
     void report_missing_hash(const char* first, std::string_view word);

@@ -182,6 +182,8 @@ bool OpenMacros::define(const Tokens& macro) {
     if (!odd) odd = odd_angle(body);
     const bool closed = !odd && !lacks_operand(body);
     const bool sign = closed && !body.empty() && is_sign(body.front().kind);
+    const auto before = by_name_.find(name);
+    const bool called = before != by_name_.end() && macros_[before->second].shared->called;
     forget(name);
     if ((closed && !sign) || !names) return false;
     auto shared = std::make_shared<OpenMacro>(
@@ -192,6 +194,7 @@ bool OpenMacros::define(const Tokens& macro) {
     shared->locals = declared(body, Declares::locals);
     shared->odd = odd.value_or(Token{});
     shared->continues = sign;
+    shared->called = called;
     known_.push_back(shared);
     learn(shared);
     return !sign;
@@ -331,6 +334,16 @@ bool OpenMacros::blame_all() {
     for (const Macro& each : macros_)
         if (left_by(each) > 0) report(*each.shared);
     return true;
+}
+
+bool OpenMacros::called_too_early() const {
+    const auto is_own_call = [&](const Node& node) {
+        const auto* call = std::get_if<node::Call>(&node.content);
+        const auto found = call ? by_name_.find(call->name) : by_name_.end();
+        return found != by_name_.end() && is_own(*macros_[found->second].shared) &&
+               !macros_[found->second].shared->continues;
+    };
+    return !by_name_.empty() && std::ranges::any_of(tree_.nodes, is_own_call);
 }
 
 void OpenMacros::report_idle() {

@@ -96,6 +96,8 @@ public:
     /// Whether the calls up to here have opened more braces than they closed; then the macros that
     /// do are reported.
     bool blame_all();
+    /// Whether a macro of this file was called before it was known to be one of these.
+    bool called_too_early() const;
     /// Reports the macros of this file that were never called: what they leave open may be an
     /// oversight.
     void report_idle();

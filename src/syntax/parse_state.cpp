@@ -228,7 +228,9 @@ std::string_view number_with_comma(std::string_view text) {
     const std::size_t sign = text.substr(0, comma).find_last_not_of(digits);
     if (sign == text.npos || sign + 1 == comma) return {};
     const std::size_t equal = text.substr(0, sign + 1).find_last_not_of(" -+");
-    return equal != text.npos && text[equal] == '=' ? text.substr(sign + 1) : std::string_view();
+    if (equal == text.npos) return {};
+    const bool wants = text[equal] == '=' || text.substr(0, equal + 1).ends_with("#version");
+    return wants ? text.substr(sign + 1) : std::string_view();
 }
 
 /// Whether a semicolon that comes now is meant to end a declaration of a number; then there will be

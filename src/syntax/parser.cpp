@@ -75,6 +75,8 @@ std::string_view advice(TokenKind found, const Expected& expected) {
         case TokenKind::both:
         case TokenKind::either:
         case TokenKind::question:
+            if (found == TokenKind::either && expected.value() && !expected.element())
+                return "the size of a number without its sign is abs(X), of a vector vlength(V)";
             return "comparisons and conditions are written in parentheses: (a > b)";
         case TokenKind::equal:
             if (expected.name()) return "the name comes before the `=`: #declare Name = value;";
@@ -112,6 +114,8 @@ std::string_view in_parentheses(std::string_view before) {
     if (word.starts_with("#macro")) return "parameters stand in parentheses: #macro Name(A, B)";
     if (word.starts_with("#switch") || word.starts_with("#case"))
         return "what is looked at stands in parentheses: #switch (A) #case (1)";
+    if (word == "#write") return "what is written stands in parentheses: #write (File, A, \"\\n\")";
+    if (word == "#read") return "what is read stands in parentheses: #read (File, A, B)";
     if (word.find_first_of(" \t\r\n") == word.npos && word.starts_with('#'))
         return "a condition stands in parentheses: (a > b)";
     return {};
@@ -121,16 +125,6 @@ std::string_view without_blanks(std::string_view before) {
     return before.substr(0, before.find_last_not_of(" \t\r\n") + 1);
 }
 
-/// Whether the text ends in that word.
-bool ends_in_word(std::string_view text, std::string_view word) {
-    return text.ends_with(word) &&
-           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
-}
-
-bool begins_with_word(std::string_view text, std::string_view word) {
-    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
-}
-
 /// The word that the text ends in.
 std::string_view last_word(std::string_view text) {
     std::size_t first = text.size();
@@ -138,18 +132,25 @@ std::string_view last_word(std::string_view text) {
     return text.substr(first);
 }
 
-/// Words where the language has signs, or needs a number.
-std::string_view word_habit(std::string_view before, std::string_view after) {
-    if (ends_in_word(before, "not")) return "`not` is written as a sign: (!A)";
-    if (ends_in_word(before, "return"))
-        return "a function needs no `return`: function(X) { X*2 } gives what its expression gives";
-    if (begins_with_word(after, "and")) return "`and` is written as a sign: (A & B)";
-    if (begins_with_word(after, "or")) return "`or` is written as a sign: (A | B)";
-    if (begins_with_word(after, "mod")) return "the remainder of a division is mod(A, B)";
-    for (const std::string_view channel : {"red", "green", "blue"})
-        if (ends_in_word(before, channel))
-            return "red, green and blue are channels, and need a number; colors.inc declares the "
-                   "colours Red, Green and Blue";
+bool reserved_word(TokenKind kind) {
+    return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
+}
+
+/// What is wrong in a directive that is read so far.
+std::string_view directive_habit(TokenKind found, const Expected& expected,
+                                 std::string_view directive) {
+    if (directive == "#fclose") return "the name that #fopen gave the file: #fclose File";
+    if (directive.starts_with("#fopen") && directive.find('"') != directive.npos && expected.name())
+        return "what the file is for comes last: #fopen File \"data.txt\" read, or write, or "
+               "append";
+    if (directive.starts_with("#case") && found == TokenKind::comma)
+        return "each value has its own case, and a range is #range (1, 2)";
+    const bool declares = directive.starts_with("#declare") || directive.starts_with("#local");
+    if (declares && found == TokenKind::equal && !expected.name() &&
+        directive.find_first_of(";{\n") == directive.npos && directive.find('=') != directive.npos)
+        return "each name has its own #declare: #declare A = 1; #declare B = 1;";
+    if (directive.starts_with("#range") && expected.has(TokenKind::comma))
+        return "a range has two ends: #range (1, 2)";
     return {};
 }
 
@@ -161,7 +162,8 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     const std::string wanted = expected.list();
     if (before.ends_with("++") || before.ends_with("--")) return std::string(change);
     before = without_blanks(before);
-    if (const auto help = word_habit(before, after); !help.empty()) return std::string(help);
+    if (const auto help = foreign_words(before, after); !help.empty()) return std::string(help);
+    if (found == TokenKind::greater && before.ends_with('>')) return "one `>` ends the vector";
     if (found == TokenKind::greater && before.ends_with('<')) return "`!=` is not equal: (a != b)";
     if (found == TokenKind::greater && before.ends_with('='))
         return "`>=` is greater or equal: (a >= b)";
@@ -174,13 +176,25 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
     const std::string_view directive = before.substr(std::min(before.rfind('#'), before.size()));
     if (found == TokenKind::text && directive == "#fopen")
         return "the name of the open file comes first: #fopen File \"data.txt\" write";
+    if (const auto help = directive_habit(found, expected, directive); !help.empty())
+        return std::string(help);
+    if (found == TokenKind::colon)
+        if (const auto help = foreign_colon(before); !help.empty()) return std::string(help);
+    const bool sum = before.ends_with('-') || before.ends_with('+') || before.ends_with('*');
+    if (sum && reserved_word(found) &&
+        without_blanks(before.substr(0, before.size() - 1)).ends_with('}'))
+        return "objects are joined by blocks: difference { A B }, union { A B }";
     const bool no_comma = found == TokenKind::equal || found == TokenKind::semicolon;
     if (no_comma && directive.starts_with("#for"))
         return "a loop counts between commas: #for (I, 1, 10)";
     if (found == TokenKind::equal && directive.starts_with("#macro"))
         return "a parameter that may be left out: "
                "#macro M(A, optional B) #ifndef (B) #local B = 2; #end ... #end";
-    if (directive == "#default") return "the last part of a #switch is `#else`";
+    if (directive == "#default")
+        return after.starts_with("texture") || after.starts_with("pigment") ||
+                       after.starts_with("finish")
+                   ? "defaults stand in braces: #default { texture { ... } }"
+                   : "the last part of a #switch is `#else`";
     const bool bracket = found == TokenKind::open_brace || found == TokenKind::open_bracket;
     if (bracket && expected.value() && before.ends_with('='))
         return "an array is written array { 1, 2, 3 }";
@@ -193,6 +207,7 @@ std::string habit(TokenKind found, const Expected& expected, std::string_view be
         return "a function is one expression, without `;`";
     if (found == TokenKind::number && expected.name()) return "a name begins with a letter or `_`";
     if (wanted != "`=`") return {};
+    if (after.starts_with(":=")) return "a name gets its value by `=` alone: #declare A = 1;";
     if (after.size() > 1 && after[1] == '=') return std::string(change);
     if (found == TokenKind::semicolon) return "a name is declared with its value: #declare A = 0;";
     if (after.starts_with('.'))
@@ -214,10 +229,6 @@ std::string capitalised(std::string_view word) {
     std::string result(word);
     if (result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 'a' + 'A');
     return result;
-}
-
-bool reserved_word(TokenKind kind) {
-    return kind >= TokenKind::word && kind <= TokenKind::channel && kind != TokenKind::name;
 }
 
 }  // namespace
@@ -326,23 +337,41 @@ int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
 static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
-Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
-           const ParseOptions& options) {
+static Tree parse_once(SourceId source, const SourceStore& sources, Names& names,
+                       const ParseOptions& options, Diagnostics& found, bool& again) {
     Tree tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
-    // There are at most so many nodes in most texts; very long ones are numbers, with one node for
-    // twenty bytes. What is not used of this costs nothing.
+    // So many nodes or fewer are in most texts; very long ones are numbers, one in twenty bytes.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
-    Diagnostics found = diagnostics.fresh();
     Lexer lexer(source, sources, names, tree, found);
-    OpenMacroList own;
-    OpenMacros macros(names, tree, found, options.macros ? *options.macros : own, options.reader);
+    OpenMacros macros(names, tree, found, *options.macros, options.reader);
     Brackets brackets(lexer, macros, options.version, source, text, found);
     ParseState state{tree, names, brackets, found, text, options.postpones};
     grammar_parse(state);
     if (!options.included) macros.report_idle();
+    again = macros.called_too_early();
+    return tree;
+}
+
+Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
+           const ParseOptions& given) {
+    ParseOptions options = given;
+    OpenMacroList own;
+    if (!options.macros) options.macros = &own;
+    Diagnostics found = diagnostics.fresh();
+    bool again = false;
+    Tree tree = parse_once(source, sources, names, options, found, again);
+    // Each time macros are known that call what was found to be open the time before.
+    constexpr int most = 8;
+    for (int times = 1; again && times < most; ++times) {
+        Diagnostics anew = diagnostics.fresh();
+        Tree better = parse_once(source, sources, names, options, anew, again);
+        if (anew.failed()) continue;
+        tree = std::move(better);
+        found = std::move(anew);
+    }
     for (const Diagnostic& each : found.all()) diagnostics.add(each);
     return tree;
 }

@@ -35,13 +35,22 @@ bool is_verbatim(const Tree& tree, const node::Text& text) {
     return std::ranges::binary_search(tree.verbatim, text.text);
 }
 
+/// A word that would take a value behind it for its own, as in `green A`.
+bool takes_value(const Tree& tree, const Names& names, NodeId id) {
+    const auto* word = tree.get_if<node::Word>(id);
+    if (!word) return false;
+    const WordClass word_class = names.word_class(word->word);
+    return word_class == WordClass::channel || word_class == WordClass::colour_prefix;
+}
+
 /// Begins with something that could continue a value before it.
-bool needs_comma(const Tree& tree, NodeId before, NodeId id) {
+bool needs_comma(const Tree& tree, const Names& names, NodeId before, NodeId id) {
     if (const auto* text = tree.get_if<node::Text>(id); text && is_verbatim(tree, *text))
         return false;
     const std::size_t kind_before = tree[before].content.index();
     const auto* chain = tree.get_if<node::Chain>(id);
     if (chain && tree.get_if<node::Joined>(chain->first)) return false;
+    if (takes_value(tree, names, before)) return true;
     const bool directive = tree[id].content.index() >= kind<node::Declare>;
     if (directive || kind_before >= kind<node::Declare>)
         return kind_before >= kind<node::Declare> && !directive;
@@ -242,15 +251,15 @@ struct Print {
 };
 
 /// Brings a list into pieces. Numbers in brackets are all that joined lists hold.
-Pieces list_pieces(const Tree& tree, const Piece& piece, std::size_t depth) {
+Pieces list_pieces(const Tree& tree, const Names& names, const Piece& piece, std::size_t depth) {
     using Kind = Piece::Kind;
     const std::string line = message("\n", std::string(4 * depth, ' '));
     Pieces pieces;
     NodeId before = no_node;
     for (NodeId id = piece.id; id != no_node; before = id, id = tree[id].next) {
         if (piece.kind == Kind::elements) {
-            pieces.push_back(
-                say(message(before != no_node && needs_comma(tree, before, id) ? "," : "", line)));
+            pieces.push_back(say(message(
+                before != no_node && needs_comma(tree, names, before, id) ? "," : "", line)));
         } else if (before != no_node && piece.kind != Kind::joined) {
             pieces.push_back(say(piece.kind == Kind::commas ? ", " : " "));
         }
@@ -280,7 +289,7 @@ std::string print(const Tree& tree, const Names& names) {
         const bool list = piece.kind != Piece::Kind::node;
         const bool deeper = piece.kind == Piece::Kind::elements && !outermost;
         if (deeper) ++depth;
-        Pieces pieces = list ? list_pieces(tree, piece, depth)
+        Pieces pieces = list ? list_pieces(tree, names, piece, depth)
                              : std::visit(Print{tree, names, piece.id}, tree[piece.id].content);
         if (deeper) pieces.push_back({Piece::Kind::leave, {}, no_node});
         outermost = false;

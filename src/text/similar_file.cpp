@@ -25,6 +25,11 @@ std::string gist(std::string_view name) {
 
 std::string stem(const std::string& name) { return name.substr(0, name.rfind('.')); }
 
+/// Behind the last point, in small letters; empty for a name without one.
+std::string extension(const std::string& name) {
+    return name.find('.') == std::string::npos ? "" : gist(name.substr(name.rfind('.')));
+}
+
 std::string joined(const std::string& folder, const std::string& name) {
     const bool needs_slash = !folder.empty() && !folder.ends_with('/') && !name.empty();
     return needs_slash ? folder + '/' + name : folder + name;
@@ -48,11 +53,17 @@ Likeness most_like(const std::string& wanted, const std::vector<std::string>& na
         if (stem(name) == wanted) offer(2, name);
         if (gist(stem(name)) == gist(stem(wanted))) offer(3, name);
     }
+    // A picture is not meant by the name of a scene that is a little like it.
     std::vector<std::string> stems;
-    std::transform(names.begin(), names.end(), std::back_inserter(stems), stem);
+    std::vector<std::size_t> whose;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (extension(wanted).empty() || extension(names[i]) == extension(wanted)) {
+            stems.push_back(stem(names[i]));
+            whose.push_back(i);
+        }
     const std::string near = nearest(stem(wanted), {stems.begin(), stems.end()});
     const auto found = std::find(stems.begin(), stems.end(), near);
-    if (!near.empty()) offer(4, names[static_cast<std::size_t>(found - stems.begin())]);
+    if (!near.empty()) offer(4, names[whose[static_cast<std::size_t>(found - stems.begin())]]);
     return best;
 }
 

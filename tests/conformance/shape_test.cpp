@@ -381,9 +381,10 @@ TEMPLATE_LIST_TEST_CASE("every shape says what is wrong with it, also through Sh
     const std::string said = problem(Shape(TestType(zero)));
     INFO(info.name << ": " << said);
     if (!said.empty()) CHECK(said.find(info.name) != std::string::npos);
-    // A box without any size is allowed: it is met nowhere but in one point.
+    // A box and an egg without any size are allowed: they are met nowhere but in one point.
     const bool left_out = said.empty() && !vanishes(Shape(TestType(zero))).empty();
-    if (in_range && info.name != "box" && !left_out) CHECK_FALSE(said.empty());
+    const bool point = info.name == "box" || info.name == "ovus";
+    if (in_range && !point && !left_out) CHECK_FALSE(said.empty());
 }
 
 TEMPLATE_LIST_TEST_CASE(

@@ -108,6 +108,15 @@ TEST_CASE("what can be wrong with a lathe is said", "[shape]") {
           "a `lathe` with this spline needs at least 4 points");
     CHECK(problem(Lathe{bezier_curve, five}) ==
           "a `lathe` with `bezier_spline` needs four points for each piece");
-    CHECK(problem(Lathe{linear_curve, {{-1, 0}, {1, 1}}}) ==
-          "a `lathe` needs radii that are not below 0");
+    CHECK(problem(Lathe{linear_curve, {{-1, 0}, {1, 1}}}).empty());
+    CHECK(problem(Lathe{linear_curve, {{1, 0}, {-1, 1}, {1, 2}}}) ==
+          "a `lathe` needs radii that are not below 0 between its first and its last point");
+}
+
+TEST_CASE("a lathe that begins beyond the axis is seen in a mirror there", "[shape]") {
+    const Lathe beyond{linear_curve, {{-1, 0}, {2, 3}}};
+    check_first(beyond, 0.25, -0.75, unit(Vec3(-1, 1, 0)));
+    check_first(beyond, 2, -1, unit(Vec3(-1, -1, 0)));
+    CHECK(inside(build(beyond), Vec3(0.7, 0.25, 0)));
+    CHECK_FALSE(inside(build(beyond), Vec3(0.8, 0.25, 0)));
 }

@@ -40,3 +40,11 @@ TEST_CASE("an ovus with a top too large is a sphere", "[shape]") {
     CHECK(bounds(Ovus{1, 2.5}).high == Vec3(2.5, 3.5, 2.5));
     CHECK(inside(Ovus{1, 2.5}, Vec3(0, 3.4, 0)));
 }
+
+TEST_CASE("an ovus with one radius of 0 is a sphere", "[shape]") {
+    CHECK(answers(Ovus{1, 0}, {{Vec3(-5, 0.5, 0), x},
+                               {{5 - std::sqrt(0.75), Vec3(-std::sqrt(0.75), 0.5, 0), true},
+                                {5 + std::sqrt(0.75), Vec3(std::sqrt(0.75), 0.5, 0), false}}}));
+    CHECK(answers(Ovus{0, 1}, {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
+    CHECK(answers(Ovus{0, 0}, {{Vec3(-5, 0, 0), x}, {}}));
+}

@@ -87,5 +87,11 @@ TEST_CASE("what can be wrong with a prism is said", "[shape]") {
           "a `prism` with `bezier_spline` needs four points for each piece");
     CHECK(problem(prism(cubic_curve, 0, 1, {ring.begin(), ring.begin() + 6})) ==
           "a loop of this `prism` does not come back to its start");
-    CHECK(problem(prism(linear_curve, 1, 1, square)) == "a `prism` needs two different heights");
+}
+
+TEST_CASE("a prism without a height is entered and left at once", "[shape]") {
+    const BuiltPrism sheet = build(prism(linear_curve, 1, 1, square));
+    CHECK(answers(sheet, {{5.0 * y, -y}, {{4, y, true}, {4, -y, false}}}));
+    CHECK(answers(sheet, {{-5.0 * y, y}, {{6, -y, true}, {6, y, false}}}));
+    CHECK_FALSE(inside(sheet, y));
 }

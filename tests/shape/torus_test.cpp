@@ -64,3 +64,8 @@ TEST_CASE("the inside of a torus is its tube", "[shape]") {
     CHECK_FALSE(inside(torus, o));
     CHECK_FALSE(inside(torus, Vec3(2, 0.6, 0)));
 }
+
+TEST_CASE("a torus around its own centre is a sphere", "[shape]") {
+    CHECK(answers(Torus{0, 1}, {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
+    CHECK(inside(Torus{0, 1}, Vec3(0, 0.9, 0)));
+}

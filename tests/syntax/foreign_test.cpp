@@ -25,6 +25,14 @@ TEST_CASE("directives of other languages stand for some of this one", "[lexer]")
     CHECK(foreign_directive("").empty());
 }
 
+TEST_CASE("words of other programs stand for words of blocks", "[lexer]") {
+    CHECK(foreign_word("fov") == "angle");
+    CHECK(foreign_word("target") == "point_at");
+    CHECK(foreign_word("angle").empty());
+    CHECK(foreign_name("then").starts_with("an #if needs no"));
+    CHECK(foreign_name("Tower").empty());
+}
+
 TEST_CASE("six hexadecimal digits are a colour", "[lexer]") {
     CHECK(hexadecimal_colour("ff8000") == "srgb <255, 128, 0>/255");
     CHECK(hexadecimal_colour("000000") == "srgb <0, 0, 0>/255");

@@ -35,6 +35,11 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
         {"#macro M() } union { #end merge { a M() b }", "merge { a }, union { b }"},
         {"#macro A(p) union { p { #end A(sphere { 0, 1 }) } }",
          "#local p_of_A = sphere { 0, 1 };, union { p_of_A { } }"},
+        // Called by macros in front of their definitions.
+        {"#macro A() B() x1 #end #macro B() union { #end A() } ", "union { x1 }"},
+        {"#macro A() B() #end #macro B() C() #end #macro C() union { #end A() }", "union { }"},
+        {"#macro A() B() x1 C() #end #macro B() union { #end #macro C() } #end A()",
+         "#macro A() union { x1 } #end, A()"},
         // One in another, and one that is defined again.
         {"#macro A() union { #end #macro B() A() merge { #end B() } }", "union { merge { } }"},
         {"#macro A() union { #end A() } #macro A() merge { #end A() }", "union { }, merge { }"},

@@ -41,6 +41,8 @@ TEST_CASE("a name that is nearly that of a file finds it", "[similar]") {
         {"Textures\\granite", "Textures/granite.inc"},
         {"./Textures//Granite.inc", "Textures/granite.inc"},
         {"shape.inc", "shapes.inc"},
+        {"shape", "shapes.inc"},
+        {"shape.png", ""},
         {"/Root.inc", "/root.inc"},
         {"nothing_like_it.inc", ""},
         {"nowhere/at_all.inc", ""},

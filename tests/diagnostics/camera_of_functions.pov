@@ -1,0 +1,1 @@
+camera { user_defined location { function(u, v) { 0 } } }

@@ -1,0 +1,2 @@
+; this is a comment
+sphere { 0, 1 }

@@ -1,0 +1,1 @@
+#declare A = B = 5;

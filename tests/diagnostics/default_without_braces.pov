@@ -1,0 +1,1 @@
+#default texture { pigment { rgb 1 } }

@@ -1,0 +1,1 @@
+#declare D = dictionary { ["a"]: 1 };

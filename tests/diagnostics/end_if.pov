@@ -1,0 +1,1 @@
+#if (1) sphere { 0, 1 } #end if

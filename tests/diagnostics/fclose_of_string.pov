@@ -1,0 +1,2 @@
+#fopen F "out.txt" write
+#fclose "out.txt"

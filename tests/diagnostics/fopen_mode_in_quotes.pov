@@ -1,0 +1,2 @@
+#fopen F "numbers.txt" "r"
+#read (F, A)

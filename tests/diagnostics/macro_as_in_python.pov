@@ -1,0 +1,3 @@
+def Ball(R):
+    sphere { 0, R }
+Ball(3)

@@ -1,0 +1,2 @@
+#macro M(A, B) sphere { A, B } #end
+M(1 -2)

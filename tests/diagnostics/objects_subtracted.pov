@@ -1,0 +1,1 @@
+#declare A = sphere { 0, 1 } - box { 0, 1 };

@@ -1,0 +1,3 @@
+#declare Name = "opening.inc";
+#include Name
+Begin(2) Finish()

@@ -1,0 +1,3 @@
+#for (I, 0..9)
+sphere { I*x, 1 }
+#end

@@ -1,0 +1,2 @@
+#declare A = 3²;
+#declare B = √2;

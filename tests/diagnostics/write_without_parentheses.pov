@@ -1,0 +1,3 @@
+#fopen F "out.txt" write
+#write F, "a"
+#fclose F
