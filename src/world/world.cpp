@@ -5,6 +5,7 @@
 #include "shape/leaf_pack.h"
 #include "shape/slabs.h"
 #include "shape/uv.h"
+#include "world/precedence.h"
 
 #include <algorithm>
 #include <array>
@@ -125,17 +126,20 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     std::uint32_t met = 0;  // the item of `best`
-    // Of surfaces in one place that of the first item counts, whatever the order of asking.
+    // Of surfaces in one place one counts, whatever the order of asking; see precedence.h. As in
+    // POV-Ray what has no end comes before all others: glass that stands on a plane ends there.
+    bool finite = false;
     const auto ask = [&](std::uint32_t item) {
-        const double before = best.t;
-        const PrimitiveIndex nearest = best.primitive;
-        if (item < met) best.t = next_up(best.t);
+        const Candidate before = best;
+        if (item < met || (finite && item >= first_shape)) best.t = next_up(best.t);
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
             meet(item, ray, slabs, range, best);
-        if (best.primitive == nearest)
-            best.t = before;
+        if (best.primitive == before.primitive)
+            best.t = before.t;
+        else if (finite && best.t == before.t && !precedes(*this, item, met, ray))
+            best = before;
         else
             met = item;
     };
@@ -147,9 +151,13 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         met = plane.primitive;
     }
     for (const std::uint32_t item : endless) ask(item);
+    met = 0;
     Asked asked;
     const auto ask_once = [&](std::uint32_t item) {
-        if (item < first_shape || !asked.before(item)) ask(item);
+        if (item >= first_shape && asked.before(item)) return false;
+        const double before = best.t;
+        ask(item);
+        finite = finite || best.t < before;
         return false;
     };
     PackRay packed(ray);
