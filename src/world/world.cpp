@@ -230,15 +230,27 @@ bool World::may_pass(std::uint32_t item) const {
                                  : composites[item - leaves_begin()].transparent;
 }
 
+/// Leaves out what is clear and follows another, or an end of the way, too closely.
+void World::keep_apart(Passages& passages, const Ray& ray, double distance, double apart) const {
+    Passages kept;
+    double before = 0;
+    for (const Passage& each : passages) {
+        const bool close = each.t - before <= apart || distance - each.t <= apart;
+        if (close && passed(each, ray) != Vec3(0)) continue;
+        before = each.t;
+        kept.push_back(each);
+    }
+    passages = kept;
+}
+
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
-Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) const {
+Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> solids) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     std::vector<std::uint32_t> around;
     for (const PrimitiveIndex each : solids) around.push_back(solid(each));
     const auto left_behind = [&](const Passage& passage) {
@@ -259,7 +271,7 @@ Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) c
 }
 
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
-                          std::span<const PrimitiveIndex> around) const {
+                          std::span<const PrimitiveIndex> around, double apart) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     const Slabs slabs(ray);
@@ -294,6 +306,8 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     Vec3 left(1);
     Passages found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
+    std::ranges::sort(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+    if (apart > 0) keep_apart(found, ray, distance, apart);
     for (const Passage& each : found) left *= passed(each, ray);
     return left * dimmed(found, around);
 }
