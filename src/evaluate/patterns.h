@@ -74,15 +74,22 @@ private:
 bool read_pattern(Binder&, const Element& block, PatternDraft&);
 
 /// `uv_mapping` at the head of a block.
-struct UvReader : SimpleReader {
+class UvReader : public SimpleReader {
+public:
+    explicit UvReader(OpenBlock& block) : block_(block) {}
+
     bool take(const Element& element) {
-        const bool mine = element.kind == Element::Kind::word && element.word == "uv_mapping"_word;
-        given = given || mine;
-        return mine;
+        if (element.kind != Element::Kind::word || element.word != "uv_mapping"_word) return false;
+        given = true;
+        --block_.taken;  // what is declared may come first behind it
+        return true;
     }
     void add_words(WordList& words) const { words.push_back("uv_mapping"); }
 
     bool given = false;
+
+private:
+    OpenBlock& block_;
 };
 
 /// What stands in the braces of a pigment or normal, or behind the number of an entry in a map: a
@@ -98,7 +105,7 @@ void read_patterned(OpenBlock& block, const Content& content, Patterned& pattern
     Reader reader(block, draft);
     const auto apply = [&](const Transform& transform) { draft.pattern.move(transform); };
     TransformReader moves(block, apply);
-    UvReader uv;
+    UvReader uv(block);
     block.read(content, first..., declared, uv, reader, moves);
     if (block.broken) return;
     patterned = draft.made();

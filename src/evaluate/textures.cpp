@@ -253,7 +253,7 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
             draft.move(transform);
     };
     TransformReader moves(block, apply);
-    UvReader uv;
+    UvReader uv(block);
     block.read(body, first..., declared, uv, choice, parts, moves, old);
     if (block.broken) return;
     if (choice.named()) draft.edit().choice = choice.made();

@@ -8,6 +8,10 @@
 
 namespace {
 
+/// Clear surfaces that are no further from each other along the way of light than this count once
+/// in POV-Ray: so glasses that touch each other, and what is in a glass, are not darker for it.
+constexpr double apart_for_light = 1e-3;
+
 /// Without the colours of a thin film.
 Vec3 plain_answer_to_light(const Shading& s, const Vec3& direction, bool highlights,
                            const Key& key) {
@@ -60,7 +64,8 @@ private:
         if (!until) return Vec3(0);
         ++rays_.shadow;
         const Ray ray{s_.position, light.direction};
-        const Vec3 left = world_.transmittance(ray, s_.tolerance, *until, s_.around);
+        const Vec3 left =
+            world_.transmittance(ray, s_.tolerance, *until, s_.around, apart_for_light);
         if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
         return left * left_by(world_.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }

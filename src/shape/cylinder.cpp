@@ -55,10 +55,12 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
     const double first = first_at_end ? ends.min : side.min,
                  last = last_at_end ? ends.max : side.max;
     if (!(first < last)) return;
-    const Vec3 up = first_at_end || last_at_end ? axis * std::sqrt(per_length2) : axis;
+    const Vec3 up = first_at_end || last_at_end ? axis / std::sqrt(dot(axis, axis)) : axis;
     const auto add = [&](double t, bool at_end, bool entering) {
-        const Vec3 outward = at_end ? (entering == (rise > 0) ? -up : up) : unit(away + t * step);
-        found.add({start + t, outward, entering});
+        if (!at_end) return found.add({start + t, unit(away + t * step), entering});
+        const bool at_base = entering == (rise > 0);
+        found.add({meeting_with_end(ray, at_base ? cylinder.base : cylinder.cap, up),
+                   at_base ? -up : up, entering});
     };
     // The ray only touches a side that it does not pass.
     const auto passes = [&](double t, bool at_end, bool entering) {

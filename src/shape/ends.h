@@ -15,3 +15,9 @@ inline Interval between_ends(double below, double above, double rise) {
     const double base = -below / rise, cap = above / rise;
     return rise > 0 ? Interval{base, cap} : Interval{cap, base};
 }
+
+/// The ray's parameter in the plane of an end with this unit normal, to the last digit where the
+/// normal is along an axis: things stand on floors, and are met where the floor is.
+inline double meeting_with_end(const Ray& ray, const Vec3& centre, const Vec3& up) {
+    return dot(centre - ray.origin, up) / dot(ray.direction, up);
+}

@@ -116,6 +116,11 @@ void meet(const AxisRay& ray, const BuiltLathe::Part& part, Take take) {
     }
 }
 
+bool is_level(const CurvePiece& piece) {
+    const auto& f = piece.factors;
+    return f[1].y == 0 && f[2].y == 0 && f[3].y == 0;
+}
+
 Box turned(const Rectangle& r) {
     const double reach = std::fmax(std::abs(r.low.x), std::abs(r.high.x));
     return {Vec3(-reach, r.low.y, -reach), Vec3(reach, r.high.y, reach)};
@@ -193,7 +198,12 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
             const double radius = std::hypot(p.x, p.z), side = lathe.outside_right ? 1 : -1;
             const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);
             const Vec3 normal = unit(side * (slope.y * out - Vec3(0, slope.x, 0)));
-            if (normal != Vec3(0)) found.add({(start + m.s) / speed, normal, dot(d, normal) < 0});
+            if (normal == Vec3(0)) return;
+            // What is level stands on floors, and is met where they are to the last digit.
+            const double t = is_level(part.piece)
+                                 ? (part.piece.start.y - ray.origin.y) / ray.direction.y
+                                 : (start + m.s) / speed;
+            found.add({t, normal, dot(d, normal) < 0});
         });
     }
 }

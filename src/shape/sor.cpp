@@ -82,13 +82,12 @@ Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double limit) {
     return result;
 }
 
-void cross_end(const AxisRay& seen, double y, double radius2, double side, double speed,
+/// An end is met where a plane in its place is, to the last digit.
+void cross_end(const AxisRay& seen, double y, double radius2, double side, const Ray& ray,
                Crossings& found) {
     const double rise = seen.ray.direction.y;
-    if (rise == 0) return;
-    const double s = (y - seen.ray.origin.y) / rise;
-    if (seen.depth(radius2, s) < 0) return;
-    found.add({(seen.start + s) / speed, Vec3(0, side, 0), rise * side < 0});
+    if (rise == 0 || seen.depth(radius2, (y - seen.ray.origin.y) / rise) < 0) return;
+    found.add({(y - ray.origin.y) / ray.direction.y, Vec3(0, side, 0), rise * side < 0});
 }
 
 }  // namespace
@@ -155,8 +154,8 @@ void crossings(const BuiltSor& sor, const Ray& ray, Crossings& found) {
     }
     if (sor.open) return;
     const BuiltSor::Part &lowest = sor.parts.front(), &highest = sor.parts.back();
-    cross_end(seen, lowest.low, lowest.low2, -1, speed, found);
-    cross_end(seen, highest.high, highest.high2, 1, speed, found);
+    cross_end(seen, lowest.low, lowest.low2, -1, ray, found);
+    cross_end(seen, highest.high, highest.high2, 1, ray, found);
 }
 
 bool inside(const BuiltSor& sor, const Vec3& point) {

@@ -8,26 +8,11 @@
 #include "surface/simplified.h"
 #include "world/flatten.h"
 #include "world/leans.h"
+#include "world/precedence.h"
 
 #include <algorithm>
 
 namespace {
-
-/// Of a primitive or a composite.
-Box item_bounds(const World& world, std::uint32_t item) {
-    if (item >= world.leaves_begin())
-        return world.composites[item - world.leaves_begin()].composite->bounds();
-    if (item < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[item];
-        return {s.centre - s.radius, s.centre + s.radius};
-    }
-    const std::size_t face = item - world.spheres.size();
-    if (face < world.triangles.size()) {
-        const TrianglePrimitive& t = world.triangles[face];
-        return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
-    }
-    return world.shapes[face - world.triangles.size()].box;
-}
 
 Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {
     if (item < world.spheres.size()) {

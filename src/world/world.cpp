@@ -5,6 +5,7 @@
 #include "shape/leaf_pack.h"
 #include "shape/slabs.h"
 #include "shape/uv.h"
+#include "world/precedence.h"
 
 #include <algorithm>
 #include <array>
@@ -125,17 +126,20 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     std::uint32_t met = 0;  // the item of `best`
-    // Of surfaces in one place that of the first item counts, whatever the order of asking.
+    // Of surfaces in one place one counts, whatever the order of asking; see precedence.h. As in
+    // POV-Ray what has no end comes before all others: glass that stands on a plane ends there.
+    bool finite = false;
     const auto ask = [&](std::uint32_t item) {
-        const double before = best.t;
-        const PrimitiveIndex nearest = best.primitive;
-        if (item < met) best.t = next_up(best.t);
+        const Candidate before = best;
+        if (item < met || (finite && item >= first_shape)) best.t = next_up(best.t);
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
             meet(item, ray, slabs, range, best);
-        if (best.primitive == nearest)
-            best.t = before;
+        if (best.primitive == before.primitive)
+            best.t = before.t;
+        else if (finite && best.t == before.t && !precedes(*this, item, met, ray))
+            best = before;
         else
             met = item;
     };
@@ -147,9 +151,13 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         met = plane.primitive;
     }
     for (const std::uint32_t item : endless) ask(item);
+    met = 0;
     Asked asked;
     const auto ask_once = [&](std::uint32_t item) {
-        if (item < first_shape || !asked.before(item)) ask(item);
+        if (item >= first_shape && asked.before(item)) return false;
+        const double before = best.t;
+        ask(item);
+        finite = finite || best.t < before;
         return false;
     };
     PackRay packed(ray);
@@ -222,15 +230,27 @@ bool World::may_pass(std::uint32_t item) const {
                                  : composites[item - leaves_begin()].transparent;
 }
 
+/// Leaves out what is clear and follows another, or an end of the way, too closely.
+void World::keep_apart(Passages& passages, const Ray& ray, double distance, double apart) const {
+    Passages kept;
+    double before = 0;
+    for (const Passage& each : passages) {
+        const bool close = each.t - before <= apart || distance - each.t <= apart;
+        if (close && passed(each, ray) != Vec3(0)) continue;
+        before = each.t;
+        kept.push_back(each);
+    }
+    passages = kept;
+}
+
 /// What the insides of solids leave of light that passes through their surfaces. As in POV-Ray,
 /// what the light leaves dims it by the way since the last surface, whichever that is.
-Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) const {
+Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> solids) const {
     const bool fades = std::ranges::any_of(passages, [&](const Passage& each) {
         const auto& interior = material(each.primitive).interior;
         return interior && interior->fade_distance != 0 && interior->fade_power > 0;
     });
     if (!fades) return Vec3(1);
-    std::ranges::sort(passages, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
     std::vector<std::uint32_t> around;
     for (const PrimitiveIndex each : solids) around.push_back(solid(each));
     const auto left_behind = [&](const Passage& passage) {
@@ -251,7 +271,7 @@ Vec3 World::dimmed(Passages& passages, std::span<const PrimitiveIndex> solids) c
 }
 
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
-                          std::span<const PrimitiveIndex> around) const {
+                          std::span<const PrimitiveIndex> around, double apart) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     const Slabs slabs(ray);
@@ -286,6 +306,8 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     Vec3 left(1);
     Passages found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
+    std::ranges::sort(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
+    if (apart > 0) keep_apart(found, ray, distance, apart);
     for (const Passage& each : found) left *= passed(each, ray);
     return left * dimmed(found, around);
 }

@@ -140,9 +140,10 @@ public:
 
     /// The share of light that gets from a hit to a point at that distance along the ray, per
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
-    /// does not count. Light that starts in solids, which are `around` it, leaves these first.
+    /// does not count, nor do clear surfaces that are `apart` or less behind another or from an
+    /// end. Light that starts in solids, which are `around` it, leaves these first.
     Vec3 transmittance(const Ray&, double tolerance, double distance,
-                       std::span<const PrimitiveIndex> around = {}) const;
+                       std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
 
     /// What the surface that a ray hits leaves of the light from behind it, per channel.
     Vec3 passed(const Hit&, const Ray&) const;
@@ -306,7 +307,7 @@ private:
         Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
-    using Passages = ShortList<Passage, 8>;
+    using Passages = ShortList<Passage, 8>;  ///< in their order, when all are there
     /// Adds a noted solid, if the point is in it: a composite by the leaf whose interior it has.
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
     /// A leaf of a composite, by its number among all leaves.
@@ -320,7 +321,8 @@ private:
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, Passages&) const;
     Vec3 passed(const Passage&, const Ray&) const;
-    Vec3 dimmed(Passages&, std::span<const PrimitiveIndex> around) const;
+    void keep_apart(Passages&, const Ray&, double distance, double apart) const;
+    Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
     bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };
