@@ -94,11 +94,11 @@ wait $child
 # A second frame at the same time needs as much again.
 echo 'camera { location -9*z look_at 0 } #for (I, 1, 200000) sphere { <mod(I, 7), mod(I, 11), I/1e4>, 0.1 } #end' > many.pov
 ahead() { grep -o '"prepared_ahead": [a-z]*' "$1" | cut -d' ' -f2; }
-for memory in 90M 4G; do
+for memory in 60M 4G; do
     "$program" many.pov -V +W64 +H48 --samples 4 +KFF3 +WT2 +Om$memory.png --memory $memory --stats m$memory.json || failures=$((failures + 1))
 done
-check "no frame is prepared ahead where memory is short" test "$(ahead m90M3.json)" = false
+check "no frame is prepared ahead where memory is short" test "$(ahead m60M3.json)" = false
 check "frames are prepared ahead where there is memory" test "$(ahead m4G3.json)" = true
-for frame in 1 2 3; do check "frame $frame is the same" cmp -s m90M$frame.png m4G$frame.png; done
+for frame in 1 2 3; do check "frame $frame is the same" cmp -s m60M$frame.png m4G$frame.png; done
 expect "a memory limit" 3 "not enough memory" render -V +Od.png +W20000 +H20000 --memory 300M
 exit $((failures > 0))
