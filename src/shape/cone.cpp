@@ -137,8 +137,8 @@ void crossings(const Cone& cone, const Ray& ray, Crossings& found) {
 
     const auto crossing = [&](double t, bool at_end, bool entering) -> Crossing {
         if (at_end && entering == (rise > 0))
-            return {meeting_with_end(ray, cone.base, axis.up), -axis.up, entering};
-        if (at_end) return {meeting_with_end(ray, cone.cap, axis.up), axis.up, entering};
+            return {meeting_with_end(ray, cone.base, axis.up, start + t), -axis.up, entering};
+        if (at_end) return {meeting_with_end(ray, cone.cap, axis.up, start + t), axis.up, entering};
         const Vec3 outward = unit(line.radial + t * line.radial_step);
         return {start + t, axis.slope == 0 ? outward : unit(outward - axis.slope * axis.up),
                 entering};

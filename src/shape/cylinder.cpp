@@ -56,11 +56,11 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
                  last = last_at_end ? ends.max : side.max;
     if (!(first < last)) return;
     const Vec3 up = first_at_end || last_at_end ? axis / std::sqrt(dot(axis, axis)) : axis;
-    const auto add = [&](double t, bool at_end, bool entering) {
-        if (!at_end) return found.add({start + t, unit(away + t * step), entering});
+    const auto met = [&](double t, bool at_end, bool entering) -> Crossing {
+        if (!at_end) return {start + t, unit(away + t * step), entering};
         const bool at_base = entering == (rise > 0);
-        found.add({meeting_with_end(ray, at_base ? cylinder.base : cylinder.cap, up),
-                   at_base ? -up : up, entering});
+        const Vec3& end = at_base ? cylinder.base : cylinder.cap;
+        return {meeting_with_end(ray, end, up, start + t), at_base ? -up : up, entering};
     };
     // The ray only touches a side that it does not pass.
     const auto passes = [&](double t, bool at_end, bool entering) {
@@ -68,8 +68,10 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
         return at_end || (entering ? along < 0 : along > 0);
     };
     if (!passes(first, first_at_end, true) || !passes(last, last_at_end, false)) return;
-    if (!(cylinder.open && first_at_end)) add(first, first_at_end, true);
-    if (!(cylinder.open && last_at_end)) add(last, last_at_end, false);
+    const Crossing in = met(first, first_at_end, true), out = met(last, last_at_end, false);
+    if (!(in.t < out.t)) return;
+    if (!(cylinder.open && first_at_end)) found.add(in);
+    if (!(cylinder.open && last_at_end)) found.add(out);
 }
 
 bool inside(const Cylinder& cylinder, const Vec3& point) {

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+#include "shape/ends.h"
+
 const ItemInfo Lathe::vocabulary = described<Lathe>([] {
     using F = Field<Lathe>;
     return schema<Lathe>(
@@ -199,10 +201,9 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
             const Vec3 out = radius > 0 ? Vec3(p.x, 0, p.z) / radius : Vec3(0);
             const Vec3 normal = unit(side * (slope.y * out - Vec3(0, slope.x, 0)));
             if (normal == Vec3(0)) return;
-            // What is level stands on floors, and is met where they are to the last digit.
-            const double t = is_level(part.piece)
-                                 ? (part.piece.start.y - ray.origin.y) / ray.direction.y
-                                 : (start + m.s) / speed;
+            double t = (start + m.s) / speed;
+            if (is_level(part.piece))
+                t = meeting_with_end(ray, Vec3(0, part.piece.start.y, 0), Vec3(0, 1, 0), t);
             found.add({t, normal, dot(d, normal) < 0});
         });
     }

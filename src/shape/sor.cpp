@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+#include "shape/ends.h"
+
 #include "base/roots.h"
 
 const ItemInfo Sor::vocabulary = described<Sor>([] {
@@ -82,12 +84,15 @@ Stretch stretch(const AxisRay& seen, const BuiltSor::Part& p, double limit) {
     return result;
 }
 
-/// An end is met where a plane in its place is, to the last digit.
 void cross_end(const AxisRay& seen, double y, double radius2, double side, const Ray& ray,
                Crossings& found) {
     const double rise = seen.ray.direction.y;
-    if (rise == 0 || seen.depth(radius2, (y - seen.ray.origin.y) / rise) < 0) return;
-    found.add({(y - ray.origin.y) / ray.direction.y, Vec3(0, side, 0), rise * side < 0});
+    if (rise == 0) return;
+    const double s = (y - seen.ray.origin.y) / rise;
+    if (seen.depth(radius2, s) < 0) return;
+    const Vec3 outward(0, side, 0);
+    const double t = (seen.start + s) / length(ray.direction);
+    found.add({meeting_with_end(ray, Vec3(0, y, 0), outward, t), outward, rise * side < 0});
 }
 
 }  // namespace

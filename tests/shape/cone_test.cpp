@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/cone.h"
+#include "shape/cylinder.h"
 
 #include "support/draw.h"
 #include "support/hits.h"
@@ -105,4 +106,44 @@ TEST_CASE("a cone needs two ends and a radius", "[shape]") {
     CHECK(problem(Cone{y, 1, y, 0, false}) == "a `cone` needs two different end points");
     CHECK(vanishes(Cone{Vec3(0), 0, y, 0, false}) == "both its radii are 0");
     CHECK(vanishes(Cone{}).empty());
+}
+
+TEST_CASE("rays nearly along the ends of cylinders and cones are met on them, in order",
+          "[shape]") {
+    Draw draw(8);
+    const auto whole = [&] { return std::floor(draw.between(-3, 4)); };
+    int met = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const Vec3 base(whole(), whole(), whole());
+        Vec3 cap(whole(), whole(), whole());
+        if (i % 2 == 0) cap.x = base.x, cap.z = base.z;  // along an axis
+        if (cap == base) continue;
+        const Vec3 up = unit(cap - base);
+        const auto [right, ahead] = perpendiculars(up);
+        const auto across = [&] {
+            return draw.between(-2, 2) * right + draw.between(-2, 2) * ahead;
+        };
+        const Vec3& end = i % 3 == 0 ? cap : base;
+        const double off = std::pow(10.0, draw.between(-17, -9));
+        const Vec3 from = end + across() + off * draw.between(-1, 1) * up;
+        const Ray ray{from, end + across() + off * draw.between(-1, 1) * up - from};
+        const auto check = [&](const auto& shape) {
+            Crossings found;
+            crossings(shape, ray, found);
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                ++met;
+                const Vec3 p = ray.at(found[k].t) - base;
+                const double height = dot(p, up), length_up = length(cap - base);
+                const bool on_it = height > -1e-7 && height < length_up + 1e-7 &&
+                                   length(p - height * up) < 1 + 1e-7;
+                if (!on_it || (k > 0 && !(found[k - 1].t <= found[k].t))) {
+                    CAPTURE(i, k, found[k].t, height, length(p - height * up));
+                    FAIL("beside the shape, or in the wrong order");
+                }
+            }
+        };
+        check(Cylinder{base, cap, 1, false});
+        check(Cone{base, 1, cap, 0.5, false});
+    }
+    CHECK(met > 10'000);
 }
