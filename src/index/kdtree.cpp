@@ -16,6 +16,8 @@ namespace {
 
 /// Cells with more fragments than this have their halves built side by side.
 constexpr std::size_t fork_limit = 16384;
+/// Who builds of so many items together keeps memory that is worth giving back.
+constexpr std::uint32_t many_items = 16384;
 /// Packs of leaves are tested by so many items at once.
 constexpr double group_size = 8;
 
@@ -340,6 +342,6 @@ KdTree build_kdtree(std::uint32_t items, const ItemBox& box_of, const ClipItem& 
     const Task task{clip_item, settings, slack, threads};
     std::optional<Subtree> tree;
     run_on_threads(threads, [&] { tree.emplace(task, std::move(fragments), bounds, allowance); });
-    if (items > fork_limit) give_back_freed();
+    if (items > many_items) give_back_freed();
     return KdTree(bounds, tree->take_nodes(), tree->take_items(), settings);
 }

@@ -8,8 +8,9 @@
 
 namespace {
 
-/// Clear surfaces that are no further from each other along the way of light than this count once
-/// in POV-Ray: so glasses that touch each other, and what is in a glass, are not darker for it.
+/// As in POV-Ray, clear surfaces do not count that are no further than this, along the way of
+/// light, behind another that counts or from either end: so glasses that touch each other, and what
+/// is in a glass, are not darker for it.
 constexpr double apart_for_light = 1e-3;
 
 /// Without the colours of a thin film.

@@ -85,3 +85,7 @@ bool inside(const Ovus& ovus, const Vec3& point) {
     return std::hypot(std::hypot(point.x, point.z) + arc.offset, point.y - arc.height) <=
            arc.radius;
 }
+
+std::string vanishes(const Ovus& ovus) {
+    return ovus.bottom_radius == 0 && ovus.top_radius == 0 ? "its radii are 0" : "";
+}

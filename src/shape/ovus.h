@@ -18,3 +18,6 @@ struct Ovus {
 Box bounds(const Ovus&);
 void crossings(const Ovus&, const Ray&, Crossings&);
 bool inside(const Ovus&, const Vec3&);
+
+/// Why there is nothing of it; empty otherwise.
+std::string vanishes(const Ovus&);

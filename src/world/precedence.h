@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of two surfaces in one place a ray meets. Rounding has no say in it: a glass that stands on
-// a table touches it all over, and what is seen through its foot is the one or the other.
+// Which of two surfaces in one place a ray meets: a glass that stands on a table touches it all
+// over, and what is seen through its foot is the one or the other. Two are in one place when the
+// ray meets them at the same distance to the last digit, as it does planes, boxes and the ends of
+// what is round along the axes, where nothing has moved them but translate. Triangles and what is
+// turned or scaled are met a rounding error away, and there rounding decides, as in POV-Ray.
 #pragma once
 
 #include "world/world.h"

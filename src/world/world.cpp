@@ -127,18 +127,21 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     std::uint32_t met = 0;  // the item of `best`
     // Of surfaces in one place one counts, whatever the order of asking; see precedence.h. As in
-    // POV-Ray what has no end comes before all others: glass that stands on a plane ends there.
+    // POV-Ray what has no end comes before all others: glass that stands on a plane ends there. Of
+    // two spheres or triangles it is the one with the lower number: those of a mesh touch all over,
+    // and so do those of its copies, which are asked in another way.
     bool finite = false;
     const auto ask = [&](std::uint32_t item) {
         const Candidate before = best;
-        if (item < met || (finite && item >= first_shape)) best.t = next_up(best.t);
+        const bool by_boxes = finite && (item >= first_shape || met >= first_shape);
+        if (item < met || by_boxes) best.t = next_up(best.t);
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
             meet(item, ray, slabs, range, best);
         if (best.primitive == before.primitive)
             best.t = before.t;
-        else if (finite && best.t == before.t && !precedes(*this, item, met, ray))
+        else if (by_boxes && best.t == before.t && !precedes(*this, item, met, ray))
             best = before;
         else
             met = item;

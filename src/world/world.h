@@ -307,7 +307,7 @@ private:
         Vec3 normal;  ///< of any length
         std::uint32_t part = 0;
     };
-    using Passages = ShortList<Passage, 8>;  ///< in their order, when all are there
+    using Passages = ShortList<Passage, 8>;  ///< from the first to the last, when all are there
     /// Adds a noted solid, if the point is in it: a composite by the leaf whose interior it has.
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
     /// A leaf of a composite, by its number among all leaves.
