@@ -217,6 +217,8 @@ void OpenBlock::reject_form(const Element& element, std::string_view what, bool 
 
 bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = spelling(element.word);
+    // A word without effect is warned of only, and what stands behind it may be wrong.
+    if (!contains(effectless, word)) binder.evaluator.note_told(element.origin);
     passing_over_ = true;
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {

@@ -55,6 +55,7 @@ bool Evaluator::version_given() const { return state_->version_given; }
 const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
+void Evaluator::note_told(const Body& word) { state_->told = word; }
 void Evaluator::stop() { state_->stopped_ = true; }
 void Evaluator::count_object(Span span) { state_->count_object(span); }
 void Evaluator::count_placed(const Object& object, Span span) {

@@ -346,6 +346,7 @@ struct Evaluator::State {
     bool told_of_semicolons = false;  ///< what a missing one means
     std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
+    Body told;  ///< the last word that a report spoke of
     bool stopped_ = false;
     const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
 };
