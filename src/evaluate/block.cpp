@@ -5,8 +5,8 @@
 #include "evaluate/objects.h"
 #include "evaluate/previous.h"
 #include "scene/catalogue.h"
-#include "text/ascii.h"
 #include "syntax/foreign.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -117,6 +117,13 @@ std::string_view beginning_with(const WordList& words, std::string_view beginnin
     const auto found = std::ranges::find_if(
         words, [&](std::string_view word) { return word.starts_with(beginning); });
     return found == words.end() ? std::string_view() : *found;
+}
+
+/// The word of the block that other programs call by this one; or nothing.
+std::string_view foreign_here(std::string_view word, const WordList& words) {
+    for (const std::string_view meant : foreign_word(word))
+        if (has_word(words, meant)) return meant;
+    return {};
 }
 
 /// The name that stands right behind a word, or dots.
@@ -232,8 +239,8 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         return false;
     }
     if (in_comment(element)) return false;
-    const std::string_view meant = foreign_word(word);
-    if (binder.evaluator.names().reserved(element.word) && !has_word(words, meant)) {
+    const std::string_view meant = foreign_here(word, words);
+    if (binder.evaluator.names().reserved(element.word) && meant.empty()) {
         reject_reserved(element, word);
         return false;
     }
@@ -241,7 +248,7 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
     if (!before.empty() && has_word(words, message(before, '_', word))) return false;
     std::string near = nearest(word, words);
     if (near.empty()) near = beginning_with(words, message(word, '_'));
-    if (has_word(words, meant)) near = meant;
+    if (!meant.empty()) near = meant;
     if (!near.empty()) {
         report(error(Fault::unknown_word, element.word_span,
                      message(quoted(), " has no word `", word, "`"))

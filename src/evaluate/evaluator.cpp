@@ -242,18 +242,19 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     const bool above = own && own->span(id).last <= span.first;
     const bool within = own && !above && own->span(id).first < span.first;
     if (const std::string* file = files.opening(name))
-        problem.with_help(message("`", names.spelling(name),
-                                  "` leaves braces to other macros to close "
-                                  "or open; they are found in files that are named as they are: "
-                                  "#include \"",
-                                  harmless(*file), "\""));
+        problem.with_help(
+            message("`", names.spelling(name),
+                    "` leaves braces to other macros to close "
+                    "or open; such macros are found only where #include names the file "
+                    "by a plain string: #include \"",
+                    harmless(*file), "\""));
     else if (within)
         problem.with_help(
             "a name has no value in its own declaration; only macros call themselves");
     else if (own)
         problem.pointing(
             heading(*own, id, name),
-            above ? "declared only here, where the scene has not come by" : "declared only here");
+            above ? "declared only here, in a part that was not reached" : "declared only here");
     else if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
         problem.with_help(std::string(way_out));
     else if (!library.empty())
