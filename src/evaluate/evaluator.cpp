@@ -272,6 +272,8 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
 /// before it, in a part that has not been walked; null: it does not.
 std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
     std::pair<const Tree*, NodeId> result{nullptr, no_node}, above = result;
+    std::vector<std::uint32_t> undefs;
+    bool again = false;  // what is behind the use may come before it
     for (const Tree& tree : files.all()) {
         if (tree.source != use.source) continue;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -283,7 +285,9 @@ std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Sp
                                   (target && target->name == name && !declare->local);
             const auto* undef = tree.get_if<node::Undef>(id);
             const auto* gone = undef ? tree.get_if<node::Name>(undef->target) : nullptr;
-            if (gone && gone->name == name) return {nullptr, no_node};
+            if (gone && gone->name == name) undefs.push_back(tree[id].first);
+            again |= (macro || tree.get_if<node::While>(id) || tree.get_if<node::For>(id)) &&
+                     tree[id].first < use.first && use.last < tree[id].last;
             if (!declares) continue;
             auto& found = tree[id].last <= use.first ? above : result;
             const bool better =
@@ -291,7 +295,12 @@ std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Sp
             if (better) found = {&tree, id};
         }
     }
-    return result.first ? result : above;
+    if (result.first || !above.first) return result;
+    const std::uint32_t declared = (*above.first)[above.second].first;
+    const auto undoes = [&](std::uint32_t place) {
+        return declared < place && (again || place < use.first);
+    };
+    return std::ranges::any_of(undefs, undoes) ? result : above;
 }
 
 Span Evaluator::State::heading(const Tree& tree, NodeId declaration, NameId name) const {
