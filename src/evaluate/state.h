@@ -233,7 +233,7 @@ struct Evaluator::State {
     bool pass_values(const Tree&, const node::Call& inner, NodeId);
     /// Computes the arguments and puts them at the end of `arguments`; false when reported.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
-    void report_arguments(const MacroData&, std::size_t count, Span);
+    void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
     bool argument(const Tree&, NodeId, Argument&);
     bool argument_element(const Tree&, const node::Index&, NodeId, Argument&);
 
