@@ -134,14 +134,6 @@ std::string_view named_behind(const Element& word, const Names& names) {
     return name ? names.spelling(name->name) : "...";
 }
 
-/// Whether the value stands behind a #debug or a relative of it, or behind another string.
-bool follows_message(const Element& element) {
-    const auto& [tree, node] = element.origin;
-    const NodeId before = tree ? previous(*tree, node) : no_node;
-    return before != no_node &&
-           (tree->get_if<node::Message>(before) || tree->get_if<node::Text>(before));
-}
-
 /// "a texture" without its article.
 std::string_view bare_kind(const Value& value) {
     const std::string_view kind = kind_name(value);
@@ -224,9 +216,9 @@ void OpenBlock::reject_form(const Element& element, std::string_view what, bool 
 
 bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = spelling(element.word);
+    passing_over_ = true;
     // A word without effect is warned of only, and what stands behind it may be wrong.
     if (!contains(effectless, word)) binder.evaluator.note_told(element.origin);
-    passing_over_ = true;
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {
         if (!told_unavailable_)
@@ -282,15 +274,16 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
 bool OpenBlock::in_comment(const Element& element) {
     const auto& [tree, node] = element.origin;
     if (!tree || node == no_node || !name.empty()) return false;
-    if (node == comment_) {
-        comment_ = (*tree)[node].next;
+    const Body next{tree, (*tree)[node].next};
+    if (tree == comment_.tree && node == comment_.first) {
+        comment_ = next;
         return true;
     }
     if (!begins_comment(element, binder.evaluator)) return false;
     report(error(Fault::unknown_name, element.word_span,
                  message("nothing is declared as `", spelling(element.word), "`"))
                .with_help("a comment begins with `//`"));
-    comment_ = (*tree)[node].next;
+    comment_ = next;
     return true;
 }
 
