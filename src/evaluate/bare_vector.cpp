@@ -153,6 +153,13 @@ bool begins_comment(const Element& element, const Evaluator& evaluator) {
     return true;
 }
 
+bool follows_message(const Element& element) {
+    const auto& [tree, node] = element.origin;
+    const NodeId before = tree ? previous(*tree, node) : no_node;
+    return before != no_node &&
+           (tree->get_if<node::Message>(before) || tree->get_if<node::Text>(before));
+}
+
 bool is_told_of(const Element& element, const Diagnostics& diagnostics) {
     const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::entry;
     if (!value || diagnostics.all().empty()) return false;

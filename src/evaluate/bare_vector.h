@@ -24,6 +24,9 @@ std::string moved_without_times(const Element&, const Names&);
 /// Whether three words or more stand side by side that nothing is declared as.
 bool begins_comment(const Element&, const Evaluator&);
 
+/// Whether the value stands behind a #debug or a relative of it, or behind another string.
+bool follows_message(const Element&);
+
 /// Whether the value stands right behind another one that was declared without its `;`, which has
 /// just been reported.
 bool is_told_of(const Element&, const Diagnostics&);

@@ -5,8 +5,8 @@
 #include "evaluate/objects.h"
 #include "evaluate/previous.h"
 #include "scene/catalogue.h"
-#include "text/ascii.h"
 #include "syntax/foreign.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
 
@@ -119,20 +119,19 @@ std::string_view beginning_with(const WordList& words, std::string_view beginnin
     return found == words.end() ? std::string_view() : *found;
 }
 
+/// The word of the block that other programs call by this one; or nothing.
+std::string_view foreign_here(std::string_view word, const WordList& words) {
+    for (const std::string_view meant : foreign_word(word))
+        if (has_word(words, meant)) return meant;
+    return {};
+}
+
 /// The name that stands right behind a word, or dots.
 std::string_view named_behind(const Element& word, const Names& names) {
     const auto& [tree, node] = word.origin;
     const NodeId next = tree && node != no_node ? (*tree)[node].next : no_node;
     const auto* name = next == no_node ? nullptr : tree->get_if<node::Name>(next);
     return name ? names.spelling(name->name) : "...";
-}
-
-/// Whether the value stands behind a #debug or a relative of it, or behind another string.
-bool follows_message(const Element& element) {
-    const auto& [tree, node] = element.origin;
-    const NodeId before = tree ? previous(*tree, node) : no_node;
-    return before != no_node &&
-           (tree->get_if<node::Message>(before) || tree->get_if<node::Text>(before));
 }
 
 /// "a texture" without its article.
@@ -218,6 +217,8 @@ void OpenBlock::reject_form(const Element& element, std::string_view what, bool 
 bool OpenBlock::reject_word(const Element& element, const WordList& words, bool wanted) {
     const std::string_view word = spelling(element.word);
     passing_over_ = true;
+    // A word without effect is warned of only, and what stands behind it may be wrong.
+    if (!contains(effectless, word)) binder.evaluator.note_told(element.origin);
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {
         if (!told_unavailable_)
@@ -230,8 +231,8 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
         return false;
     }
     if (in_comment(element)) return false;
-    const std::string_view meant = foreign_word(word);
-    if (binder.evaluator.names().reserved(element.word) && !has_word(words, meant)) {
+    const std::string_view meant = foreign_here(word, words);
+    if (binder.evaluator.names().reserved(element.word) && meant.empty()) {
         reject_reserved(element, word);
         return false;
     }
@@ -239,7 +240,7 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
     if (!before.empty() && has_word(words, message(before, '_', word))) return false;
     std::string near = nearest(word, words);
     if (near.empty()) near = beginning_with(words, message(word, '_'));
-    if (has_word(words, meant)) near = meant;
+    if (!meant.empty()) near = meant;
     if (!near.empty()) {
         report(error(Fault::unknown_word, element.word_span,
                      message(quoted(), " has no word `", word, "`"))
@@ -273,15 +274,16 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
 bool OpenBlock::in_comment(const Element& element) {
     const auto& [tree, node] = element.origin;
     if (!tree || node == no_node || !name.empty()) return false;
-    if (node == comment_) {
-        comment_ = (*tree)[node].next;
+    const Body next{tree, (*tree)[node].next};
+    if (tree == comment_.tree && node == comment_.first) {
+        comment_ = next;
         return true;
     }
     if (!begins_comment(element, binder.evaluator)) return false;
     report(error(Fault::unknown_name, element.word_span,
                  message("nothing is declared as `", spelling(element.word), "`"))
                .with_help("a comment begins with `//`"));
-    comment_ = (*tree)[node].next;
+    comment_ = next;
     return true;
 }
 

@@ -81,7 +81,7 @@ private:
 
     bool passing_over_ = false;  ///< values until the next word
     bool told_unavailable_ = false;
-    NodeId comment_ = no_node;        ///< its next word
+    Body comment_ = {};               ///< from its next word on
     std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
     std::string_view rejected_ = {};  ///< the word before, if nobody knows it
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // #declare, #local, #undef.
 #include "evaluate/state.h"
-#include "syntax/foreign.h"
+#include "text/ascii.h"
 #include "text/message.h"
 
 Value Evaluator::State::right_side(const Tree& tree, NodeId id) {

@@ -55,6 +55,7 @@ bool Evaluator::version_given() const { return state_->version_given; }
 const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
+void Evaluator::note_told(const Body& word) { state_->told = word; }
 void Evaluator::stop() { state_->stopped_ = true; }
 void Evaluator::count_object(Span span) { state_->count_object(span); }
 void Evaluator::count_placed(const Object& object, Span span) {
@@ -241,18 +242,19 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
     const bool above = own && own->span(id).last <= span.first;
     const bool within = own && !above && own->span(id).first < span.first;
     if (const std::string* file = files.opening(name))
-        problem.with_help(message("`", names.spelling(name),
-                                  "` leaves braces to other macros to close "
-                                  "or open; they are found in files that are named as they are: "
-                                  "#include \"",
-                                  harmless(*file), "\""));
+        problem.with_help(
+            message("`", names.spelling(name),
+                    "` leaves braces to other macros to close "
+                    "or open; such macros are found only where #include names the file "
+                    "by a plain string: #include \"",
+                    harmless(*file), "\""));
     else if (within)
         problem.with_help(
             "a name has no value in its own declaration; only macros call themselves");
     else if (own)
         problem.pointing(
             heading(*own, id, name),
-            above ? "declared only here, where the scene has not come by" : "declared only here");
+            above ? "declared only here, in a part that was not reached" : "declared only here");
     else if (const std::string_view way_out = foreign_name(names.spelling(name)); !way_out.empty())
         problem.with_help(std::string(way_out));
     else if (!library.empty())
@@ -270,6 +272,8 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
 /// before it, in a part that has not been walked; null: it does not.
 std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Span use) const {
     std::pair<const Tree*, NodeId> result{nullptr, no_node}, above = result;
+    std::vector<std::uint32_t> undefs;
+    bool again = false;  // what is behind the use may come before it
     for (const Tree& tree : files.all()) {
         if (tree.source != use.source) continue;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -281,7 +285,9 @@ std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Sp
                                   (target && target->name == name && !declare->local);
             const auto* undef = tree.get_if<node::Undef>(id);
             const auto* gone = undef ? tree.get_if<node::Name>(undef->target) : nullptr;
-            if (gone && gone->name == name) return {nullptr, no_node};
+            if (gone && gone->name == name) undefs.push_back(tree[id].first);
+            again |= (macro || tree.get_if<node::While>(id) || tree.get_if<node::For>(id)) &&
+                     tree[id].first < use.first && use.last < tree[id].last;
             if (!declares) continue;
             auto& found = tree[id].last <= use.first ? above : result;
             const bool better =
@@ -289,7 +295,12 @@ std::pair<const Tree*, NodeId> Evaluator::State::own_declaration(NameId name, Sp
             if (better) found = {&tree, id};
         }
     }
-    return result.first ? result : above;
+    if (result.first || !above.first) return result;
+    const std::uint32_t declared = (*above.first)[above.second].first;
+    const auto undoes = [&](std::uint32_t place) {
+        return declared < place && (again || place < use.first);
+    };
+    return std::ranges::any_of(undefs, undoes) ? result : above;
 }
 
 Span Evaluator::State::heading(const Tree& tree, NodeId declaration, NameId name) const {

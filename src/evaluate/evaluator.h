@@ -141,6 +141,9 @@ public:
 
     /// Adds the frames that lead here.
     void report(Diagnostic);
+    /// A report says what is wrong with the word at that node: of parentheses right behind it
+    /// nothing more has to be said.
+    void note_told(const Body& word);
     /// After #error or too many errors nothing more is evaluated; walk() returns early.
     bool stopped() const;
     /// Evaluates nothing more: going on makes no sense.

@@ -108,11 +108,18 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         const bool elements = last != before.npos && before[last] == ']';
         const NodeId ahead = previous(tree, id);
         const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
-        // That its braces are missing is said of the word.
-        if (word && takes_braces(word->word)) return Absence::broken;
-        report(error(Fault::wrong_count, tree.span(id), "one value is wanted here")
-                   .with_help(elements ? "the elements of an array stand in braces: { 1, 2, 3 }"
-                                       : "a vector is written between `<` and `>`: <1, 2, 3>"));
+        if (word && told.tree == &tree && told.first == ahead) return Absence::broken;
+        Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
+        if (elements)
+            problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
+        else if (word && takes_braces(word->word))
+            problem.with_help(
+                message("a vector is written between `<` and `>`, and what belongs to "
+                        "an object in braces: <1, 2, 3>, ",
+                        names.spelling(word->word), " { ... }"));
+        else
+            problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
+        report(std::move(problem));
         return Absence::broken;
     };
     const NodeContent& content = tree[id].content;

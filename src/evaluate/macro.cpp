@@ -4,6 +4,23 @@
 #include "evaluate/state.h"
 #include "text/message.h"
 
+namespace {
+
+/// `1 -2` among the arguments: a difference, where a comma was meant.
+bool has_minus_for_comma(const Tree& tree, NodeId call, std::string_view text) {
+    const auto* arguments = tree.get_if<node::Call>(call);
+    for (NodeId id = arguments ? arguments->arguments : no_node; id != no_node;
+         id = tree[id].next) {
+        const auto* sum = tree.get_if<node::Binary>(id);
+        if (!sum || sum->sign != Operator::subtract) continue;
+        const std::string_view right = text.substr(0, tree[sum->right].first);
+        if (right.ends_with(" -") || right.ends_with("\t-")) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
 void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, NodeId id) {
     const Value* before = scope.find(node.name);
     if (before && !before->macro()) {
@@ -65,24 +82,21 @@ bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
     return by_value(walk_expression(tree, id), result);
 }
 
-void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, Span span) {
+void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, const Tree& tree,
+                                        NodeId call) {
     const std::size_t least = macro.least, most = macro.parameters.size();
     std::string list;
     for (const MacroData::Parameter& parameter : macro.parameters)
         list += message(list.empty() ? "" : ", ", parameter.optional ? "optional " : "",
                         names.spelling(parameter.name));
-    Diagnostic problem = error(Fault::wrong_count, span,
+    Diagnostic problem = error(Fault::wrong_count, tree.span(call),
                                message("macro `", names.spelling(macro.name), "` takes ",
                                        least == most ? message(most) : message(least, " to ", most),
                                        most == 1 ? " argument" : " arguments", ", but here ",
                                        count == 1 ? "is " : "are ", count));
     problem.pointing(macro.defined,
                      message("defined as ", names.spelling(macro.name), "(", list, ")"));
-    // `M(1 -2)`: a difference, where a comma was meant.
-    const std::string_view call =
-        sources.text(span.source).substr(span.first, span.last - span.first);
-    const std::size_t minus = call.find(" -");
-    if (count < least && minus != call.npos && minus + 2 < call.size() && call[minus + 2] != ' ')
+    if (count < least && has_minus_for_comma(tree, call, sources.text(tree.source)))
         problem.with_help("a value and a `-` behind it are one value: a comma keeps them apart");
     report(problem);
 }
@@ -116,7 +130,7 @@ bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, 
     }
     const std::size_t count = arguments.size() - base;
     if (good && !stopped_ && (count < macro.least || count > macro.parameters.size())) {
-        report_arguments(macro, count, tree.span(id));
+        report_arguments(macro, count, tree, id);
         good = false;
     }
     if (good && !stopped_) return true;

@@ -233,7 +233,7 @@ struct Evaluator::State {
     bool pass_values(const Tree&, const node::Call& inner, NodeId);
     /// Computes the arguments and puts them at the end of `arguments`; false when reported.
     bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
-    void report_arguments(const MacroData&, std::size_t count, Span);
+    void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
     bool argument(const Tree&, NodeId, Argument&);
     bool argument_element(const Tree&, const node::Index&, NodeId, Argument&);
 
@@ -346,6 +346,7 @@ struct Evaluator::State {
     bool told_of_semicolons = false;  ///< what a missing one means
     std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
+    Body told;  ///< the last word that a report spoke of
     bool stopped_ = false;
     const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
 };

@@ -2,6 +2,7 @@
 #include "syntax/foreign.h"
 
 #include "syntax/lexer.h"
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ struct ForeignWord {
     std::string_view word, meant;
 };
 
-constexpr auto words = std::array{
+constexpr auto block_words = std::array{
     ForeignWord{"jpg", "jpeg"},
     ForeignWord{"tif", "tiff"},
     ForeignWord{"position", "location"},
@@ -83,6 +84,7 @@ constexpr auto words = std::array{
     ForeignWord{"emissive", "emission"},
     ForeignWord{"glow", "emission"},
     ForeignWord{"bump", "normal"},
+    ForeignWord{"target", "look_at"},
     ForeignWord{"target", "point_at"},
 };
 
@@ -102,7 +104,7 @@ constexpr auto signs = std::array{
     ForeignSign{"\u00D7", "a multiplication sign", "*"},
     ForeignSign{"\u00B7", "a multiplication sign", "*"},
     ForeignSign{"\u00F7", "a division sign", "/"},
-    ForeignSign{"\u00B0", "a degree sign, and angles are in degrees", ""},
+    ForeignSign{"\u00B0", "a degree sign, and angles are in degrees", "", true},
     ForeignSign{"\uFF0C", "a wide comma", ","},
     ForeignSign{"\u3001", "a wide comma", ","},
     ForeignSign{"\uFF1B", "a wide semicolon", ";"},
@@ -126,10 +128,6 @@ constexpr auto signs = std::array{
     ForeignSign{"\uFEFF", "a byte order mark", " "},
 };
 
-bool begins_with_word(std::string_view text, std::string_view word) {
-    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
-}
-
 }  // namespace
 
 const ForeignSign* foreign_sign(std::string_view text) {
@@ -149,9 +147,11 @@ std::string_view foreign_name(std::string_view name) {
     return found == foreign_names.end() ? std::string_view() : found->way_out;
 }
 
-std::string_view foreign_word(std::string_view word) {
-    const auto found = std::ranges::find(words, word, &ForeignWord::word);
-    return found == words.end() ? std::string_view() : found->meant;
+std::vector<std::string_view> foreign_word(std::string_view word) {
+    std::vector<std::string_view> result;
+    for (const ForeignWord& each : block_words)
+        if (each.word == word) result.push_back(each.meant);
+    return result;
 }
 
 std::string hexadecimal_colour(std::string_view word) {
@@ -160,11 +160,6 @@ std::string hexadecimal_colour(std::string_view word) {
     const char* const end = word.data() + word.size();
     if (word.size() != digits || std::from_chars(word.data(), end, value, 16).ptr != end) return {};
     return message("srgb <", value >> 16, ", ", value >> 8 & 255, ", ", value & 255, ">/255");
-}
-
-bool ends_in_word(std::string_view text, std::string_view word) {
-    return text.ends_with(word) &&
-           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
 }
 
 std::string_view foreign_words(std::string_view before, std::string_view after) {
@@ -191,10 +186,16 @@ std::string_view foreign_colon(std::string_view before) {
     for (const std::string_view word : conditions)
         if (first != line.npos && begins_with_word(line.substr(first), word))
             return "no `:` stands behind a condition";
-    return before.ends_with(']') ? "dictionaries are not available in this version" : "";
+    return before.ends_with("\"]") ? "dictionaries are not available in this version" : "";
 }
 
 // ---- what the lexer does with them
+
+void Lexer::report_missing_hash(const char* first, std::string_view word) {
+    report(warning(Fault::deprecated, span(first, cursor_),
+                   message("`", word, "` should have a # before it"))
+               .with_help(message("write `#", word, "`")));
+}
 
 /// `#else if`, as other languages write it.
 bool Lexer::takes_if(const char* hash) {
@@ -208,22 +209,31 @@ bool Lexer::takes_if(const char* hash) {
     return true;
 }
 
-/// `#end if`, as other languages end one.
+/// `#end if`, as other languages end one; `#end if (A)` may begin another.
 bool Lexer::stands_behind_end(const char* first, std::string_view word) {
     const char* p = first;
     while (p > begin_ && (p[-1] == ' ' || p[-1] == '\t')) --p;
     if (previous_ != TokenKind::hash_end || p == first || !is_letter(p[-1])) return false;
+    const std::size_t behind = rest().find_first_not_of(" \t");
+    if (behind != std::string_view::npos && rest()[behind] == '(') return false;
     report(error(Fault::syntax, span(first, cursor_),
                  message("`#end` ends any directive, and no `", word, "` follows it"))
                .with_help("write `#end`"));
     return true;
 }
 
-/// `# words of a comment`, as other languages begin one: more words follow on the line.
+/// `# words of a comment`, as other languages begin one: more words follow on the line. The first
+/// may have an apostrophe, letters beyond ASCII or a comma.
 bool Lexer::takes_comment() {
+    const auto goes_on = [](char c) {
+        return is_letter(c) || (static_cast<unsigned char>(c) & 0x80) ||
+               std::string_view("',.:!?-").find(c) != std::string_view::npos;
+    };
     const char* p = cursor_;
+    while (p < limit_ && goes_on(*p)) ++p;
+    const char* const end = p;
     while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
-    if (p == cursor_ || p == limit_ || !is_letter(*p)) return false;
+    if (p == end || p == limit_ || !is_letter(*p)) return false;
     skip_line_comment();
     return true;
 }
@@ -265,7 +275,8 @@ std::optional<Token> Lexer::read_foreign_sign(const char* first, const ForeignSi
     cursor_ += sign.sign.size();
     report(error(Fault::unknown_character, span(first, cursor_), message("this is ", sign.what))
                .with_help(sign.meant == " "    ? "write an ordinary blank"
-                          : sign.meant.empty() ? "leave it out"
+                          : sign.needless      ? "leave it out"
+                          : sign.meant.empty() ? ""
                                                : message("write `", sign.meant, "`")));
     constexpr auto tokens = std::array{
         std::pair{"-", minus},

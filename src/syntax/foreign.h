@@ -7,17 +7,13 @@
 
 #include <string>
 #include <string_view>
-
-/// What names consist of.
-constexpr bool is_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+#include <vector>
 
 struct ForeignSign {
     std::string_view sign;   ///< in UTF-8
     std::string_view what;   ///< "a typographic quote"
-    std::string_view meant;  ///< the sign of the language; a blank for other spaces
+    std::string_view meant;  ///< the sign of the language; a blank for other spaces; empty: none
+    bool needless = false;   ///< without it the text means the same
 };
 
 /// The sign that the text begins with, or null.
@@ -29,8 +25,9 @@ std::string_view foreign_directive(std::string_view word);
 /// What to write for a name that means something in other languages; empty: none.
 std::string_view foreign_name(std::string_view name);
 
-/// The word of a block that other programs call by this one; empty: none.
-std::string_view foreign_word(std::string_view word);
+/// Words of blocks that other programs call by this one: it means different things in different
+/// blocks.
+std::vector<std::string_view> foreign_word(std::string_view word);
 
 /// The way out where words of other languages are around the place that the parser stopped at:
 /// signs for them, or what they lack; empty: there are none.
@@ -38,9 +35,6 @@ std::string_view foreign_words(std::string_view before, std::string_view after);
 
 /// What to do without a `:` behind that text; empty: nobody knows.
 std::string_view foreign_colon(std::string_view before);
-
-/// Whether the text ends in that word.
-bool ends_in_word(std::string_view text, std::string_view word);
 
 /// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
 /// words.

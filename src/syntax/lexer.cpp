@@ -2,6 +2,7 @@
 #include "syntax/lexer.h"
 
 #include "syntax/escapes.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/nearest.h"
 #include "vocabulary/reserved.h"
@@ -176,9 +177,11 @@ Token Lexer::read_word(const char* first) {
         if (spelling == "once") kind = TokenKind::once;
         if (const auto* directive = without_hash(spelling)) {
             if (stands_behind_end(first, spelling)) return scan();
+            const bool end = previous_ == TokenKind::hash_end;
             report(error(Fault::syntax, span(first, cursor_),
                          message("`", spelling, "` needs a # before it"))
-                       .with_help(message("write `#", spelling, "`")));
+                       .with_help(message("write `#", spelling, "`",
+                                          end ? "; `#end` ends any directive by itself" : "")));
             return token(directive->kind, first, directive->value);
         }
         // The oldest scenes leave out the #.
@@ -211,12 +214,6 @@ bool Lexer::begins_version() const {
     if (std::ranges::find(before, previous_) == before.end()) return false;
     const std::size_t behind = rest().find_first_not_of(" \t");
     return behind != std::string_view::npos && is_digit(rest()[behind]);
-}
-
-void Lexer::report_missing_hash(const char* first, std::string_view word) {
-    report(warning(Fault::deprecated, span(first, cursor_),
-                   message("`", word, "` should have a # before it"))
-               .with_help(message("write `#", word, "`")));
 }
 
 Token Lexer::read_directive(const char* hash) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 namespace {
 
@@ -185,6 +184,7 @@ bool OpenMacros::define(const Tokens& macro) {
     const auto before = by_name_.find(name);
     const bool called = before != by_name_.end() && macros_[before->second].shared->called;
     forget(name);
+    if (closed && !sign) closed_.try_emplace(name, macro.front().first);
     if ((closed && !sign) || !names) return false;
     auto shared = std::make_shared<OpenMacro>(
         OpenMacro{name, macro.front(), macro.back(), balance.braces, *names, body});
@@ -234,7 +234,7 @@ OpenMacros::Macro* OpenMacros::find(NameId name, TokenKind before) {
 Tokens OpenMacros::expand(Macro& called, const Token& call, std::span<const Token> parenthesised) {
     OpenMacro& macro = *called.shared;
     called.calls.push_back(call.first);
-    macro.called = true;
+    macro.called |= !is_own(macro);
     const auto values = arguments(parenthesised.subspan(1, parenthesised.size() - 2));
     if (const std::size_t most = macro.parameters.size(); values.size() != most) {
         diagnostics_.add(error(Fault::wrong_count, span(call),
@@ -321,7 +321,8 @@ bool OpenMacros::blame(const Token& token) {
                              : std::ranges::find(each.calls, token.first) != each.calls.end();
     });
     if (found == macros_.end() || found->shared->odd.kind == TokenKind::end_of_file) return false;
-    return report(*found->shared), true;
+    report(*found->shared);
+    return true;
 }
 
 bool OpenMacros::blame_all() {
@@ -331,38 +332,49 @@ bool OpenMacros::blame_all() {
     long left = 0;
     for (const Macro& each : macros_) left += left_by(each);
     if (left <= 0) return false;
+    bool reported = false;
     for (const Macro& each : macros_)
-        if (left_by(each) > 0) report(*each.shared);
-    return true;
+        if (left_by(each) > 0) reported |= report(*each.shared);
+    return reported;
 }
 
 bool OpenMacros::called_too_early() const {
     const auto is_own_call = [&](const Node& node) {
         const auto* call = std::get_if<node::Call>(&node.content);
         const auto found = call ? by_name_.find(call->name) : by_name_.end();
-        return found != by_name_.end() && is_own(*macros_[found->second].shared) &&
-               !macros_[found->second].shared->continues;
+        if (found == by_name_.end()) return false;
+        const OpenMacro& macro = *macros_[found->second].shared;
+        const auto closed = closed_.find(macro.name);
+        return is_own(macro) && !macro.continues &&
+               (closed == closed_.end() || node.first < closed->second);
     };
     return !by_name_.empty() && std::ranges::any_of(tree_.nodes, is_own_call);
 }
 
 void OpenMacros::report_idle() {
-    for (const Macro& each : macros_) {
-        OpenMacro& macro = *each.shared;
-        if (is_own(macro) && !macro.called && macro.odd.kind != TokenKind::end_of_file)
-            report(macro);
-    }
+    // A macro of the last time the file was parsed may have been called in front of its definition.
+    const auto is_called = [&](NameId name) {
+        return std::ranges::any_of(macros_, [&](const Macro& each) {
+            return each.shared->name == name && (each.shared->called || !each.calls.empty());
+        });
+    };
+    for (const Macro& each : macros_)
+        if (is_own(*each.shared) && !is_called(each.shared->name) &&
+            each.shared->odd.kind != TokenKind::end_of_file)
+            report(*each.shared);
 }
 
-void OpenMacros::report(OpenMacro& macro) {
-    if (std::exchange(macro.told, true)) return;
+bool OpenMacros::report(const OpenMacro& macro) {
+    const Span odd = place(macro, macro.odd);
+    if (std::ranges::find(told_, odd) != told_.end()) return false;
+    told_.push_back(odd);
     using enum TokenKind;
     const TokenKind kind = macro.odd.kind;
     const bool opens = kind == open_brace || kind == open_parenthesis || kind == less;
     const bool angle = kind == less || kind == greater;
     const bool brace = !angle && kind != open_parenthesis && kind != close_parenthesis;
     const char sign = (brace ? "{}" : angle ? "<>" : "()")[opens ? 0 : 1];
-    Diagnostic problem = error(Fault::syntax, place(macro, macro.odd),
+    Diagnostic problem = error(Fault::syntax, odd,
                                opens ? message("this `", sign, "` is not closed before `#end`")
                                      : message("`", sign, "` closes nothing that is open"));
     if (opens) problem.pointing(place(macro, macro.end), "the macro ends here");
@@ -376,4 +388,5 @@ void OpenMacros::report(OpenMacro& macro) {
     else
         problem.with_help("leave it out, or let another macro open it");
     diagnostics_.add(problem);
+    return true;
 }

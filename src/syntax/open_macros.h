@@ -37,8 +37,7 @@ struct OpenMacro {
     /// The last brace that it leaves open, or the first that it did not open; or nothing.
     Token odd = {};
     bool continues = false;  ///< a whole value with a sign: open only behind another value
-    bool called = false;     ///< in some file
-    bool told = false;       ///< it has been reported
+    bool called = false;     ///< in another file
 };
 
 /// In the order in which they were defined.
@@ -93,8 +92,8 @@ public:
 
     /// Whether a brace that does not match is one of a macro's; then that is reported, once.
     bool blame(const Token& brace);
-    /// Whether the calls up to here have opened more braces than they closed; then the macros that
-    /// do are reported.
+    /// Whether the calls up to here have opened more braces than they closed, by macros that are
+    /// reported here for the first time.
     bool blame_all();
     /// Whether a macro of this file was called before it was known to be one of these.
     bool called_too_early() const;
@@ -103,7 +102,8 @@ public:
     void report_idle();
 
 private:
-    void report(OpenMacro&);
+    /// False: it has been reported.
+    bool report(const OpenMacro&);
     using Instead = std::unordered_map<NameId, Tokens>;
 
     void learn_known();
@@ -123,4 +123,8 @@ private:
     IncludeReader reader_;
     std::vector<Macro> macros_;                        ///< all that were ever known
     std::unordered_map<NameId, std::size_t> by_name_;  ///< the last of each name
+    /// Where each name was first given to a list of elements outside of directives.
+    std::unordered_map<NameId, std::uint32_t> closed_;
+    /// What has been reported: the same macro may be known from the last time the file was parsed.
+    std::vector<Span> told_;
 };

@@ -4,11 +4,14 @@
 #include "grammar.h"
 #include "syntax/foreign.h"
 #include "syntax/parse_state.h"
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <span>
+#include <utility>
 
 namespace {
 
@@ -337,41 +340,61 @@ int grammar_lex(SemanticValue* value, Stretch* place, ParseState& state) {
 static_assert(TOKEN_WRITE == static_cast<int>(TokenKind::hash_write) + 2);
 static_assert(TOKEN_SEMICOLON == static_cast<int>(TokenKind::semicolon) + 2);
 
-static Tree parse_once(SourceId source, const SourceStore& sources, Names& names,
-                       const ParseOptions& options, Diagnostics& found, bool& again) {
+namespace {
+
+/// What parsing a text once gives.
+struct Pass {
     Tree tree;
+    Diagnostics found;
+    bool early = false;  ///< open macros are called that were not known in front of the call
+};
+
+Pass parse_once(SourceId source, const SourceStore& sources, Names& names,
+                const ParseOptions& options, Diagnostics found) {
+    Pass pass{{}, std::move(found)};
+    Tree& tree = pass.tree;
     tree.source = source;
     const std::string_view text = sources.text(source);
     // So many nodes or fewer are in most texts; very long ones are numbers, one in twenty bytes.
     constexpr std::size_t long_text = 4'000'000;
     tree.nodes.reserve(std::min(text.size(), long_text) / 4 + text.size() / 20 + 16);
-    Lexer lexer(source, sources, names, tree, found);
-    OpenMacros macros(names, tree, found, *options.macros, options.reader);
-    Brackets brackets(lexer, macros, options.version, source, text, found);
-    ParseState state{tree, names, brackets, found, text, options.postpones};
+    Lexer lexer(source, sources, names, tree, pass.found);
+    OpenMacros macros(names, tree, pass.found, *options.macros, options.reader);
+    Brackets brackets(lexer, macros, options.version, source, text, pass.found);
+    ParseState state{tree, names, brackets, pass.found, text, options.postpones};
     grammar_parse(state);
     if (!options.included) macros.report_idle();
-    again = macros.called_too_early();
-    return tree;
+    pass.early = macros.called_too_early();
+    return pass;
 }
+
+}  // namespace
 
 Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostics& diagnostics,
            const ParseOptions& given) {
     ParseOptions options = given;
     OpenMacroList own;
     if (!options.macros) options.macros = &own;
-    Diagnostics found = diagnostics.fresh();
-    bool again = false;
-    Tree tree = parse_once(source, sources, names, options, found, again);
-    // Each time macros are known that call what was found to be open the time before.
-    constexpr int most = 8;
-    for (int times = 1; again && times < most; ++times) {
-        Diagnostics anew = diagnostics.fresh();
-        Tree better = parse_once(source, sources, names, options, anew, again);
-        if (anew.failed()) continue;
-        tree = std::move(better);
-        found = std::move(anew);
+    std::set<NameId> known;
+    const auto learns = [&] {
+        const std::size_t before = known.size();
+        for (const auto& each : *options.macros) known.insert(each->name);
+        return known.size() > before;
+    };
+    const auto once = [&] {
+        return parse_once(source, sources, names, options, diagnostics.fresh());
+    };
+    learns();
+    Pass best = once();
+    bool early = best.early;
+    // Each time macros are known that call what was found to be open the time before; where none
+    // is new, once more would give the same.
+    constexpr int most = 100;
+    for (int times = 1; early && times < most && learns(); ++times) {
+        Pass pass = once();
+        early = pass.early;
+        if (!pass.found.failed()) best = std::move(pass);
     }
-    for (const Diagnostic& each : found.all()) diagnostics.add(each);
-    return tree;
+    for (const Diagnostic& each : best.found.all()) diagnostics.add(each);
+    return std::move(best.tree);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The case of letters, of ASCII only: of options, file endings and names that were perhaps meant.
-// Other letters are as different as they look.
+// Letters of ASCII only: their case, in options, file endings and names that were perhaps meant,
+// and the words that they make. Other letters are as different as they look, and belong to no word.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,23 @@ inline std::string lower_case(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = lower_case(c);
     return result;
+}
+
+/// What names consist of.
+constexpr bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether the text begins with that word, and no longer one.
+constexpr bool begins_with_word(std::string_view text, std::string_view word) {
+    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
+}
+
+/// Whether the text ends in that word, and in no longer one.
+constexpr bool ends_in_word(std::string_view text, std::string_view word) {
+    return text.ends_with(word) &&
+           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
 }
 
 /// Whether the texts are the same but for the case of letters.

@@ -40,6 +40,12 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
         {"#macro A() B() #end #macro B() C() #end #macro C() union { #end A() }", "union { }"},
         {"#macro A() B() x1 C() #end #macro B() union { #end #macro C() } #end A()",
          "#macro A() union { x1 } #end, A()"},
+        {"#macro A1() A2() #end #macro A2() A3() #end #macro A3() A4() #end #macro A4() A5() #end "
+         "#macro A5() A6() #end #macro A6() A7() #end #macro A7() A8() #end #macro A8() A9() #end "
+         "#macro A9() union { #end A1() }",
+         "union { }"},
+        {"#macro A() b #end A() #macro A() union { #end A() }",
+         "#macro A() b #end, A() union { }"},
         // One in another, and one that is defined again.
         {"#macro A() union { #end #macro B() A() merge { #end B() } }", "union { merge { } }"},
         {"#macro A() union { #end A() } #macro A() merge { #end A() }", "union { }, merge { }"},
@@ -99,6 +105,9 @@ TEST_CASE("macros whose braces are an oversight are named", "[syntax]") {
         {"#macro A() <1, 2 #end", "this `<` is not closed before `#end`"},
         {"#macro A() 1, 2> #end", "`>` closes nothing that is open"},
         {"#macro A() { (1 } #end", "`}` comes before the end of `(`"},
+        // Called in front of their definitions.
+        {"A() #macro A() union { #end", "this `{` is not closed before `#end`"},
+        {"merge { A() b } #macro A() union { #end", "this `{` is not closed before `#end`"},
         // Not the macros' fault: they are called in pairs.
         {"#macro A() union { #end #macro B() } #end A() B() union {", "`{` has no end"},
         {"#macro A() #if (c) union { { #else } } #end #end", "`}` closes nothing that is open"},

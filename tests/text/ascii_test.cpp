@@ -15,3 +15,14 @@ TEST_CASE("the case of ASCII letters, and of no others, makes no difference") {
     CHECK_FALSE(same_letters("\xC4", "\xE4"));
     CHECK_FALSE(same_letters("[", "{"));  // as far apart as letters of two cases
 }
+
+TEST_CASE("words begin and end where no letter is beside them") {
+    CHECK(begins_with_word("and b", "and"));
+    CHECK(begins_with_word("and", "and"));
+    CHECK_FALSE(begins_with_word("android", "and"));
+    CHECK_FALSE(begins_with_word("", "and"));
+    CHECK(ends_in_word("a #end", "end"));
+    CHECK(ends_in_word("end", "end"));
+    CHECK_FALSE(ends_in_word("trend", "end"));
+    CHECK_FALSE(ends_in_word("a end ", "end"));
+}

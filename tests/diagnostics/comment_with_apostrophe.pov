@@ -1,0 +1,2 @@
+# don't do this
+sphere { 0, 1 }

@@ -1,0 +1,3 @@
+M()
+#macro M() sphere { 0, 1
+#end

@@ -1,0 +1,3 @@
+#declare Size = 1;
+#undef Size
+sphere { 0, Size }

@@ -1,0 +1,3 @@
+#if (clock > 0) #declare Size = 1; #end
+sphere { 0, Size }
+#undef Size
