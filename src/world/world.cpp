@@ -126,10 +126,8 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     };
     const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     std::uint32_t met = 0;  // the item of `best`
-    // Of surfaces in one place one counts, whatever the order of asking; see precedence.h. As in
-    // POV-Ray what has no end comes before all others: glass that stands on a plane ends there. Of
-    // two spheres or triangles it is the one with the lower number: those of a mesh touch all over,
-    // and so do those of its copies, which are asked in another way.
+    // Of surfaces in one place one counts, whatever the order of asking: what has no end; of two
+    // spheres or triangles, as meshes are full of, the lower number; else see precedence.h.
     bool finite = false;
     const auto ask = [&](std::uint32_t item) {
         const Candidate before = best;
