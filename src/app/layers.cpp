@@ -5,6 +5,7 @@
 #include "picture/layers.h"
 #include "render/extras.h"
 #include "render/film.h"
+#include "text/ascii.h"
 #include "text/message.h"
 #include "text/source.h"
 #include "vocabulary/words.h"
@@ -32,10 +33,6 @@ constexpr auto infos = std::to_array<LayerInfo>({
     {PictureLayer::samples, "samples", "how many rays of the camera went through the pixel"},
     {PictureLayer::shadow_rays, "shadow_rays", "how many rays they sent towards lights"},
 });
-
-bool in_name(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// The word that the text begins with, taken off; blanks and opening brackets go first.
 std::string_view next_word(std::string_view& text) {

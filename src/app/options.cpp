@@ -3,6 +3,7 @@
 
 #include "app/ini.h"
 #include "app/option_table.h"
+#include "text/ascii.h"
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -36,10 +37,7 @@ const OptionRow* find_named(std::string_view OptionRow::*name, std::string_view 
 bool keyword_form(std::string_view argument) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string_view::npos || equals == 0) return false;
-    return std::ranges::all_of(argument.substr(0, equals), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '_';
-    });
+    return std::ranges::all_of(argument.substr(0, equals), in_name);
 }
 
 /// Whether no value means that there is no such file or command.

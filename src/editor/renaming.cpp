@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/renaming.h"
 
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace {
 
@@ -23,10 +23,7 @@ const Token* name_at(const FileHandle& file, std::uint32_t offset) {
 }
 
 bool is_name(const std::string& text) {
-    const auto letter = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
-    const auto sign = [&](unsigned char c) { return letter(c) || std::isdigit(c); };
-    return !text.empty() && letter(static_cast<unsigned char>(text[0])) &&
-           std::ranges::all_of(text, sign);
+    return !text.empty() && is_letter(text[0]) && std::ranges::all_of(text, in_name);
 }
 
 }  // namespace

@@ -8,25 +8,26 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <utility>
 
 namespace {
 
-struct ForeignDirective {
+struct ForeignWord {
     std::string_view word, meant;
 };
 
 constexpr auto directives = std::array{
-    ForeignDirective{"set", "declare"},    ForeignDirective{"let", "declare"},
-    ForeignDirective{"var", "declare"},    ForeignDirective{"const", "declare"},
-    ForeignDirective{"print", "debug"},    ForeignDirective{"echo", "debug"},
-    ForeignDirective{"import", "include"}, ForeignDirective{"use", "include"},
-    ForeignDirective{"endif", "end"},      ForeignDirective{"endwhile", "end"},
-    ForeignDirective{"endfor", "end"},     ForeignDirective{"endmacro", "end"},
-    ForeignDirective{"endswitch", "end"},  ForeignDirective{"function", "macro"},
-    ForeignDirective{"next", "end"},       ForeignDirective{"done", "end"},
-    ForeignDirective{"define", "declare"}, ForeignDirective{"assign", "declare"},
-    ForeignDirective{"foreach", "for"},    ForeignDirective{"elsif", "elseif"},
+    ForeignWord{"set", "declare"},    ForeignWord{"let", "declare"},
+    ForeignWord{"var", "declare"},    ForeignWord{"const", "declare"},
+    ForeignWord{"print", "debug"},    ForeignWord{"echo", "debug"},
+    ForeignWord{"import", "include"}, ForeignWord{"use", "include"},
+    ForeignWord{"endif", "end"},      ForeignWord{"endwhile", "end"},
+    ForeignWord{"endfor", "end"},     ForeignWord{"endmacro", "end"},
+    ForeignWord{"endswitch", "end"},  ForeignWord{"function", "macro"},
+    ForeignWord{"next", "end"},       ForeignWord{"done", "end"},
+    ForeignWord{"define", "declare"}, ForeignWord{"assign", "declare"},
+    ForeignWord{"foreach", "for"},    ForeignWord{"elsif", "elseif"},
 };
 
 struct ForeignName {
@@ -64,10 +65,6 @@ constexpr auto foreign_names = std::array{
     ForeignName{"user_defined", "cameras of functions are not available in this version"},
     ForeignName{"halo", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
     ForeignName{"atmosphere", "POV-Ray 3.1 replaced it by `media`, which is not available here"},
-};
-
-struct ForeignWord {
-    std::string_view word, meant;
 };
 
 constexpr auto block_words = std::array{
@@ -128,6 +125,16 @@ constexpr auto signs = std::array{
     ForeignSign{"\uFEFF", "a byte order mark", " "},
 };
 
+/// Red, green and blue of six hexadecimal digits, up to 255; nothing for other words.
+std::optional<std::array<unsigned, 3>> hexadecimal_channels(std::string_view word) {
+    constexpr std::size_t digits = 6;
+    unsigned value = 0;
+    const char* const end = word.data() + word.size();
+    if (word.size() != digits || std::from_chars(word.data(), end, value, 16).ptr != end)
+        return std::nullopt;
+    return std::array{value >> 16, value >> 8 & 255, value & 255};
+}
+
 }  // namespace
 
 const ForeignSign* foreign_sign(std::string_view text) {
@@ -137,7 +144,7 @@ const ForeignSign* foreign_sign(std::string_view text) {
 }
 
 std::string_view foreign_directive(std::string_view word) {
-    for (const ForeignDirective& each : directives)
+    for (const ForeignWord& each : directives)
         if (each.word == word) return each.meant;
     return {};
 }
@@ -155,11 +162,10 @@ std::vector<std::string_view> foreign_word(std::string_view word) {
 }
 
 std::string hexadecimal_colour(std::string_view word) {
-    constexpr std::size_t digits = 6;
-    unsigned value = 0;
-    const char* const end = word.data() + word.size();
-    if (word.size() != digits || std::from_chars(word.data(), end, value, 16).ptr != end) return {};
-    return message("srgb <", value >> 16, ", ", value >> 8 & 255, ", ", value & 255, ">/255");
+    const auto channels = hexadecimal_channels(word);
+    if (!channels) return {};
+    const auto [red, green, blue] = *channels;
+    return message("srgb <", red, ", ", green, ", ", blue, ">/255");
 }
 
 std::string_view foreign_words(std::string_view before, std::string_view after) {
@@ -201,8 +207,7 @@ void Lexer::report_missing_hash(const char* first, std::string_view word) {
 bool Lexer::takes_if(const char* hash) {
     const char* p = cursor_;
     while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
-    if (!std::string_view(p, static_cast<std::size_t>(limit_ - p)).starts_with("if")) return false;
-    if (p + 2 < limit_ && (is_letter(p[2]) || is_digit(p[2]))) return false;
+    if (!begins_with_word({p, static_cast<std::size_t>(limit_ - p)}, "if")) return false;
     cursor_ = p + 2;
     report(error(Fault::syntax, span(hash, cursor_), "`#else if` is one word")
                .with_help("write `#elseif`, which has the `#end` of its `#if`"));
@@ -247,13 +252,12 @@ void Lexer::second_point(const char* first) {
 
 /// A colour as web pages have it, with the numbers that it says where a colour is wanted.
 Token Lexer::read_hexadecimal_colour(const char* hash, std::string_view word) {
-    if (previous_ != TokenKind::colour && previous_ != TokenKind::colour_prefix) return scan();
-    unsigned value = 0;
-    std::from_chars(word.data(), word.data() + word.size(), value, 16);
+    const auto channels = hexadecimal_channels(word);
+    const bool wanted = previous_ == TokenKind::colour || previous_ == TokenKind::colour_prefix;
+    if (!wanted || !channels) return scan();
     Token result =
         token(TokenKind::literal, hash, static_cast<std::uint32_t>(tree_.numbers.size()));
-    for (const unsigned shift : {16U, 8U, 0U})
-        tree_.numbers.push_back((value >> shift & 255) / 255.0);
+    for (const unsigned channel : *channels) tree_.numbers.push_back(channel / 255.0);
     result.count = 3;
     return result;
 }
@@ -265,8 +269,7 @@ bool Lexer::between_values() const {
     const char* p = cursor_;
     while (p < limit_ && (*p == ' ' || *p == '\t')) ++p;
     const bool begins =
-        p < limit_ && (is_letter(*p) || is_digit(*p) ||
-                       std::string_view("(.<+-").find(*p) != std::string_view::npos);
+        p < limit_ && (in_name(*p) || std::string_view("(.<+-").find(*p) != std::string_view::npos);
     return begins && std::ranges::find(ends, previous_) != ends.end();
 }
 
@@ -316,8 +319,7 @@ bool Lexer::foreign_letter() const {
 
 /// A name with letters that names cannot have.
 Token Lexer::read_foreign_word(const char* first) {
-    while (cursor_ < limit_ && (is_letter(*cursor_) || is_digit(*cursor_) || foreign_letter()))
-        ++cursor_;
+    while (cursor_ < limit_ && (in_name(*cursor_) || foreign_letter())) ++cursor_;
     report(error(Fault::unknown_character, span(first, cursor_),
                  "a name consists of the letters A to Z and a to z, digits and `_`"));
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));

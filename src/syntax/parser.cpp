@@ -131,7 +131,7 @@ std::string_view without_blanks(std::string_view before) {
 /// The word that the text ends in.
 std::string_view last_word(std::string_view text) {
     std::size_t first = text.size();
-    while (first > 0 && (is_letter(text[first - 1]) || is_digit(text[first - 1]))) --first;
+    while (first > 0 && in_name(text[first - 1])) --first;
     return text.substr(first);
 }
 

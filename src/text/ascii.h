@@ -17,21 +17,23 @@ inline std::string lower_case(std::string_view text) {
     return result;
 }
 
-/// What names consist of.
+/// What names begin with.
 constexpr bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// What names consist of.
+constexpr bool in_name(char c) { return is_letter(c) || is_digit(c); }
 
 /// Whether the text begins with that word, and no longer one.
 constexpr bool begins_with_word(std::string_view text, std::string_view word) {
-    return text.starts_with(word) && (text.size() == word.size() || !is_letter(text[word.size()]));
+    return text.starts_with(word) && (text.size() == word.size() || !in_name(text[word.size()]));
 }
 
 /// Whether the text ends in that word, and in no longer one.
 constexpr bool ends_in_word(std::string_view text, std::string_view word) {
     return text.ends_with(word) &&
-           (text.size() == word.size() || !is_letter(text[text.size() - word.size() - 1]));
+           (text.size() == word.size() || !in_name(text[text.size() - word.size() - 1]));
 }
 
 /// Whether the texts are the same but for the case of letters.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/loader.h"
 
+#include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -175,12 +175,9 @@ namespace {
 
 /// Whether a `#declare` or `#macro` of the text makes the name.
 bool declares(std::string_view text, std::string_view name) {
-    const auto part_of_name = [](char c) {
-        return c == '_' || std::isalnum(static_cast<unsigned char>(c));
-    };
     for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
         const std::size_t end = at + name.size();
-        if (end < text.size() && part_of_name(text[end])) continue;
+        if (end < text.size() && in_name(text[end])) continue;
         const std::string_view before = text.substr(0, at);
         const std::size_t word_end = before.find_last_not_of(" \t");
         if (word_end == before.npos || word_end + 1 == at) continue;

@@ -21,6 +21,7 @@ TEST_CASE("words begin and end where no letter is beside them") {
     CHECK(begins_with_word("and", "and"));
     CHECK_FALSE(begins_with_word("android", "and"));
     CHECK_FALSE(begins_with_word("", "and"));
+    CHECK_FALSE(begins_with_word("and2", "and"));
     CHECK(ends_in_word("a #end", "end"));
     CHECK(ends_in_word("end", "end"));
     CHECK_FALSE(ends_in_word("trend", "end"));
