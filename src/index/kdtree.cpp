@@ -28,14 +28,6 @@ struct Task {
     int threads;
 };
 
-/// Room for what is written once, and read by rays for as long as the tree lives.
-template <class T>
-void reserve_huge(std::vector<T>& list, std::size_t size) {
-    if (size <= list.size()) return;
-    list.reserve(size);
-    expect_huge_pages(list.data() + list.size(), (list.capacity() - list.size()) * sizeof(T));
-}
-
 Box grown(const Box& box, double by) { return {box.low - Vec3(by), box.high + Vec3(by)}; }
 
 /// What a ray that passes a cell, and only asks whether anything is in its way, may expect there.
@@ -306,8 +298,10 @@ void KdTree::pack(const PackLeaf& pack_leaf) {
             // The first of many leaves tell about how much all of them take: what has its place
             // from the start need not be moved.
             const std::size_t before = std::exchange(packed, packed + items.size());
-            if (const std::size_t some = items_.size() / 16; before < some && packed >= some)
-                reserve_huge(packs_, packs_.size() * 17 / packed * items_.size() / 16);
+            if (const std::size_t some = items_.size() / 16; before < some && packed >= some) {
+                packs_.reserve(packs_.size() * 17 / packed * items_.size() / 16);
+                expect_huge_pages(packs_.data(), packs_.capacity() * sizeof(float));
+            }
             continue;
         }
         const auto cells = halves(cell, {static_cast<int>(node.axis()), node.plane(), 0});

@@ -55,7 +55,7 @@ void crossings(const Cylinder& cylinder, const Ray& ray, Crossings& found) {
     const double first = first_at_end ? ends.min : side.min,
                  last = last_at_end ? ends.max : side.max;
     if (!(first < last)) return;
-    const Vec3 up = first_at_end || last_at_end ? axis / std::sqrt(dot(axis, axis)) : axis;
+    const Vec3 up = first_at_end || last_at_end ? unit(axis) : axis;
     const auto met = [&](double t, bool at_end, bool entering) -> Crossing {
         if (!at_end) return {start + t, unit(away + t * step), entering};
         const bool at_base = entering == (rise > 0);

@@ -103,8 +103,7 @@ bool inside(const Triangle&, const Vec3&) { return false; }
 Box clipped_bounds(const Triangle& t, const Box& cell) {
     if (cell.empty()) return {};
     Box part = bounds(t);
-    const Vec3 farthest = glm::max(-part.low, part.high);
-    const Vec3 pad(32 * ulp * std::max(farthest.x, std::max(farthest.y, farthest.z)));
+    const Vec3 pad(32 * ulp * max_component(glm::max(-part.low, part.high)));
     const Box around{cell.low - pad, cell.high + pad};
     Polygon polygon, rest;
     polygon.add(t.corner1);
