@@ -4,7 +4,8 @@
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define CANDELABRA_EVERY_MACHINE [[gnu::target_clones("avx512f", "avx2", "default")]]
+#define CANDELABRA_EVERY_MACHINE \
+    [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
 #else
 #define CANDELABRA_EVERY_MACHINE
 #endif

@@ -6,13 +6,14 @@
 
 namespace {
 
-// Bits of GCC's (gcc/common/config/i386/i386-cpuinfo.h), and of CPUID leaf 7, EBX.
-constexpr unsigned avx2 = 1u << 10, avx2_there = 1u << 5;
+// The level of machines that came with AVX2, x86-64-v3: bits of the third word of GCC's further
+// features (gcc/common/config/i386/i386-cpuinfo.h), and of CPUID leaf 7, EBX.
+constexpr unsigned level2 = 1u << 0, level3 = 1u << 1, avx2_there = 1u << 5;
 
 unsigned found() {
     unsigned a = 0, b = 0, c = 0, d = 0;
     if (!__get_cpuid_count(7, 0, &a, &b, &c, &d)) return 0;
-    return (b & avx2_there) != 0 ? avx2 : 0;
+    return (b & avx2_there) != 0 ? level2 | level3 : 0;
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ unsigned __cpu_features2[8];
 
 int __cpu_indicator_init() {
     __cpu_model.vendor = 1;
-    __cpu_model.features = found() & CANDELABRA_MACHINE;
+    __cpu_features2[2] = found() & CANDELABRA_MACHINE;
     return 0;
 }
 }
