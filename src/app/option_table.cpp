@@ -17,7 +17,7 @@ constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";
 constexpr std::string_view older = "it changes nothing in a picture";
 constexpr std::string_view over = "the run has ended then";
-constexpr std::string_view kd_tree = "a kd-tree is always used";
+constexpr std::string_view index = "objects are always found through a hierarchy of boxes";
 
 using Store = void (*)(Options&, const Given&, Diagnostics&);
 using Text = std::string_view;
@@ -275,13 +275,13 @@ constexpr auto rows = std::to_array<OptionRow>({
     ignored("EP", "Preview_End_Size", value, "n", no_preview),
     accepted("X", "Test_Abort", sign_and_value, "n", "accepted without effect: Ctrl-C stops"),
     accepted("", "Test_Abort_Count", value, "n", "accepted without effect: Ctrl-C stops"),
-    ignored("MB", "Bounding", sign_and_value, "n", kd_tree),
-    ignored("", "Bounding_Threshold", value, "n", kd_tree),
-    ignored("BM", "Bounding_Method", value, "n", kd_tree),
-    ignored("UR", "Remove_Bounds", sign, "", kd_tree),
-    ignored("SU", "Split_Unions", sign, "", kd_tree),
-    ignored("UL", "Light_Buffer", sign, "", kd_tree),
-    ignored("UV", "Vista_Buffer", sign, "", kd_tree),
+    ignored("MB", "Bounding", sign_and_value, "n", index),
+    ignored("", "Bounding_Threshold", value, "n", index),
+    ignored("BM", "Bounding_Method", value, "n", index),
+    ignored("UR", "Remove_Bounds", sign, "", index),
+    ignored("SU", "Split_Unions", sign, "", index),
+    ignored("UL", "Light_Buffer", sign, "", index),
+    ignored("UV", "Vista_Buffer", sign, "", index),
     ignored("RVP", "Radiosity_Vain_Pretrace", sign, "", no_radiosity),
     ignored("MI", "Max_Image_Buffer_Memory", value, "n",
             "pictures are kept in memory; --memory limits all of it"),

@@ -48,7 +48,7 @@ void complete(RunStatistics& run, const World& world, const RenderSettings& sett
     run.primitives = world.material_of.size();
     run.luminaires = world.luminaires.size();
     run.light_sources = world.lights.size();
-    run.kdtree = statistics(world.tree);
+    run.bvh = statistics(world.tree);
     run.peak_memory_bytes = peak_memory_bytes();
     run.light_sampler_bytes =
         std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
@@ -86,14 +86,13 @@ std::string to_json(const RunStatistics& run) {
          {{"camera", run.rays.camera},
           {"shadow", run.rays.shadow},
           {"scattered", run.rays.scattered}}},
-        {"kdtree",
-         {{"bytes", run.kdtree.bytes},
-          {"nodes", run.kdtree.nodes},
-          {"leaves", run.kdtree.leaves},
-          {"max_depth", run.kdtree.max_depth},
-          {"items_per_leaf", run.kdtree.mean_items_per_leaf},
-          {"duplication", run.kdtree.duplication},
-          {"cost", run.kdtree.cost}}},
+        {"bvh",
+         {{"bytes", run.bvh.bytes},
+          {"nodes", run.bvh.nodes},
+          {"leaves", run.bvh.leaves},
+          {"max_depth", run.bvh.max_depth},
+          {"items_per_leaf", run.bvh.mean_items_per_leaf},
+          {"cost", run.bvh.cost}}},
         {"light_octree", {{"bytes", run.light_octree_bytes}}},
         {"light_sampler_bytes", run.light_sampler_bytes},
         {"peak_memory_bytes", run.peak_memory_bytes},

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include <sys/mman.h>
-#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -25,10 +24,6 @@ void advise(void* begin, std::size_t bytes, std::uintptr_t page, int advice) {
 }
 
 }  // namespace
-
-void give_back_pages(void* begin, std::size_t bytes) {
-    advise(begin, bytes, static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), MADV_DONTNEED);
-}
 
 void expect_huge_pages(void* begin, std::size_t bytes) {
     advise(begin, bytes, page_block, MADV_HUGEPAGE);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The obvious index: every ray visits every item. The oracle that tests and benchmarks hold the
-// kd-tree against; it takes the kd-tree's place wherever that is a template parameter.
+// hierarchy against; it takes its place wherever that is a template parameter.
 #pragma once
 
 #include "base/ray.h"
@@ -18,7 +18,7 @@ public:
         std::iota(items_.begin(), items_.end(), 0u);
     }
 
-    /// As KdTree::traverse, with one leaf for everything.
+    /// As Bvh::traverse, with one leaf for everything.
     template <class Visit>
     bool traverse(const Ray&, Interval range, Visit&& visit) const {
         return !items_.empty() && visit(std::span<const std::uint32_t>(items_), range);

@@ -1,59 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to divide a cell of the kd-tree: the plane of least cost by the surface area heuristic
-// (MacDonald and Booth, "Heuristics for Ray Tracing Using Space Subdivision", 1990).
-// Called by the builder in kdtree.cpp; a pure function of the fragments and the cell.
+// How to divide a box's items in two: by the surface area heuristic (MacDonald and Booth,
+// "Heuristics for Ray Tracing Using Space Subdivision", 1990), where the items' centres come to be
+// on the two sides of a plane. Called by the builder of the hierarchy; a pure function of the
+// items.
 #pragma once
 
-#include "base/box.h"
+#include "index/bvh.h"
 
-#include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
-#include <vector>
 
-/// The part of one item that lies in the cell.
+/// An item of a box that may still be divided.
 struct Fragment {
     Box box;
     std::uint32_t item = 0;
 };
 
-/// What a step costs, in any one unit. See KdTreeSettings for the meaning and the defaults.
-struct SplitCosts {
-    double traversal = 0;
-    double intersection = 0;
-    double empty_bonus = 0;
-    double group = 1;
-};
+/// What items cost that are tested in groups: the last ones take the time of a full group, but not
+/// its memory. Half way between both was fastest.
+double cost_of_items(double items, const BvhSettings&);
 
+/// A way to divide items.
 struct Split {
     int axis = -1;        ///< -1: not dividing is cheapest
-    double position = 0;  ///< strictly inside the cell
-    double cost = std::numeric_limits<double>::infinity();
+    double origin = 0;    ///< of the bins along the axis, in doubled coordinates
+    double scale = 0;     ///< bins for each unit of doubled coordinates
+    int first_above = 0;  ///< the bin where the upper side begins
+    Box below, above;     ///< around the items of the sides
 
     bool found() const { return axis >= 0; }
+    bool puts_below(const Box& box) const {
+        return static_cast<int>((box.low[axis] + box.high[axis] - origin) * scale) < first_above;
+    }
 };
 
-/// A box belongs to a side of a plane when it comes within `slack` of it.
-inline bool reaches_below(double low, double plane, double slack) { return low <= plane + slack; }
-inline bool reaches_above(double high, double plane, double slack) { return high >= plane - slack; }
-
-/// Finds planes; holds only scratch memory, so that one of it serves many cells.
-class SplitFinder {
-public:
-    SplitFinder(const SplitCosts& costs, double slack) : costs_(costs), slack_(slack) {}
-
-    Split find(std::span<const Fragment> fragments, const Box& cell);
-
-private:
-    struct Axis;
-
-    void sweep(std::span<const Fragment>, const Axis&, Split& best);
-    void bin(std::span<const Fragment>, const std::array<Axis, 3>&, Split& best) const;
-    void consider(const Axis&, double position, double below, double above, Split& best) const;
-
-    SplitCosts costs_;
-    double slack_;
-    std::vector<double> lows_;
-    std::vector<double> highs_;
-};
+/// The best division of items within a box, or none when it is better not to divide them.
+/// `forced`: the best one even then, and none only when all centres are in one place.
+Split find_split(std::span<const Fragment>, const Box&, const BvhSettings&, bool forced);

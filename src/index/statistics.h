@@ -2,20 +2,19 @@
 // What a built index looks like, as values: for --stats, reports, tests and benchmarks.
 #pragma once
 
-#include "index/kdtree.h"
+#include "index/bvh.h"
 
 #include <cstddef>
 
-struct KdTreeStatistics {
-    std::size_t nodes = 0;   ///< inner nodes and leaves
-    std::size_t leaves = 0;  ///< with or without items
-    std::size_t empty_leaves = 0;
-    int max_depth = 0;  ///< of a leaf; 0 when the root is one
+struct BvhStatistics {
+    std::size_t nodes = 0;
+    std::size_t frames = 0;  ///< see BvhFrame
+    std::size_t leaves = 0;
+    int max_depth = 0;  ///< levels of nodes
     std::size_t max_items_per_leaf = 0;
-    double mean_items_per_leaf = 0;  ///< over the leaves that have items
-    double duplication = 0;          ///< leaves per item, over the items that are in any
+    double mean_items_per_leaf = 0;
     double cost = 0;  ///< expected cost of a ray that meets the bounds, in the settings' unit
     std::size_t bytes = 0;
 };
 
-KdTreeStatistics statistics(const KdTree&);
+BvhStatistics statistics(const Bvh&);

@@ -2,6 +2,7 @@
 #include "shape/composite.h"
 
 #include "base/short_list.h"
+#include "index/bvh_builder.h"
 #include "shape/moved.h"
 #include "shape/slabs.h"
 
@@ -15,8 +16,8 @@ constexpr std::size_t few = 8;
 /// Above this number of items a tree is built by several threads.
 constexpr std::size_t many = 20'000;
 
-KdTree index_of(std::span<const Box> boxes) {
-    return build_kdtree(boxes, {}, {}, boxes.size() > many ? 0 : 1);
+Bvh index_of(std::span<const Box> boxes) {
+    return build_bvh(boxes, {}, boxes.size() > many ? 0 : 1);
 }
 
 /// The half space that a leaf is, its normal unit; empty when it is none.

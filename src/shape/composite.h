@@ -9,7 +9,7 @@
 #include "base/function_ref.h"
 #include "base/handle.h"
 #include "base/transform.h"
-#include "index/kdtree.h"
+#include "index/bvh.h"
 #include "shape/built_shape.h"
 
 #include <cstdint>
@@ -84,7 +84,7 @@ private:
         std::uint32_t limit = nothing;  ///< in limits_: rays that miss it see nothing of this node
         /// Parts that decide the answer also outside of their boxes, then the others.
         std::vector<Part> always, boxed;
-        KdTree index;  ///< over the boxes of `boxed`; without nodes when they are few
+        Bvh index;  ///< over the boxes of `boxed`; without nodes when they are few
         /// Half spaces that all of the node lies in, with unit normals: what each ray is cut to
         /// before any part is asked.
         std::vector<Plane> cuts;
@@ -116,7 +116,7 @@ private:
     PartRef root_;
     bool limited_ = false;
     std::vector<std::uint32_t> apart_;  ///< leaves with surface without end; all when they are few
-    KdTree tree_;                       ///< over the others
+    Bvh tree_;                          ///< over the others
     Box bounds_, inside_bounds_;
 };
 

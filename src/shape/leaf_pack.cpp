@@ -2,13 +2,12 @@
 #include "shape/leaf_pack.h"
 
 #include "base/every_machine.h"
+#include "base/lanes.h"
+#include "base/single.h"
 
 #include <cstring>
 
 namespace {
-
-using Floats [[gnu::vector_size(sizeof(float) * pack_lanes)]] = float;
-using Marks [[gnu::vector_size(sizeof(float) * pack_lanes)]] = std::int32_t;
 
 // Bounds of rounding errors, as shares of the numbers that they come from. They are generous: a
 // lane too many costs an exact test, one too few a hole.
@@ -17,61 +16,44 @@ constexpr double double_error = 0x1p-46;
 /// Below this, products lose their digits.
 constexpr float tiny = 1e-36f;
 
-float rounded_up(double x) {
-    const auto nearest = static_cast<float>(x);
-    return nearest < x ? std::nextafter(nearest, std::numeric_limits<float>::infinity()) : nearest;
+/// The first bits.
+std::uint32_t bits(std::uint32_t count) { return (1u << count) - 1; }
+
+/// How many items of a leaf there are of each kind.
+struct Counts {
+    std::uint32_t spheres, triangles, others;
+
+    Counts(const PackedKinds& kinds, std::span<const std::uint32_t> items) {
+        const auto below = [&](std::uint32_t end) {
+            const auto last = std::ranges::lower_bound(items, end);
+            return static_cast<std::uint32_t>(last - items.begin());
+        };
+        spheres = below(kinds.triangles_begin);
+        triangles = below(kinds.others_begin) - spheres;
+        others = static_cast<std::uint32_t>(items.size()) - spheres - triangles;
+    }
+};
+
+void put(std::uint32_t& word, double x) {
+    word = std::bit_cast<std::uint32_t>(static_cast<float>(x));
 }
 
-[[gnu::always_inline]] inline void load(Floats& lanes, const float* row) {
-    std::memcpy(&lanes, row, sizeof lanes);
-}
-
-/// A bit for each marked lane.
-[[gnu::always_inline]] inline std::uint32_t lanes_of(const Marks& marks) {
-#ifdef __x86_64__
-    // What every such machine has; through the memory it takes twice as long.
-    using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
-    const auto low = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 0, 1, 2, 3));
-    const auto high = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 4, 5, 6, 7));
-    return static_cast<std::uint32_t>(__builtin_ia32_movmskps(low) | __builtin_ia32_movmskps(high)
-                                                                         << 4);
-#else
-    constexpr Marks bits = {1, 2, 4, 8, 16, 32, 64, 128};
-    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4> >(marks & bits);
-    const std::uint64_t pairs = (quarters[0] | quarters[2]) | (quarters[1] | quarters[3]);
-    return static_cast<std::uint32_t>(pairs | pairs >> 32);
-#endif
-}
-
-[[gnu::always_inline]] inline void take_roots(Floats& of) {
-    for (std::size_t i = 0; i < pack_lanes; ++i) of[i] = std::sqrt(of[i]);
-}
-
-}  // namespace
-
-void pack_leaf(const PackedKinds& kinds, std::span<const std::uint32_t> items, const Box& cell,
-               std::vector<float>& packs) {
-    const Vec3 middle = cell.centre();
-    const std::array anchor = {static_cast<float>(middle.x), static_cast<float>(middle.y),
-                               static_cast<float>(middle.z)};
-    const Vec3 from(anchor[0], anchor[1], anchor[2]);
-    const auto triangles_begin = std::ranges::lower_bound(items, kinds.triangles_begin);
-    const auto others_begin = std::ranges::lower_bound(items, kinds.others_begin);
-    const auto spheres = static_cast<std::uint32_t>(triangles_begin - items.begin());
-    const auto triangles = static_cast<std::uint32_t>(others_begin - triangles_begin);
-    const auto others = static_cast<std::uint32_t>(items.end() - others_begin);
-    const double size = length(cell.size());
+void fill_pack(const PackedKinds& kinds, std::span<const std::uint32_t> items, const Box& around,
+               std::span<std::uint32_t> words) {
+    const Vec3 middle = around.centre();
+    const auto [spheres, triangles, others] = Counts(kinds, items);
+    for (int axis = 0; axis < 3; ++axis) put(words[static_cast<std::size_t>(axis)], middle[axis]);
+    const Vec3 from(static_cast<float>(middle.x), static_cast<float>(middle.y),
+                    static_cast<float>(middle.z));
+    const double size = length(around.size());
     double reach = size + max_abs_component(middle - from);
 
-    const std::size_t head = packs.size();
-    packs.resize(head + pack_head + 4 * std::size_t{spheres} + 9 * std::size_t{triangles} +
-                 6 * std::size_t{others});
-    float* row = packs.data() + head + pack_head;
+    std::uint32_t* row = words.data() + pack_head;
     for (std::uint32_t i = 0; i < spheres; ++i) {
         const auto [centre, radius] = kinds.sphere(items[i]);
         for (int axis = 0; axis < 3; ++axis)
-            row[axis * spheres + i] = static_cast<float>(centre[axis] - from[axis]);
-        row[3 * spheres + i] = rounded_up(radius + float_error * (radius + reach));
+            put(row[axis * spheres + i], centre[axis] - from[axis]);
+        put(row[3 * spheres + i], rounded_up(radius + float_error * (radius + reach)));
     }
     row += 4 * std::size_t{spheres};
     for (std::uint32_t i = 0; i < triangles; ++i) {
@@ -80,151 +62,213 @@ void pack_leaf(const PackedKinds& kinds, std::span<const std::uint32_t> items, c
             const int axis = static_cast<int>(k % 3);
             const double x = corners[k / 3][axis] - from[axis];
             reach = std::fmax(reach, std::abs(x));
-            row[k * triangles + i] = static_cast<float>(x);
+            put(row[k * triangles + i], x);
         }
     }
     row += 9 * std::size_t{triangles};
     for (std::uint32_t i = 0; i < others; ++i) {
-        const Box box = clip(kinds.box(items[spheres + triangles + i]), cell);
+        const Box box = kinds.box(items[spheres + triangles + i]);
         for (int axis = 0; axis < 3; ++axis) {
-            row[axis * others + i] = static_cast<float>(box.low[axis] - from[axis]);
-            row[(3 + axis) * others + i] = static_cast<float>(box.high[axis] - from[axis]);
+            put(row[axis * others + i], box.low[axis] - from[axis]);
+            put(row[(3 + axis) * others + i], box.high[axis] - from[axis]);
         }
     }
-    std::ranges::copy(anchor, packs.begin() + static_cast<std::ptrdiff_t>(head));
-    packs[head + 3] = rounded_up(2 * reach);
-    packs[head + 4] = std::bit_cast<float>(spheres);
-    packs[head + 5] = std::bit_cast<float>(triangles);
+    put(words[3], rounded_up(2 * reach));
+    words[4] = spheres;
+    words[5] = triangles;
+}
+
+}  // namespace
+
+LeafPacks leaf_packs(PackedKinds kinds) {
+    const auto size = [kinds](std::span<const std::uint32_t> items) {
+        const Counts count(kinds, items);
+        return pack_head + 4 * std::size_t{count.spheres} + 9 * std::size_t{count.triangles} +
+               6 * std::size_t{count.others};
+    };
+    const auto fill = [kinds](std::span<const std::uint32_t> items, const Box& around,
+                              std::span<std::uint32_t> words) {
+        fill_pack(kinds, items, around, words);
+    };
+    return {size, fill};
 }
 
 void PackRay::prepare() {
-    length_ = length(direction_);
-    // Directions that have no length in numbers rule out nothing: comparisons with NaN fail.
-    if (!(length_ > 1e-150 && length_ < 1e150)) length_ = std::numeric_limits<double>::quiet_NaN();
-    const double shorter = 1 / length_;
-    for (int axis = 0; axis < 3; ++axis)
-        along_[axis] = static_cast<float>(direction_[axis] * shorter);
-    for (int axis = 0; axis < 3; ++axis) steps_[axis] = 1 / along_[axis];
-    const Vec3 size = glm::abs(direction_);
+    const Vec3 &origin = ray_.origin, &direction = ray_.direction;
+    const double length2 = dot(direction, direction);
+    origin_size_ = std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z);
+    // What nearly all rays have, and need not wait for a root then.
+    constexpr double nearly = 0x1p-30;
+    length_ = 1;
+    double shorter = 1;
+    if (!(std::abs(length2 - 1) < nearly)) {
+        length_ = std::sqrt(length2);
+        // Directions that have no length in numbers rule out nothing: comparisons with NaN fail.
+        if (!(length_ > 1e-150 && length_ < 1e150))
+            length_ = std::numeric_limits<double>::quiet_NaN();
+        shorter = 1 / length_;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        along_[axis] = static_cast<float>(direction[static_cast<int>(axis)] * shorter);
+}
+
+void PackRay::prepare_for_triangles() {
+    sheared_ = true;
+    const Vec3& direction = ray_.direction;
+    const Vec3 size = glm::abs(direction);
     z_ = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     x_ = (z_ + 1) % 3;
     y_ = (x_ + 1) % 3;
-    const double upright = 1 / direction_[z_];
-    shear_ = {static_cast<float>(direction_[x_] * upright),
-              static_cast<float>(direction_[y_] * upright)};
+    const double upright = 1 / direction[static_cast<int>(z_)];
+    shear_ = {static_cast<float>(direction[static_cast<int>(x_)] * upright),
+              static_cast<float>(direction[static_cast<int>(y_)] * upright)};
 }
 
-void PackRay::start(const KdLeaf& leaf, const Interval& range) {
-    if (length_ == 0) prepare();
-    double largest = std::abs(leaf.entry) * length_;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double from = leaf.pack[axis];
-        point_[axis] = static_cast<float>(origin_[axis] - from + leaf.entry * direction_[axis]);
-        largest += std::abs(origin_[axis]);
+/// The ray at one leaf, in units of length.
+struct PackRay::Here {
+    using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+
+    Four point;         ///< where it enters the leaf
+    float least, most;  ///< the range, from that point on
+    float slack;        ///< of points along the ray, by the rounding of doubles
+    float reach;        ///< largest coordinate in the leaf
+
+    [[gnu::always_inline]] Here(const PackRay& ray, const BvhLeaf& leaf, const Interval& range) {
+        using FourDoubles [[gnu::vector_size(4 * sizeof(double))]] = double;
+        Four anchor;  // and the reach
+        std::memcpy(&anchor, leaf.pack, sizeof anchor);
+        const Vec3 &o = ray.ray_.origin, &d = ray.ray_.direction;
+        const FourDoubles origin{o.x, o.y, o.z, 0}, direction{d.x, d.y, d.z, 0};
+        point = __builtin_convertvector(
+            origin - __builtin_convertvector(anchor, FourDoubles) + leaf.entry * direction, Four);
+        reach = anchor[3];
+        const double before = leaf.entry * ray.length_;
+        slack = static_cast<float>(double_error * (std::abs(before) + ray.origin_size_));
+        least = static_cast<float>(range.min * ray.length_ - before);
+        most = static_cast<float>(range.max * ray.length_ - before);
     }
-    slack_ = static_cast<float>(double_error * largest);
-    least_ = static_cast<float>((range.min - leaf.entry) * length_);
-    most_ = static_cast<float>((range.max - leaf.entry) * length_);
-    reach_ = leaf.pack[3];
-    margin_ = reach_ * (static_cast<float>(float_error) * reach_ + 16 * slack_) + tiny;
-}
+};
 
-/// By the distance of the closest approach, and by where the ray enters and leaves the sphere.
+/// By the distance of the closest approach, and by where the ray enters and leaves the sphere: half
+/// a chord before that and behind. What is half a chord or more away is compared by squares.
 template <bool sure>
-[[gnu::always_inline]] inline PackRay::Lanes PackRay::ask_spheres(const float* rows,
-                                                                  std::size_t stride) const {
-    Floats x, y, z, radius;
-    load(x, rows);
-    load(y, rows + stride);
-    load(z, rows + 2 * stride);
-    load(radius, rows + 3 * stride);
-    x = x - point_[0];
-    y = y - point_[1];
-    z = z - point_[2];
-    radius = radius + slack_;
-    const Floats along = x * along_[0] + y * along_[1] + z * along_[2];
+[[gnu::always_inline]] inline PackRay::Answer PackRay::look_at_spheres(const Here& here,
+                                                                       const std::uint32_t* rows,
+                                                                       std::uint32_t count) const {
+    Lanes x = load_lanes(rows) - here.point[0];
+    Lanes y = load_lanes(rows + count) - here.point[1];
+    Lanes z = load_lanes(rows + 2 * count) - here.point[2];
+    const Lanes radius = load_lanes(rows + 3 * count) + here.slack;
+    const Lanes along = x * along_[0] + y * along_[1] + z * along_[2];
     x = x - along * along_[0];
     y = y - along * along_[1];
     z = z - along * along_[2];
-    const Floats off2 = x * x + y * y + z * z;
-    const Floats spare = radius * radius + tiny - off2;
-    Floats half = spare;
-    take_roots(half);
-    const Floats pad = static_cast<float>(float_error) * (radius + reach_) + slack_;
+    const Lanes off2 = x * x + y * y + z * z;
+    const Lanes half2 = radius * radius + tiny - off2;
+    const Lanes pad = static_cast<float>(float_error) * (radius + here.reach) + here.slack;
+    const auto shorter_than = [&](const Lanes& way) __attribute__((always_inline)) {
+        return (way > 0) & (half2 < way * way);
+    };
     const std::uint32_t near =
-        lanes_of(~((spare < 0) | (along - half > most_ + pad) | (along + half < least_ - pad)));
+        bits(count) & marked(~((half2 < 0) | shorter_than(along - here.most - pad) |
+                               shorter_than(here.least - pad - along)));
     if (!sure || near == 0) return {near, 0};
-    // The radius as it was, and as much less as it had been made more. Comparisons with NaN, the
-    // root of what is negative, are false.
-    const Floats inner = radius - 4 * pad;
-    Floats least_half = inner * inner - off2;
-    take_roots(least_half);
-    const Marks enters = (along - half > least_ + pad) & (along - least_half < most_ - pad);
-    const Marks leaves = (along + least_half > least_ + pad) & (along + half < most_ - pad);
-    return {near, lanes_of((inner > 0) & (enters | leaves))};
-}
-
-CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::near_spheres(const float* rows,
-                                                              std::size_t stride) const {
-    return ask_spheres<false>(rows, stride);
-}
-
-CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::sure_spheres(const float* rows,
-                                                              std::size_t stride) const {
-    return ask_spheres<true>(rows, stride);
+    // The radius as much less as it had been made more. A chord that the range begins or ends in
+    // beyond its middle is left in doubt.
+    const Lanes inner = radius - 4 * pad;
+    const Marks from = along > here.least + pad, to = along < here.most - pad;
+    const Marks enters = to & shorter_than(along - here.least - pad);
+    const Marks leaves = from & shorter_than(here.most - pad - along);
+    return {near, near & marked((inner > 0) & (off2 < inner * inner) & (enters | leaves))};
 }
 
 /// As ShearedRay does.
-CANDELABRA_EVERY_MACHINE PackRay::Lanes PackRay::near_triangles(const float* rows,
-                                                                std::size_t stride) const {
-    std::array<Floats, 3> x, y, z;
-    const float x0 = point_[x_], y0 = point_[y_], z0 = point_[z_];
-    for (int corner = 0; corner < 3; ++corner) {
-        const float* const first = rows + 3 * corner * stride;
-        load(x[corner], first + x_ * stride);
-        load(y[corner], first + y_ * stride);
-        load(z[corner], first + z_ * stride);
-        z[corner] = z[corner] - z0;
-        x[corner] = x[corner] - x0 - shear_[0] * z[corner];
-        y[corner] = y[corner] - y0 - shear_[1] * z[corner];
+[[gnu::always_inline]] inline PackRay::Answer PackRay::look_at_triangles(
+    const Here& here, const std::uint32_t* rows, std::uint32_t count) const {
+    const float margin =
+        here.reach * (static_cast<float>(float_error) * here.reach + 16 * here.slack) + tiny;
+    std::array<float, 4> point;
+    std::memcpy(&point, &here.point, sizeof point);
+    std::array<Lanes, 3> x, y, z;
+    // Unrolled, so that they stay in registers.
+#pragma GCC unroll 3
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t* const first = rows + 3 * corner * count;
+        z[corner] = load_lanes(first + z_ * count) - point[z_];
+        x[corner] = load_lanes(first + x_ * count) - point[x_] - shear_[0] * z[corner];
+        y[corner] = load_lanes(first + y_ * count) - point[y_] - shear_[1] * z[corner];
     }
-    const Floats u = x[2] * y[1] - y[2] * x[1];
-    const Floats v = x[0] * y[2] - y[0] * x[2];
-    const Floats w = x[1] * y[0] - y[1] * x[0];
-    const Marks left = (u < -margin_) | (v < -margin_) | (w < -margin_);
-    const Marks right = (u > margin_) | (v > margin_) | (w > margin_);
-    const Marks within = ((u > margin_) & (v > margin_) & (w > margin_)) |
-                         ((u < -margin_) & (v < -margin_) & (w < -margin_));
+    const Lanes u = x[2] * y[1] - y[2] * x[1];
+    const Lanes v = x[0] * y[2] - y[0] * x[2];
+    const Lanes w = x[1] * y[0] - y[1] * x[0];
+    const Lanes least = least_of(least_of(u, v), w), most = greatest_of(greatest_of(u, v), w);
+    const std::uint32_t near = bits(count) & marked(~((least < -margin) & (most > margin)));
+    if (near == 0) return {0, 0};
+    const Marks within = (least > margin) | (most < -margin);
     // The crossing lies between the corners as the edges weigh them; what these may be wrong by
     // moves it the more, the more the triangle is seen edge-on.
-    const Floats sum = u + v + w;
-    const Floats along = (u * z[0] + v * z[1] + w * z[2]) / (sum * along_[z_]);
-    const Floats rise = z[1] - z[0], fall = z[2] - z[1];
-    const Floats depth = (rise < 0 ? -rise : rise) + (fall < 0 ? -fall : fall);
-    const Floats pad = 8 * margin_ * depth / (sum < 0 ? -sum : sum) +
-                       8 * (static_cast<float>(float_error) * reach_ + slack_);
-    const Marks outside = (along > most_ + pad) | (along < least_ - pad);
-    return {lanes_of(~((left & right) | (within & outside))),
-            lanes_of(within & (along > least_ + pad) & (along < most_ - pad))};
+    const Lanes sum = u + v + w;
+    const Lanes along = (u * z[0] + v * z[1] + w * z[2]) / (sum * along_[z_]);
+    const Lanes rise = z[1] - z[0], fall = z[2] - z[1];
+    const Lanes depth = (rise < 0 ? -rise : rise) + (fall < 0 ? -fall : fall);
+    const Lanes pad = 8 * margin * depth / (sum < 0 ? -sum : sum) +
+                      8 * (static_cast<float>(float_error) * here.reach + here.slack);
+    const Marks outside = (along > here.most + pad) | (along < here.least - pad);
+    return {near & marked(~(within & outside)),
+            near & marked(within & (along > here.least + pad) & (along < here.most - pad))};
 }
 
 /// By where the ray enters and leaves the slabs between opposite faces. For a ray that runs along a
 /// face these are at infinity, or NaN, which rules out nothing.
-CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near_boxes(const float* rows,
-                                                           std::size_t stride) const {
-    const float rounding = static_cast<float>(float_error) * reach_ + 4 * slack_;
+[[gnu::always_inline]] inline std::uint32_t PackRay::look_at_boxes(const Here& here,
+                                                                   const std::uint32_t* rows,
+                                                                   std::uint32_t count) const {
+    if (count <= few_boxes) return bits(count);
+    const float rounding = static_cast<float>(float_error) * here.reach + 4 * here.slack;
     const float pad = 4 * rounding;
-    Floats near = Floats{} + (least_ - pad), far = Floats{} + (most_ + pad);
+    Lanes near = lanes_of(here.least - pad), far = lanes_of(here.most + pad);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const bool backward = std::signbit(steps_[axis]);
+        const float step = 1 / along_[axis];
+        const bool backward = std::signbit(step);
         const float wider = backward ? -rounding : rounding;
-        Floats in, out;
-        load(in, rows + (backward ? 3 + axis : axis) * stride);
-        load(out, rows + (backward ? axis : 3 + axis) * stride);
-        in = (in - (point_[axis] + wider)) * steps_[axis];
-        out = (out - (point_[axis] - wider)) * steps_[axis];
-        near = in > near ? in : near;
-        far = out < far ? out : far;
+        const std::uint32_t* const low = rows + axis * count;
+        const std::uint32_t* const high = rows + (3 + axis) * count;
+        const Lanes in =
+            load_lanes(backward ? high : low) - (here.point[static_cast<int>(axis)] + wider);
+        const Lanes out =
+            load_lanes(backward ? low : high) - (here.point[static_cast<int>(axis)] - wider);
+        near = greatest_of(in * step, near);
+        far = least_of(out * step, far);
     }
-    return lanes_of(~(near > far + pad));
+    return bits(count) & marked(~(near > far + pad));
+}
+
+template <bool sure>
+[[gnu::always_inline]] inline PackRay::Answer PackRay::look_at(const BvhLeaf& leaf,
+                                                               const Interval& range) const {
+    const Here here(*this, leaf, range);
+    const std::uint32_t spheres = leaf.pack[4], triangles = leaf.pack[5];
+    const std::uint32_t first_other = spheres + triangles;
+    const auto others = static_cast<std::uint32_t>(leaf.items.size()) - first_other;
+    const std::uint32_t* rows = leaf.pack + pack_head;
+    Answer answer{0, 0};
+    if (spheres > 0) answer = look_at_spheres<sure>(here, rows, spheres);
+    rows += 4 * std::size_t{spheres};
+    if (triangles > 0) {
+        const Answer more = look_at_triangles(here, rows, triangles);
+        answer = {answer.near | more.near << spheres, answer.sure | more.sure};
+    }
+    rows += 9 * std::size_t{triangles};
+    if (others > 0) answer.near |= look_at_boxes(here, rows, others) << first_other;
+    return answer;
+}
+
+CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near(const BvhLeaf& leaf,
+                                                     const Interval& range) const {
+    return look_at<false>(leaf, range).near;
+}
+
+CANDELABRA_EVERY_MACHINE PackRay::Answer PackRay::near_or_sure(const BvhLeaf& leaf,
+                                                               const Interval& range) const {
+    return look_at<true>(leaf, range);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/part_index.h"
 
+#include "index/bvh_builder.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,8 +13,8 @@ namespace {
 constexpr std::size_t few = 8;
 constexpr std::size_t many = 20'000;
 
-/// One bit for each part: of a few thousand parts this names each once and in order sooner than
-/// sorting does.
+/// One bit for each part: of a few thousand parts this puts them in order sooner than sorting
+/// does.
 class Marks {
 public:
     static constexpr std::size_t most = 4096;
@@ -42,10 +44,10 @@ PartIndex::PartIndex(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
                                                     max_abs_component(bounds_.high));
     for (Box& box : boxes_)
         if (!box.empty()) box = {box.low - 1e-12 * size, box.high + 1e-12 * size};
-    if (boxes_.size() > few) tree_ = build_kdtree(boxes_, {}, {}, boxes_.size() > many ? 0 : 1);
+    if (boxes_.size() > few) tree_ = build_bvh(boxes_, {}, boxes_.size() > many ? 0 : 1);
 }
 
-ShortList<std::uint32_t, 512> PartIndex::in_cells(const Ray& ray, const Interval& range) const {
+ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& range) const {
     ShortList<std::uint32_t, 512> found;
     if (boxes_.size() <= Marks::most) {
         Marks marks(boxes_.size());
@@ -61,6 +63,5 @@ ShortList<std::uint32_t, 512> PartIndex::in_cells(const Ray& ray, const Interval
         return false;
     });
     std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }

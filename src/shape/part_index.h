@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/short_list.h"
-#include "index/kdtree.h"
+#include "index/bvh.h"
 
 #include <cmath>
 
@@ -27,12 +27,12 @@ public:
                 if (meets(ray, inverse, boxes_[i], range)) take(i);
             return;
         }
-        for (const std::uint32_t i : in_cells(ray, range))
+        for (const std::uint32_t i : near(ray, range))
             if (meets(ray, inverse, boxes_[i], range)) take(i);
     }
 
     /// Calls take(part, range) for parts whose box the ray meets in the range, those in front
-    /// first, and maybe more than once. It may lower the end of the range to where it has met the
+    /// first where they are apart. It may lower the end of the range to where it has met the
     /// part: what is behind that is left out.
     template <class Take>
     void nearest(const Ray& ray, Interval range, Take take) const {
@@ -57,14 +57,14 @@ public:
                 if (contains(boxes_[i], point)) take(i);
             return;
         }
-        // A ray without length visits the cells at its origin, which may share items.
-        for (const std::uint32_t i : in_cells(Ray{point, Vec3(1)}, {0, 0}))
+        // A ray without length visits the leaves around its origin.
+        for (const std::uint32_t i : near(Ray{point, Vec3(1)}, {0, 0}))
             if (contains(boxes_[i], point)) take(i);
     }
 
 private:
-    /// The parts in the cells that the ray passes, each once and in order.
-    ShortList<std::uint32_t, 512> in_cells(const Ray&, const Interval&) const;
+    /// The parts in the leaves that the ray passes, in order.
+    ShortList<std::uint32_t, 512> near(const Ray&, const Interval&) const;
 
     /// clip(ray, box, range) leaves something; `inverse` is 1 / the ray's direction.
     static bool meets(const Ray& ray, const Vec3& inverse, const Box& box, Interval range) {
@@ -80,6 +80,6 @@ private:
     }
 
     std::vector<Box> boxes_;  ///< a little larger than given, so that rounding loses nothing
-    KdTree tree_;             ///< empty when the parts are few
+    Bvh tree_;                ///< empty when the parts are few
     Box bounds_;
 };

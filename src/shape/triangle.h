@@ -72,6 +72,7 @@ public:
         y_ = (x_ + 1) % 3;
         const double along = ray.direction[z_];
         shear_ = Vec2(ray.direction[x_], ray.direction[y_]) / along;
+        inverse_ = Vec3(1) / ray.direction;
     }
 
     /// The crossing in the range, or t = range.max. Triangles seen edge-on, or without area, are
@@ -92,15 +93,28 @@ public:
         if (sum == 0 || approach == 0) return miss;
         // From the plane, because the weights of slivers have few digits; but never beyond the
         // bounds, because a triangle seen edge-on has a plane that is almost along the ray.
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        const Interval part = clip(ray_, join(join(Box{corner1, corner1}, corner2), corner3),
-                                   Interval{-infinity, infinity});
+        const Interval part = within(join(join(Box{corner1, corner1}, corner2), corner3));
         double t = dot(normal, b) / approach;
         if (part.min <= part.max) t = std::clamp(t, part.min, part.max);
         return range.contains(t) ? TriangleHit{t, v / sum, w / sum} : miss;
     }
 
 private:
+    /// As clip() of the whole line.
+    Interval within(const Box& box) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        Interval part{-infinity, infinity};
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool backward = std::signbit(inverse_[axis]);
+            const Vec3 &first = backward ? box.high : box.low,
+                       &last = backward ? box.low : box.high;
+            const double near = (first[axis] - ray_.origin[axis]) * inverse_[axis];
+            const double far = (last[axis] - ray_.origin[axis]) * inverse_[axis];
+            part.min = near > part.min ? near : part.min;
+            part.max = far < part.max ? far : part.max;
+        }
+        return part;
+    }
     /// In the plane across the ray, which is its origin.
     Vec2 project(const Vec3& p) const {
         return {p[x_] - shear_.x * p[z_], p[y_] - shear_.y * p[z_]};
@@ -114,6 +128,7 @@ private:
 
     Ray ray_;
     Vec2 shear_;
+    Vec3 inverse_;  ///< of the direction
     int x_, y_, z_;
     Edges edges_;
 };

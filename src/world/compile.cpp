@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "index/bvh_builder.h"
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
 #include "shape/moved.h"
@@ -14,19 +15,6 @@
 
 namespace {
 
-Box item_in_cell(const World& world, std::uint32_t item, const Box& cell) {
-    if (item < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[item];
-        return clipped_bounds(Sphere{s.centre, s.radius}, cell);
-    }
-    const std::size_t face = item - world.spheres.size();
-    if (face < world.triangles.size()) {
-        const TrianglePrimitive& t = world.triangles[face];
-        return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
-    }
-    return clip(item_bounds(world, item), cell);
-}
-
 std::uint32_t item_count(const World& world) {
     return world.leaves_begin() + static_cast<std::uint32_t>(world.composites.size());
 }
@@ -37,9 +25,8 @@ Box bounds_in_tree(const World& world, std::uint32_t item) {
 }
 
 void build_tree(World& world, int threads) {
-    world.tree = build_kdtree(
-        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
-        [&](std::uint32_t item, const Box& cell) { return item_in_cell(world, item, cell); }, {},
+    world.tree = build_bvh(
+        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); }, {},
         threads);
     const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
     const auto faces = static_cast<std::uint32_t>(world.triangles.size());
@@ -53,8 +40,7 @@ void build_tree(World& world, int threads) {
             return std::array{t.corner1, t.corner2, t.corner3};
         },
         [&](std::uint32_t item) { return item_bounds(world, item); }};
-    world.tree.pack([&](std::span<const std::uint32_t> items, const Box& cell,
-                        std::vector<float>& packs) { pack_leaf(kinds, items, cell, packs); });
+    world.tree.pack(leaf_packs(kinds), threads);
 }
 
 /// The planes of a scene in world space: where points to be lit may be, besides the bounded

@@ -3,9 +3,9 @@
 #include "world/world.h"
 
 #include "shape/leaf_pack.h"
-#include "shape/slabs.h"
 #include "shape/uv.h"
 #include "world/precedence.h"
+#include "world/ready_ray.h"
 
 #include <algorithm>
 #include <array>
@@ -23,22 +23,6 @@ double tolerance_at(const Ray& ray, double t) {
 
 /// The next larger number after a positive one.
 double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
-
-/// Items that have been asked for one ray: those that stand in several cells of the tree need not
-/// be asked again, and a few are remembered.
-class Asked {
-public:
-    bool before(std::uint32_t item) {
-        if (std::ranges::find(items_, item) != items_.end()) return true;
-        items_[next_++ % items_.size()] = item;
-        return false;
-    }
-
-private:
-    std::array<std::uint32_t, 8> items_ = {no_primitive, no_primitive, no_primitive, no_primitive,
-                                           no_primitive, no_primitive, no_primitive, no_primitive};
-    std::size_t next_ = 0;
-};
 
 }  // namespace
 
@@ -67,8 +51,9 @@ void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& 
     if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
 }
 
-void World::meet(PrimitiveIndex primitive, const Ray& ray, const Slabs& slabs,
-                 const Interval& range, Candidate& best) const {
+void World::meet(PrimitiveIndex primitive, ReadyRay& ready, const Interval& range,
+                 Candidate& best) const {
+    const Ray& ray = ready.ray();
     if (primitive < spheres.size()) {
         const SpherePrimitive& s = spheres[primitive];
         const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
@@ -76,11 +61,12 @@ void World::meet(PrimitiveIndex primitive, const Ray& ray, const Slabs& slabs,
     } else if (primitive < spheres.size() + triangles.size()) {
         const TrianglePrimitive& face = triangles[primitive - spheres.size()];
         const TriangleHit hit =
-            first_crossing(face.corner1, face.corner2, face.corner3, ray, {range.min, best.t});
+            ready.sheared().meet(face.corner1, face.corner2, face.corner3, {range.min, best.t});
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
         const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
-        if (!slabs.miss(placed.box, {range.min, best.t})) meet_shape(primitive, ray, range, best);
+        if (!ready.slabs().miss(placed.box, {range.min, best.t}))
+            meet_shape(primitive, ray, range, best);
     }
 }
 
@@ -117,7 +103,7 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
 }
 
 bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
-    const Slabs slabs(ray);
+    ReadyRay ready(ray);
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
     const std::uint32_t first_composite = leaves_begin();
@@ -136,7 +122,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         if (item >= first_composite)
             meet_composite(item - first_composite, ray, range, best, there);
         else if (there(item))
-            meet(item, ray, slabs, range, best);
+            meet(item, ready, range, best);
         if (best.primitive == before.primitive)
             best.t = before.t;
         else if (by_boxes && best.t == before.t && !precedes(*this, item, met, ray))
@@ -153,17 +139,15 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     }
     for (const std::uint32_t item : endless) ask(item);
     met = 0;
-    Asked asked;
-    const auto ask_once = [&](std::uint32_t item) {
-        if (item >= first_shape && asked.before(item)) return false;
+    const auto ask_in_tree = [&](std::uint32_t item) {
         const double before = best.t;
         ask(item);
         finite = finite || best.t < before;
         return false;
     };
     PackRay packed(ray);
-    tree.traverse(ray, {tolerance, best.t}, [&](const KdLeaf& leaf, Interval& left) {
-        packed.candidates(leaf, left, ask_once);
+    tree.traverse(ray, {tolerance, best.t}, [&](const BvhLeaf& leaf, Interval& left) {
+        packed.candidates(leaf, left, ask_in_tree);
         left.max = best.t;
         return false;
     });
@@ -196,7 +180,8 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
     } else if (item < spheres.size() + triangles.size()) {
         Candidate best{range.max};
-        meet(item, ray, Slabs(ray), range, best);
+        ReadyRay ready(ray);
+        meet(item, ready, range, best);
         const TrianglePrimitive& face = triangles[item - spheres.size()];
         if (best.primitive != no_primitive)
             found.push_back(
@@ -215,14 +200,13 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
     }
 }
 
-bool World::opaque_between(std::uint32_t item, const Ray& ray, const Slabs& slabs,
-                           const Interval& range) const {
+bool World::opaque_between(std::uint32_t item, ReadyRay& ready, const Interval& range) const {
     const auto blocks = [&](PrimitiveIndex primitive) { return material(primitive).stops_light(); };
     Candidate nearest{range.max};
     if (item >= leaves_begin())
-        meet_composite(item - leaves_begin(), ray, range, nearest, blocks);
+        meet_composite(item - leaves_begin(), ready.ray(), range, nearest, blocks);
     else if (blocks(item))
-        meet(item, ray, slabs, range, nearest);
+        meet(item, ready, range, nearest);
     return nearest.primitive != no_primitive;
 }
 
@@ -275,12 +259,11 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
                           std::span<const PrimitiveIndex> around, double apart) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
-    const Slabs slabs(ray);
+    ReadyRay ready(ray);
     ShortList<std::uint32_t, 16> clear;
-    const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
     const auto blocks = [&](std::uint32_t item) {
         if (any_transparent && may_pass(item)) clear.push_back(item);
-        return opaque_between(item, ray, slabs, range);
+        return opaque_between(item, ready, range);
     };
     for (const EndlessPlane& plane : planes) {
         if (!range.contains(plane.meet(ray))) continue;
@@ -288,20 +271,16 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
         clear.push_back(plane.primitive);
     }
     if (std::ranges::any_of(endless, blocks)) return Vec3(0);
-    Asked asked;
-    const auto blocks_once = [&](std::uint32_t item) {
-        return !(item >= first_shape && asked.before(item)) && blocks(item);
-    };
     PackRay packed(ray);
     const bool blocked =
-        tree.traverse_likely(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
-            return any_clear ? packed.candidates(leaf, whole, blocks_once)
-                             : packed.blocked(leaf, whole, blocks_once);
+        tree.traverse_likely(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
+            return any_clear ? packed.candidates(leaf, whole, blocks)
+                             : packed.blocked(leaf, whole, blocks);
         });
     if (blocked) return Vec3(0);
 
-    // A transparent item may stand in several leaves of the tree, and counts once; sorted, so that
-    // the product never depends on the tree.
+    // An item may be asked twice, and counts once; sorted, so that the product never depends on the
+    // tree.
     std::ranges::sort(clear);
     clear.erase(std::unique(clear.begin(), clear.end()), clear.end());
     Vec3 left(1);

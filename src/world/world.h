@@ -6,7 +6,7 @@
 #include "backdrop/sky_light.h"
 #include "base/short_list.h"
 #include "camera/camera.h"
-#include "index/kdtree.h"
+#include "index/bvh.h"
 #include "lighting/sampler.h"
 #include "scene/scene.h"
 #include "shape/part_index.h"
@@ -17,7 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-class Slabs;
+class ReadyRay;
 
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
@@ -255,7 +255,7 @@ public:
     std::vector<std::uint32_t> endless;      ///< the others
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
-    KdTree tree;
+    Bvh tree;
     ClearSolids clear_solids;  ///< empty unless the camera is parallel
 
     std::vector<Luminaire> luminaires;
@@ -312,7 +312,7 @@ private:
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
     /// A leaf of a composite, by its number among all leaves.
     const CompositeLeaf& leaf(std::uint32_t) const;
-    void meet(PrimitiveIndex, const Ray&, const Slabs&, const Interval&, Candidate&) const;
+    void meet(PrimitiveIndex, ReadyRay&, const Interval&, Candidate&) const;
     void meet_shape(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
     template <class Wanted>
     void meet_composite(std::uint32_t composite, const Ray&, const Interval&, Candidate&,
@@ -323,6 +323,6 @@ private:
     Vec3 passed(const Passage&, const Ray&) const;
     void keep_apart(Passages&, const Ray&, double distance, double apart) const;
     Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
-    bool opaque_between(std::uint32_t item, const Ray&, const Slabs&, const Interval&) const;
+    bool opaque_between(std::uint32_t item, ReadyRay&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };

@@ -103,7 +103,7 @@ TEST_CASE("statistics hold what the run was") {
     json = nlohmann::json::parse(shell.out);
     CHECK(json["light_sampler"] == "light_octree");
     CHECK(json["light_octree"]["bytes"] > 0);
-    CHECK(json["kdtree"]["bytes"] > 0);
+    CHECK(json["bvh"]["bytes"] > 0);
 }
 
 TEST_CASE("names and clock from the command line reach the scene") {

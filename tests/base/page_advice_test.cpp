@@ -3,29 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <fstream>
 #include <numeric>
 #include <vector>
-
-TEST_CASE("pages are given back, and what is around them stays", "[base]") {
-    std::vector<char> bytes(1 << 20, 'x');
-    const std::size_t from = 100'001, count = 500'000, page = 1 << 16;
-    give_back_pages(bytes.data() + from, count);
-    const auto same = [&](std::size_t begin, std::size_t end, char value) {
-        return std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(begin),
-                           bytes.begin() + static_cast<std::ptrdiff_t>(end),
-                           [=](char c) { return c == value; });
-    };
-    CHECK(same(0, from, 'x'));
-    CHECK(same(from + page, from + count - page, '\0'));
-    CHECK(same(from + count, bytes.size(), 'x'));
-    std::fill(bytes.begin(), bytes.end(), 'y');
-    CHECK(same(0, bytes.size(), 'y'));
-    give_back_pages(bytes.data(), 100);
-    CHECK(same(0, bytes.size(), 'y'));
-}
 
 TEST_CASE("memory keeps its contents when it goes to huge pages", "[base]") {
     std::vector<int> numbers(5 << 20);

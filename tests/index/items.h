@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ray.h"
-#include "index/kdtree.h"
+#include "index/bvh_builder.h"
 
 #include <cstdint>
 #include <random>
@@ -39,18 +39,6 @@ inline Vec3 direction(Random& random) {
         const Vec3 v = point_in(random, {Vec3(-1), Vec3(1)});
         if (dot(v, v) <= 1 && dot(v, v) > 0.01) return unit(v);
     }
-}
-
-/// Bounds of the part of the item's surface in the cell.
-inline Box clipped(const Item& item, const Box& cell) {
-    if (item.radius <= 0) return clip(item.box, cell);
-    const Vec3 centre = item.centre();
-    const Vec3 near = glm::max(glm::max(cell.low - centre, centre - cell.high), Vec3(0));
-    const double spare = item.radius * item.radius - dot(near, near);
-    if (spare < 0 || farthest_distance2(cell, centre) < item.radius * item.radius) return {};
-    Vec3 reach;
-    for (int axis = 0; axis < 3; ++axis) reach[axis] = std::sqrt(spare + near[axis] * near[axis]);
-    return clip(cell, {centre - reach, centre + reach});
 }
 
 /// The nearest crossing of the item's surface in the range, or no_hit.
@@ -106,7 +94,7 @@ bool any_hit(const Index& index, const std::vector<Item>& items, const Ray& ray,
         }
         return false;
     };
-    if constexpr (std::is_same_v<Index, KdTree>)
+    if constexpr (std::is_same_v<Index, Bvh>)
         return index.traverse_likely(ray, whole, visit);
     else
         return index.traverse(ray, whole, visit);
@@ -118,11 +106,21 @@ inline std::vector<Box> boxes_of(const std::vector<Item>& items) {
     return boxes;
 }
 
-inline KdTree tree_of(const std::vector<Item>& items, const KdTreeSettings& settings = {},
-                      int threads = 1) {
-    return build_kdtree(
-        boxes_of(items), [&](std::uint32_t i, const Box& cell) { return clipped(items[i], cell); },
-        settings, threads);
+inline Bvh tree_of(const std::vector<Item>& items, const BvhSettings& settings = {},
+                   int threads = 1) {
+    return build_bvh(boxes_of(items), settings, threads);
+}
+
+/// In the order of the leaves; not those that are asked before all others.
+inline std::vector<std::uint32_t> items_of(const Bvh& tree) {
+    std::vector<std::uint32_t> items;
+    for (const BvhNode& node : tree.nodes())
+        for (std::size_t slot = 0; slot < BvhNode::width; ++slot) {
+            if (!node.used(slot) || !node.children[slot].is_leaf()) continue;
+            const auto leaf = tree.items(node.children[slot]);
+            items.insert(items.end(), leaf.begin(), leaf.end());
+        }
+    return items;
 }
 
 inline std::vector<Item> random_balls(std::size_t count, double low_radius, double high_radius,

@@ -5,10 +5,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace {
 
-constexpr double slack = 1e-12;
-constexpr SplitCosts costs{1, 4, 0};
+constexpr BvhSettings costs{.node_cost = 1, .group_cost = 4, .group = 1};
 
 std::vector<Fragment> fragments_of(const std::vector<Item>& items) {
     std::vector<Fragment> fragments;
@@ -17,26 +18,38 @@ std::vector<Fragment> fragments_of(const std::vector<Item>& items) {
     return fragments;
 }
 
-Box around(const std::vector<Fragment>& fragments) {
+Box around(std::span<const Fragment> fragments) {
     Box box;
     for (const Fragment& f : fragments) box = join(box, f.box);
     return box;
 }
 
-/// The definition: cost of the halves, each with the chance that a ray through the cell meets it.
-double cost_of(const std::vector<Fragment>& fragments, const Box& cell, int axis, double plane) {
-    Box below = cell;
-    Box above = cell;
-    below.high[axis] = plane;
-    above.low[axis] = plane;
-    double n_below = 0;
-    double n_above = 0;
-    for (const Fragment& f : fragments) {
-        n_below += reaches_below(f.box.low[axis], plane, slack);
-        n_above += reaches_above(f.box.high[axis], plane, slack);
+/// The definition: cost of the sides, each with the chance that a ray through the whole meets it.
+double cost_of(std::span<const Fragment> below, std::span<const Fragment> above) {
+    const auto side = [](std::span<const Fragment> part) {
+        return area(around(part)) * cost_of_items(static_cast<double>(part.size()), costs);
+    };
+    return side(below) + side(above);
+}
+
+double cost_of(const std::vector<Fragment>& fragments, const Split& split) {
+    std::vector<Fragment> sides = fragments;
+    const auto above =
+        std::ranges::partition(sides, [&](const Fragment& f) { return split.puts_below(f.box); });
+    const std::size_t below = sides.size() - above.size();
+    return cost_of(std::span(sides).first(below), std::span(sides).subspan(below));
+}
+
+/// The least cost of all divisions along an axis.
+double least_cost(std::vector<Fragment> fragments) {
+    double least = no_hit;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::ranges::sort(fragments, {}, [&](const Fragment& f) { return f.box.centre()[axis]; });
+        for (std::size_t n = 1; n < fragments.size(); ++n)
+            least = std::min(
+                least, cost_of(std::span(fragments).first(n), std::span(fragments).subspan(n)));
     }
-    return costs.traversal +
-           costs.intersection * (area(below) * n_below + area(above) * n_above) / area(cell);
+    return least;
 }
 
 std::vector<Item> row(int count) {
@@ -47,65 +60,59 @@ std::vector<Item> row(int count) {
 
 }  // namespace
 
-TEST_CASE("few fragments are divided where the heuristic is least", "[index]") {
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+TEST_CASE("items are divided nearly where the heuristic is least", "[index]") {
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const std::vector<Fragment> fragments =
-            fragments_of(random_balls(2 + seed % 10, 0.02, 0.2, seed));
-        const Box cell = around(fragments);
-        const Split split = SplitFinder(costs, slack).find(fragments, cell);
-        double least = costs.intersection * static_cast<double>(fragments.size());
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int i = 1; i < 1000; ++i) {
-                const double plane = cell.low[axis] + i * 0.001 * cell.size()[axis];
-                least = std::min(least, cost_of(fragments, cell, axis, plane));
-            }
+            fragments_of(random_balls(4 + seed % 60, 0.02, 0.2, seed));
+        const Split split = find_split(fragments, around(fragments), costs, true);
+        REQUIRE(split.found());
+        CHECK(cost_of(fragments, split) < 1.3 * least_cost(fragments));
+    }
+    const std::vector<Fragment> many = fragments_of(row(1000));
+    const Split split = find_split(many, around(many), costs, false);
+    CHECK(split.axis == 0);
+    CHECK(cost_of(many, split) < 1.05 * least_cost(many));
+}
+
+TEST_CASE("the boxes of a split's sides hold what it puts there, and no more", "[index]") {
+    for (const ItemScene& scene : scenes()) {
+        CAPTURE(scene.name);
+        const std::vector<Fragment> fragments = fragments_of(scene.items);
+        const Split split = find_split(fragments, around(fragments), costs, true);
+        if (!split.found()) continue;
+        Box below, above;
+        for (const Fragment& f : fragments) {
+            Box& side = split.puts_below(f.box) ? below : above;
+            side = join(side, f.box);
         }
-        CHECK(split.cost <= least + 1e-9);
-        if (split.found())
-            CHECK(split.cost == Approx(cost_of(fragments, cell, split.axis, split.position)));
+        CHECK(below.low == split.below.low);
+        CHECK(below.high == split.below.high);
+        CHECK(above.low == split.above.low);
+        CHECK(above.high == split.above.high);
     }
 }
 
-TEST_CASE("many fragments are divided nearly where the heuristic is least", "[index]") {
-    const std::vector<Fragment> fragments = fragments_of(row(1000));
-    const Split split = SplitFinder(costs, slack).find(fragments, around(fragments));
-    REQUIRE(split.axis == 0);
-    CHECK(split.position == Approx(500).margin(20));
-    CHECK(split.cost < 4 * 1000 * 0.6);
+TEST_CASE("items stay together where dividing them costs more", "[index]") {
+    const std::vector<Fragment> fragments = fragments_of(row(4));
+    constexpr BvhSettings dear{.node_cost = 1000, .group_cost = 1, .group = 1};
+    CHECK_FALSE(find_split(fragments, around(fragments), dear, false).found());
+    CHECK(find_split(fragments, around(fragments), dear, true).found());
 }
 
-TEST_CASE("empty space is cut off at both ends", "[index]") {
-    for (const int count : {3, 100}) {
-        const std::vector<Fragment> fragments = fragments_of(row(count));
-        Box cell = around(fragments);
-        cell.high.y = 100;
-        const Split above = SplitFinder(costs, slack).find(fragments, cell);
-        CHECK(above.axis == 1);
-        CHECK(above.position == Approx(1));
-        cell.high.y = 1;
-        cell.low.y = -100;
-        const Split below = SplitFinder(costs, slack).find(fragments, cell);
-        CHECK(below.axis == 1);
-        CHECK(below.position == Approx(0).margin(1e-9));
-    }
-}
-
-TEST_CASE("cells that no plane improves stay whole", "[index]") {
+TEST_CASE("items in one place are not divided", "[index]") {
     const Box unit_box{Vec3(0), Vec3(1)};
-    for (const std::size_t count : {0, 1, 10, 1000}) {
+    for (const std::size_t count : {1, 10, 1000}) {
         const std::vector<Fragment> fragments(count, Fragment{unit_box, 0});
-        CHECK_FALSE(SplitFinder(costs, slack).find(fragments, unit_box).found());
+        for (const bool forced : {false, true})
+            CHECK_FALSE(find_split(fragments, unit_box, costs, forced).found());
     }
-    const std::vector<Fragment> points(10, Fragment{{Vec3(0), Vec3(0)}, 0});
-    CHECK_FALSE(SplitFinder(costs, 0).find(points, points[0].box).found());
 }
 
-TEST_CASE("a fragment without thickness comes to one side", "[index]") {
-    std::vector<Fragment> fragments = fragments_of(row(6));
-    fragments.push_back({{Vec3(3, -5, -5), Vec3(3, 5, 5)}, 6});
-    const Split split = SplitFinder(costs, slack).find(fragments, around(fragments));
-    REQUIRE(split.found());
-    const Box& wall = fragments.back().box;
-    CHECK((reaches_below(wall.low[split.axis], split.position, slack) &&
-           reaches_above(wall.high[split.axis], split.position, slack)) == (split.axis != 0));
+TEST_CASE("the last items of a group cost half of what a full one does, and their share",
+          "[index]") {
+    constexpr BvhSettings eight{.group_cost = 2, .group = 8};
+    CHECK(cost_of_items(0, eight) == 0);
+    CHECK(cost_of_items(8, eight) == 2);
+    CHECK(cost_of_items(1, eight) == Approx(2 * 0.5 * (1 / 8.0 + 1)));
+    CHECK(cost_of_items(12, eight) == Approx(2 * 0.5 * (1.5 + 2)));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/leaf_pack.h"
 
+#include "index/bvh_builder.h"
 #include "shape/sphere.h"
 #include "shape/triangle.h"
 #include "support/draw.h"
@@ -14,7 +15,6 @@ struct Things {
     std::vector<Sphere> spheres;
     std::vector<Triangle> triangles;
     std::vector<Box> boxes;
-    Box cell = {};  ///< of the leaf; what is beyond it is for other leaves to find
 
     std::size_t size() const { return spheres.size() + triangles.size() + boxes.size(); }
     PackedKinds kinds() const {
@@ -34,7 +34,7 @@ struct Things {
     double meet(std::uint32_t item, const Ray& ray, const Interval& range) const {
         if (item >= spheres.size() + triangles.size()) {
             const Box& box = boxes[item - spheres.size() - triangles.size()];
-            const Interval within = clip(ray, clip(box, cell), range);
+            const Interval within = clip(ray, box, range);
             return within.min < within.max ? within.min : range.max;
         }
         if (item < spheres.size())
@@ -47,7 +47,6 @@ struct Things {
 /// In a ball of that size around the centre; some are a thousand times larger or smaller.
 Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw) {
     Things made;
-    made.cell = {centre - Vec3(size), centre + Vec3(size)};
     for (std::size_t i = 0; i < count; ++i) {
         const double own = size * 0.2 * (i % 7 == 0 ? std::pow(10, draw.between(-3, 3)) : 1);
         const Vec3 place = centre + size * draw.point() + (own > size ? own : 0) * draw.direction();
@@ -60,13 +59,10 @@ Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw)
     return made;
 }
 
-/// A tree of one leaf with all things.
-KdTree one_leaf(const Things& things) {
-    const std::vector<Box> boxes(things.size(), things.cell);
-    KdTree tree = build_kdtree(boxes, {}, {.max_depth = 1, .leaf_size = 1 << 20}, 1);
-    tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
-        pack_leaf(things.kinds(), items, cell, out);
-    });
+/// All things, at most eight in a leaf; each leaf, as far as its box tells, may be anywhere.
+Bvh packed(const Things& things, const Box& around) {
+    Bvh tree = build_bvh(std::vector<Box>(things.size(), around), {}, 1);
+    tree.pack(leaf_packs(things.kinds()), 1);
     return tree;
 }
 
@@ -75,11 +71,11 @@ struct Candidates {
     std::size_t count = 0;
 };
 
-Candidates candidates(const KdTree& tree, const Things& things, const Ray& ray,
+Candidates candidates(const Bvh& tree, const Things& things, const Ray& ray,
                       const Interval& range) {
     Candidates found{std::vector<bool>(things.size())};
     PackRay packed(ray);
-    tree.traverse(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
+    tree.traverse(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
         return packed.candidates(leaf, whole, [&](std::uint32_t item) {
             found.asked[item] = true;
             ++found.count;
@@ -95,10 +91,10 @@ struct Blocked {
     std::size_t asked = 0;
 };
 
-Blocked blocked(const KdTree& tree, const Things& things, const Ray& ray, const Interval& range) {
+Blocked blocked(const Bvh& tree, const Things& things, const Ray& ray, const Interval& range) {
     Blocked found;
     PackRay packed(ray);
-    found.blocked = tree.traverse(ray, range, [&](const KdLeaf& leaf, const Interval& whole) {
+    found.blocked = tree.traverse(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
         return packed.blocked(leaf, whole, [&](std::uint32_t item) {
             ++found.asked;
             return things.meet(item, ray, range) < range.max;
@@ -137,7 +133,7 @@ void rule_out_nothing(std::size_t rays) {
     for (const auto& [centre, size] : places) {
         CAPTURE(size);
         const Things things = scattered(21, centre, size, draw);
-        const KdTree tree = one_leaf(things);
+        const Bvh tree = packed(things, {centre - Vec3(size), centre + Vec3(size)});
         std::size_t lost = 0, met = 0, wrong = 0;
         for (std::size_t i = 0; i < rays; ++i) {
             const Ray ray = aimed(things, centre, size, draw);
@@ -173,8 +169,9 @@ TEST_CASE("packs leave little in doubt", "[shape]") {
     Draw draw(2);
     for (const Vec3& centre : {Vec3(0), Vec3(1e6)}) {
         Things things, round;
-        things.cell = round.cell = {centre - Vec3(1.2), centre + Vec3(1.2)};
-        for (int i = 0; i < 100; ++i) {
+        const Box around{centre - Vec3(1.2), centre + Vec3(1.2)};
+        // Full leaves, each of one kind.
+        for (int i = 0; i < 128; ++i) {
             const Vec3 place = centre + draw.point();
             things.spheres.push_back({place, 0.1});
             things.triangles.push_back({place + 0.1 * draw.point(), place + 0.1 * draw.point(),
@@ -182,8 +179,9 @@ TEST_CASE("packs leave little in doubt", "[shape]") {
         }
         round = things;
         for (const Sphere& s : things.spheres)
-            things.boxes.push_back({s.centre - Vec3(0.1), s.centre + Vec3(0.1)});
-        const KdTree tree = one_leaf(things), round_tree = one_leaf(round);
+            things.boxes.insert(things.boxes.end(), 2,
+                                {s.centre - Vec3(0.1), s.centre + Vec3(0.1)});
+        const Bvh tree = packed(things, around), round_tree = packed(round, around);
         std::size_t asked = 0, met = 0, doubtful = 0;
         for (int i = 0; i < 2000; ++i) {
             const Vec3 from = centre + 3.0 * draw.direction();
@@ -202,30 +200,31 @@ TEST_CASE("packs leave little in doubt", "[shape]") {
 
 TEST_CASE("of few boxes, and by a ray without a direction, all are asked", "[shape]") {
     Things things;
-    things.cell = {Vec3(-1), Vec3(1)};
+    const Box around{Vec3(-1), Vec3(1)};
     things.spheres = {{Vec3(50), 0.1}, {Vec3(0), 0.1}};
     const Box there{Vec3(-0.5), Vec3(0.5)}, beside{Vec3(0.6), Vec3(0.9)};
     things.boxes = {beside, there};
     const Ray ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)};
-    CHECK(candidates(one_leaf(things), things, ray, {}).asked ==
+    CHECK(candidates(packed(things, around), things, ray, {}).asked ==
           std::vector<bool>{false, true, true, true});
     things.boxes = {beside, there, beside};
-    CHECK(candidates(one_leaf(things), things, ray, {}).asked ==
+    CHECK(candidates(packed(things, around), things, ray, {}).asked ==
           std::vector<bool>{false, true, false, true, false});
-    PackRay still({Vec3(0), Vec3(0)});
+    const Ray nowhere{Vec3(0), Vec3(0)};
+    PackRay still(nowhere);
     std::size_t asked = 0;
-    one_leaf(things).traverse(ray, {}, [&](const KdLeaf& leaf, const Interval& range) {
+    packed(things, around).traverse(ray, {}, [&](const BvhLeaf& leaf, const Interval& range) {
         return still.candidates(leaf, range, [&](std::uint32_t) { return ++asked == 5; });
     });
     CHECK(asked == 5);
 }
 
 TEST_CASE("without packs everything is asked", "[shape]") {
-    const KdTree tree = build_kdtree(std::vector<Box>(3, Box{Vec3(-1), Vec3(1)}), {});
+    const Bvh tree = build_bvh(std::vector<Box>(3, Box{Vec3(-1), Vec3(1)}));
     const Ray ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)};
     std::size_t asked = 0;
     PackRay packed(ray);
-    tree.traverse(ray, {}, [&](const KdLeaf& leaf, const Interval& range) {
+    tree.traverse(ray, {}, [&](const BvhLeaf& leaf, const Interval& range) {
         return packed.candidates(leaf, range, [&](std::uint32_t) { return ++asked, false; });
     });
     CHECK(asked == 3);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the kd-tree on Haines' sphereflake pair, against brute force and, where its headers are
-// there, Embree 3: build time, then million rays a second. Run by hand: kdtree_bench [depth ...].
-// The last column is the ratio to the opponent. Rays: through a camera's pixels, cosine-distributed
-// from what they hit, and from there to luminaires (any hit). One thread everywhere.
-// TRAVERSAL_COST, INTERSECTION_COST, EMPTY_BONUS and LEAF_SIZE in the environment replace the
-// settings' defaults.
+// Speed of the hierarchy of boxes on Haines' sphereflake pair, against brute force and, where its
+// headers are there, Embree 3: build time, then million rays a second. Run by hand: bvh_bench
+// [depth ...]. The last column is the ratio to the opponent. Rays: through a camera's pixels,
+// cosine-distributed from what they hit, and from there to luminaires (any hit). One thread
+// everywhere. NODE_COST and GROUP_COST in the environment replace the settings' defaults.
 #include "index/brute.h"
-#include "index/kdtree.h"
+#include "index/bvh_builder.h"
 #include "index/statistics.h"
 #include "rays.h"
 #include "shape/leaf_pack.h"
@@ -57,17 +56,6 @@ std::vector<Ball> flakes(int depth) {
 
 Box bounds(const Ball& b) { return {b.centre - Vec3(b.radius), b.centre + Vec3(b.radius)}; }
 
-/// Bounds of the part of the sphere's surface inside the cell: per axis, the extent of the slab's
-/// widest circle.
-Box clipped(const Ball& b, const Box& cell) {
-    const Vec3 near = glm::max(glm::max(cell.low - b.centre, b.centre - cell.high), Vec3(0));
-    const double spare = b.radius * b.radius - dot(near, near);
-    if (spare < 0 || farthest_distance2(cell, b.centre) < b.radius * b.radius) return {};
-    Vec3 reach;
-    for (int axis = 0; axis < 3; ++axis) reach[axis] = std::sqrt(spare + near[axis] * near[axis]);
-    return clip(cell, {b.centre - reach, b.centre + reach});
-}
-
 /// Nearest crossing in the range, from the point of the ray closest to the centre; infinite when
 /// there is none.
 inline double meet(const Ball& b, const Ray& ray, const Interval& range) {
@@ -88,7 +76,7 @@ struct Hit {
 
 /// Calls ask(item) -> bool for the balls that the ray may meet in a leaf.
 template <class Ask>
-bool ask_leaf(PackRay& packed, const KdLeaf& leaf, const Interval& range, Ask ask) {
+bool ask_leaf(PackRay& packed, const BvhLeaf& leaf, const Interval& range, Ask ask) {
     return packed.candidates(leaf, range, ask);
 }
 template <class Ask>
@@ -97,7 +85,7 @@ bool ask_leaf(PackRay&, std::span<const std::uint32_t> items, const Interval&, A
 }
 
 template <class Ask>
-bool ask_any(PackRay& packed, const KdLeaf& leaf, const Interval& range, Ask ask) {
+bool ask_any(PackRay& packed, const BvhLeaf& leaf, const Interval& range, Ask ask) {
     return packed.blocked(leaf, range, ask);
 }
 template <class Ask>
@@ -107,8 +95,8 @@ bool ask_any(PackRay&, std::span<const std::uint32_t> items, const Interval&, As
 
 /// What the index calls its leaves.
 template <class Index>
-using LeafOf = std::conditional_t<std::is_same_v<Index, KdTree>, const KdLeaf&,
-                                  std::span<const std::uint32_t>>;
+using LeafOf =
+    std::conditional_t<std::is_same_v<Index, Bvh>, const BvhLeaf&, std::span<const std::uint32_t>>;
 
 template <class Index>
 Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray) {
@@ -135,7 +123,7 @@ bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray,
             return meet(balls[item], ray, range) < range.max;
         });
     };
-    if constexpr (std::is_same_v<Index, KdTree>)
+    if constexpr (std::is_same_v<Index, Bvh>)
         return index.traverse_likely(ray, {0, distance}, visit);
     else
         return index.traverse(ray, {0, distance}, visit);
@@ -149,7 +137,7 @@ Vec3 sphere_point(std::mt19937_64& random) {
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-Rays make_rays(const KdTree& tree, const std::vector<Ball>& balls, int width) {
+Rays make_rays(const Bvh& tree, const std::vector<Ball>& balls, int width) {
     std::mt19937_64 random(1);
     std::uniform_int_distribution<std::size_t> any_luminaire(balls.size() / 2, balls.size() - 1);
     Rays rays;
@@ -197,45 +185,35 @@ void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
 }
 #endif
 
-KdTree tree_of(const std::vector<Ball>& balls, const KdTreeSettings& settings) {
-    std::vector<Box> boxes;
-    for (const Ball& b : balls) boxes.push_back(bounds(b));
-    KdTree tree = build_kdtree(
-        boxes, [&](std::uint32_t i, const Box& cell) { return clipped(balls[i], cell); }, settings,
-        1);
+Bvh tree_of(const std::vector<Ball>& balls, const BvhSettings& settings) {
     const auto count = static_cast<std::uint32_t>(balls.size());
+    Bvh tree = build_bvh(
+        count, [&](std::uint32_t i) { return bounds(balls[i]); }, settings, 1);
     const auto ball = [&](std::uint32_t i) {
         return PackedKinds::Ball{balls[i].centre, balls[i].radius};
     };
-    tree.pack([&](std::span<const std::uint32_t> items, const Box& cell, std::vector<float>& out) {
-        pack_leaf({count, count, ball, {}, {}}, items, cell, out);
-    });
+    tree.pack(leaf_packs({count, count, ball, {}, {}}), 1);
     return tree;
 }
 
 void run(int depth) {
     const std::vector<Ball> balls = flakes(depth);
-    KdTreeSettings settings;
-    double leaf_size = settings.leaf_size;
-    read_setting("TRAVERSAL_COST", settings.traversal_cost);
-    read_setting("INTERSECTION_COST", settings.intersection_cost);
-    read_setting("EMPTY_BONUS", settings.empty_bonus);
-    read_setting("LEAF_SIZE", leaf_size);
-    settings.leaf_size = static_cast<int>(leaf_size);
+    BvhSettings settings;
+    read_setting("NODE_COST", settings.node_cost);
+    read_setting("GROUP_COST", settings.group_cost);
 
     const double start = seconds();
-    const KdTree tree = tree_of(balls, settings);
+    const Bvh tree = tree_of(balls, settings);
     const double build_time = seconds() - start;
-    const KdTreeStatistics s = statistics(tree);
+    const BvhStatistics s = statistics(tree);
     std::printf(
-        "\nsphereflake pair, depth %d: %zu spheres, %.1f bytes a sphere, %zu nodes, %zu leaves "
-        "(%zu empty), depth %d,\n"
-        "%.2f items a leaf (at most %zu), %.2f leaves an item, cost %.2f\n",
+        "\nsphereflake pair, depth %d: %zu spheres, %.1f bytes a sphere, %zu nodes, %zu leaves, "
+        "depth %d,\n%.2f items a leaf (at most %zu), %zu asked before all others, cost %.2f\n",
         depth, balls.size(), static_cast<double>(s.bytes) / static_cast<double>(balls.size()),
-        s.nodes, s.leaves, s.empty_leaves, s.max_depth, s.mean_items_per_leaf, s.max_items_per_leaf,
-        s.duplication, s.cost);
-    std::printf("%-12s %12s %13s %-12s %12s %13s %10s\n", "case", "kd-tree", "", "opponent", "its",
-                "", "ratio");
+        s.nodes, s.leaves, s.max_depth, s.mean_items_per_leaf, s.max_items_per_leaf,
+        8 * tree.foremost().size(), s.cost);
+    std::printf("%-12s %12s %13s %-12s %12s %13s %10s\n", "case", "hierarchy", "", "opponent",
+                "its", "", "ratio");
 
     const Rays rays = make_rays(tree, balls, 512);
     const auto meets = [&](const auto& index) {
@@ -266,6 +244,8 @@ void run(int depth) {
     const auto versus = [&](const char* what, const auto& segments, auto ours, auto theirs) {
         const auto [mine, other] = compare(segments, ours, theirs);
         print_speed(what, "Embree", mine, other);
+        const auto [my_once, other_once] = compare_once(segments, ours, theirs);
+        print_speed("  once", "Embree", my_once, other_once);
     };
     versus("camera M/s", rays.camera, meets(tree), embree_meets);
     versus("bounce M/s", rays.bounce, meets(tree), embree_meets);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eight numbers of single precision side by side, and what loops over them have in common. They are
+// compiled into the loops that CANDELABRA_EVERY_MACHINE marks, for each instruction set. Called by
+// the index of boxes and by the packs of its leaves.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+inline constexpr std::size_t lane_count = 8;
+
+using Lanes [[gnu::vector_size(sizeof(float) * lane_count)]] = float;
+/// All bits set, or none, in each lane.
+using Marks [[gnu::vector_size(sizeof(float) * lane_count)]] = std::int32_t;
+
+[[gnu::always_inline]] inline Lanes lanes_of(float x) { return Lanes{x, x, x, x, x, x, x, x}; }
+
+/// From any address, of whatever type is stored there.
+[[gnu::always_inline]] inline Lanes load_lanes(const void* from) {
+    Lanes lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+}
+
+/// The second operand where the first one is not a number. Of any vectors.
+template <class Vector>
+[[gnu::always_inline]] inline Vector least_of(const Vector& a, const Vector& b) {
+    return a < b ? a : b;
+}
+template <class Vector>
+[[gnu::always_inline]] inline Vector greatest_of(const Vector& a, const Vector& b) {
+    return a > b ? a : b;
+}
+
+/// A bit for each marked lane.
+[[gnu::always_inline]] inline std::uint32_t marked(const Marks& marks) {
+#ifdef __x86_64__
+    // What every such machine has; through the memory it takes twice as long.
+    using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+    const auto low = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 0, 1, 2, 3));
+    const auto high = std::bit_cast<Four>(__builtin_shufflevector(marks, marks, 4, 5, 6, 7));
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskps(low) | __builtin_ia32_movmskps(high)
+                                                                         << 4);
+#else
+    constexpr Marks bits = {1, 2, 4, 8, 16, 32, 64, 128};
+    const auto quarters = std::bit_cast<std::array<std::uint64_t, 4> >(marks & bits);
+    const std::uint64_t pairs = (quarters[0] | quarters[2]) | (quarters[1] | quarters[3]);
+    return static_cast<std::uint32_t>(pairs | pairs >> 32);
+#endif
+}

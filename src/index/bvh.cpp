@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "index/bvh.h"
+
+#include "base/every_machine.h"
+#include "base/lanes.h"
+#include "base/page_advice.h"
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace {
+
+/// A little more than what rounding to single precision may cost, as a share of a number.
+constexpr double rounding = 0x1p-22;
+
+float below(double x) {
+    const auto f = static_cast<float>(x);
+    return f - static_cast<float>(rounding) * std::abs(f);
+}
+float above(double x) {
+    const auto f = static_cast<float>(x);
+    return f + static_cast<float>(rounding) * std::abs(f);
+}
+
+/// A ray as the nodes of a frame see it. t is counted in units of its greatest step along an axis,
+/// so that its numbers are those of coordinates.
+class Probe {
+public:
+    [[gnu::always_inline]] Probe(const BvhFrame& frame, const Ray& ray, const Interval& range) {
+        const Vec3& d = ray.direction;
+        const Vec3 size = glm::abs(d);
+        unit_ = size.x > size.y ? size.x : size.y;
+        unit_ = size.z > unit_ ? size.z : unit_;
+        per_unit_ = 1 / unit_;
+        const FourDoubles steps{d.x, d.y, d.z, 1};
+        FourDoubles inverse = unit_ / steps;
+        // Planes that a ray runs along lie far away, on the side where they are: further than
+        // anything that it could meet.
+        constexpr double along = 1e30;
+        inverse = inverse > along ? FourDoubles{} + along : inverse;
+        inverse = inverse < -along ? FourDoubles{} - along : inverse;
+
+        Vec3 from = ray.origin - frame.origin;
+        double lost = 0;
+        // From far away, a ray begins near the frame.
+        if (const double distance = max_abs(from); distance > far_away * frame.reach) {
+            skipped_ = -dot(from, d) / dot(d, d);
+            from += skipped_ * d;
+            lost = 0x1p-50 * distance;
+        }
+        // Distances have errors of their own size, and that of the origin in single precision. Both
+        // make boxes larger: near planes nearer, and far ones further. The signs are those for t
+        // above 0; what lies behind the origin gets as much more of it.
+        const double least = (range.min - skipped_) * unit_;
+        if (least < 0) lost += 4 * rounding * (frame.reach + max_abs(from));
+        const FourDoubles origin{from.x, from.y, from.z, 0};
+        FourDoubles error = (origin < 0 ? -origin : origin) * rounding + lost;
+        error = inverse < 0 ? -error : error;
+        const Four near = __builtin_convertvector(origin + error, Four);
+        const Four far = __builtin_convertvector(origin - error, Four);
+        const Four sooner = __builtin_convertvector(inverse * (1 - rounding), Four);
+        const Four later = __builtin_convertvector(inverse * (1 + rounding), Four);
+#pragma GCC unroll 3
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto at = static_cast<std::size_t>(axis);
+            near_[at] = lanes_of(near[axis]);
+            far_[at] = lanes_of(far[axis]);
+            sooner_[at] = lanes_of(sooner[axis]);
+            later_[at] = lanes_of(later[axis]);
+            const std::size_t row = at * sizeof(BvhNode::Row);
+            first_[at] = offsetof(BvhNode, low) + row;
+            last_[at] = offsetof(BvhNode, high) + row;
+            if (std::signbit(d[axis])) std::swap(first_[at], last_[at]);
+        }
+        least_ = below(least);
+        set_end(range);
+    }
+
+    void set_end(const Interval& range) { most_ = above((range.max - skipped_) * unit_); }
+    float begin() const { return least_; }
+    bool beyond(float t) const { return t > most_; }
+    /// The ray's own parameter.
+    double parameter(float t) const { return skipped_ + t * per_unit_; }
+
+    /// The slots whose boxes the ray meets, a bit each, and where it enters all of them. For what
+    /// is not a number no box is ruled out.
+    [[gnu::always_inline]] std::uint32_t meet(const BvhNode& node, Lanes& entry) const {
+        const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
+        std::array<Lanes, 3> in, out;
+#pragma GCC unroll 3
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            in[axis] = (load_lanes(bytes + first_[axis]) - near_[axis]) * sooner_[axis];
+            out[axis] = (load_lanes(bytes + last_[axis]) - far_[axis]) * later_[axis];
+        }
+        // The last operand is taken where the other is not a number.
+        entry = greatest_of(greatest_of(in[0], in[1]), greatest_of(in[2], lanes_of(least_)));
+        const Lanes exit = least_of(least_of(out[0], out[1]), least_of(out[2], lanes_of(most_)));
+        return marked(~(entry > exit));
+    }
+
+private:
+    using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+    using FourDoubles [[gnu::vector_size(4 * sizeof(double))]] = double;
+    static constexpr double far_away = 64;  ///< in reaches of the frame
+
+    static double max_abs(const Vec3& v) {
+        const Vec3 size = glm::abs(v);
+        const double most = size.x > size.y ? size.x : size.y;
+        return size.z > most ? size.z : most;
+    }
+
+    double unit_, per_unit_;  ///< units of t for one of the ray's parameter, and the other way
+    double skipped_ = 0;      ///< the ray's parameter where t is 0
+    std::array<Lanes, 3> near_, far_;          ///< the origin, for near planes and for far ones
+    std::array<Lanes, 3> sooner_, later_;      ///< the inverse of the direction, for the same
+    std::array<std::size_t, 3> first_, last_;  ///< where a node has the near ends, and the far ones
+    float least_, most_;
+};
+
+/// What is still to be visited.
+struct Pending {
+    float entry;
+    BvhChild child;
+};
+
+/// Of the children in some slots the one to visit first; the others are put on a stack.
+template <bool likely_first>
+[[gnu::always_inline]] inline Pending take_first(const BvhNode& node, std::uint32_t slots,
+                                                 const Lanes& entry, Pending*& top) {
+    const auto take_lowest = [&] {
+        const int slot = std::countr_zero(slots);
+        slots &= slots - 1;
+        return Pending{entry[slot], node.children[static_cast<std::size_t>(slot)]};
+    };
+    Pending next = take_lowest();
+    if constexpr (likely_first) {
+        // The likelier one has the higher slot.
+        for (; slots != 0; next = take_lowest()) *top++ = next;
+    } else if (slots != 0) {
+        Pending* const first = top;
+        for (*top++ = next; slots != 0;) {
+            next = take_lowest();
+            Pending* place = top++;
+            for (; place > first && place[-1].entry < next.entry; --place) *place = place[-1];
+            *place = next;
+        }
+        next = *--top;
+    }
+    return next;
+}
+
+}  // namespace
+
+template <bool likely_first>
+[[gnu::always_inline]] inline bool Bvh::walk_any(const BvhFrame& frame, const Ray& ray,
+                                                 Interval& range, Visit visit) const {
+    Probe probe(frame, ray, range);
+    std::array<Pending, (BvhNode::width - 1) * depth_limit + 1> stack;
+    Pending* top = stack.data();
+    const auto* const nodes = reinterpret_cast<const std::byte*>(nodes_.data());
+    Pending here{probe.begin(), BvhChild::node(frame.root)};
+    for (;;) {
+        if (here.child.is_node()) {
+            const auto& node = *reinterpret_cast<const BvhNode*>(nodes + here.child.node_place());
+            Lanes entry;
+            if (const std::uint32_t slots = probe.meet(node, entry)) {
+                here = take_first<likely_first>(node, slots, entry, top);
+                continue;
+            }
+        } else if (here.child.is_leaf()) {
+            const BvhLeaf met = leaf(here.child, probe.parameter(here.entry));
+            if (!met.items.empty() && visit(met, range)) return true;
+            if (!likely_first) probe.set_end(range);
+        } else {
+            const BvhFrame& inner = frames_[here.child.frame()];
+            if (likely_first ? walk_likely(inner, ray, range, visit)
+                             : walk(inner, ray, range, visit))
+                return true;
+            if (!likely_first) probe.set_end(range);
+        }
+        do {
+            if (top == stack.data()) return false;
+            here = *--top;
+        } while (!likely_first && probe.beyond(here.entry));
+    }
+}
+
+CANDELABRA_EVERY_MACHINE bool Bvh::walk(const BvhFrame& frame, const Ray& ray, Interval& range,
+                                        Visit visit) const {
+    return walk_any<false>(frame, ray, range, visit);
+}
+
+CANDELABRA_EVERY_MACHINE bool Bvh::walk_likely(const BvhFrame& frame, const Ray& ray,
+                                               Interval& range, Visit visit) const {
+    return walk_any<true>(frame, ray, range, visit);
+}
+
+bool Bvh::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
+    if (foremost_.empty()) return false;
+    // Where the ray is nearest to the middle of all; few rays wait for a division.
+    double entry = 0;
+    if (!contains(bounds_, ray.origin)) {
+        const double length2 = dot(ray.direction, ray.direction);
+        entry = dot(bounds_.centre() - ray.origin, ray.direction);
+        if (!(std::abs(length2 - 1) < 1e-3)) entry /= length2;
+    }
+    return std::ranges::any_of(foremost_,
+                               [&](BvhChild child) { return visit(leaf(child, entry), range); });
+}
+
+std::span<const std::uint32_t> Bvh::items(BvhChild child) const { return leaf(child, 0).items; }
+
+std::size_t Bvh::memory_bytes() const {
+    return sizeof(*this) + frames_.capacity() * sizeof(BvhFrame) +
+           nodes_.capacity() * sizeof(BvhNode) +
+           (items_.capacity() + packs_.size()) * sizeof(std::uint32_t);
+}
+
+void Bvh::pack(const LeafPacks& packs, int threads) {
+    struct Leaf {
+        BvhChild from;  ///< a range of items
+        Box box;
+        std::size_t place;
+    };
+    std::vector<Leaf> leaves;
+    std::size_t words = 4;  // of leaves without items
+    const auto add = [&](BvhChild& child, const Box& box) {
+        leaves.push_back({child, box, words});
+        const std::size_t size = 1 + child.item_count() + packs.size(items(child));
+        child = BvhChild::pack(words / 4);
+        words += (size + 3) / 4 * 4;
+    };
+    for_each_node([&](std::uint32_t number, const BvhFrame& frame, int) {
+        BvhNode& node = nodes_[number];
+        for (std::size_t slot = 0; slot < BvhNode::width; ++slot)
+            if (node.used(slot) && node.children[slot].is_leaf())
+                add(node.children[slot], node.box(slot, frame.origin));
+    });
+    for (BvhChild& child : foremost_) add(child, bounds_);
+
+    // Those who read packs in lanes may read beyond the last one.
+    words += 2 * lane_count;
+    std::vector<std::uint32_t> made;
+    made.reserve(words);
+    expect_huge_pages(made.data(), words * sizeof(std::uint32_t));
+    made.resize(words);
+    constexpr std::size_t portion = 4096;
+    run_parallel((leaves.size() + portion - 1) / portion, threads, [&](std::size_t part) {
+        const std::size_t end = std::min(leaves.size(), (part + 1) * portion);
+        for (std::size_t i = part * portion; i < end; ++i) {
+            const auto& [from, box, place] = leaves[i];
+            const auto list = items(from);
+            const std::size_t size = packs.size(list);
+            made[place] = from.item_count();
+            std::ranges::copy(list, made.begin() + static_cast<std::ptrdiff_t>(place) + 1);
+            packs.fill(list, box, std::span(made).subspan(place + 1 + list.size(), size));
+        }
+    });
+    packs_ = std::move(made);
+    std::vector<std::uint32_t>().swap(items_);
+    use_huge_pages(nodes_.data(), nodes_.size() * sizeof(BvhNode));
+    use_huge_pages(packs_.data(), packs_.size() * sizeof(std::uint32_t));
+}
+
+void Bvh::for_each_node(
+    FunctionRef<void(std::uint32_t number, const BvhFrame&, int depth)> use) const {
+    struct Place {
+        std::uint32_t node, frame;
+        int depth;
+    };
+    std::vector<Place> todo;
+    if (!frames_.empty()) todo.push_back({frames_[0].root, 0, 1});
+    while (!todo.empty()) {
+        const Place place = todo.back();
+        todo.pop_back();
+        use(place.node, frames_[place.frame], place.depth);
+        const BvhNode& node = nodes_[place.node];
+        for (std::size_t slot = BvhNode::width; slot-- > 0;) {
+            const BvhChild child = node.children[slot];
+            if (!node.used(slot) || child.is_leaf()) continue;
+            const std::uint32_t frame = child.is_frame() ? child.frame() : place.frame;
+            const std::uint32_t next = child.is_frame() ? frames_[frame].root : child.node();
+            todo.push_back({next, frame, place.depth + 1});
+        }
+    }
+}

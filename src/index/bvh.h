@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A bounding volume hierarchy over boxes, built with the surface area heuristic: finds the items
+// that a ray may meet. The world builds one over its objects; it knows no shapes, only their boxes.
+// A node has up to eight children, whose boxes a ray is held against at once, in single precision.
+// Where boxes become so small that this does not tell them apart any more, a new frame begins,
+// whose coordinates are counted from its own origin. Immutable once built, and the same for any
+// number of threads. Every item whose box the ray meets is visited, rounding errors included; see
+// build_bvh for what that promises.
+#pragma once
+
+#include "base/box.h"
+#include "base/function_ref.h"
+#include "base/ray.h"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+/// What steers the build. Costs are relative to each other.
+struct BvhSettings {
+    double node_cost = 1;   ///< of holding a ray against the boxes of a node
+    double group_cost = 1;  ///< of testing a group of items
+    int group = 8;          ///< so many items of a leaf are tested at once
+};
+
+/// What a slot of a node refers to. Rays wait for where
+/// the next node is, so a child that is a node has its place in bytes, and nothing else in it.
+class BvhChild {
+public:
+    static constexpr std::uint32_t node_size = 7 * 32;
+
+    static BvhChild node(std::uint32_t number) { return BvhChild(number * node_size); }
+    static BvhChild frame(std::uint32_t number) { return BvhChild(number << 2 | frame_kind); }
+    /// A range of the tree's items; at most 15.
+    static BvhChild leaf(std::uint32_t first_item, std::uint32_t count) {
+        return BvhChild(first_item << 5 | count << 1 | leaf_kind);
+    }
+    /// A leaf that is packed; its place is counted in fours of words.
+    static BvhChild pack(std::size_t place) {
+        return BvhChild(static_cast<std::uint32_t>(place) << 1 | leaf_kind);
+    }
+
+    BvhChild() = default;
+
+    bool is_leaf() const { return (bits_ & leaf_kind) != 0; }
+    bool is_frame() const { return (bits_ & (leaf_kind | frame_kind)) == frame_kind; }
+    bool is_node() const { return (bits_ & (leaf_kind | frame_kind)) == 0; }
+    std::uint32_t node() const { return bits_ / node_size; }
+    std::size_t node_place() const { return bits_; }
+    std::uint32_t frame() const { return bits_ >> 2; }
+    std::uint32_t first_item() const { return bits_ >> 5; }
+    std::uint32_t item_count() const { return bits_ >> 1 & 15; }
+    std::size_t pack() const { return bits_ >> 1; }
+
+    bool operator==(const BvhChild&) const = default;
+
+private:
+    static constexpr std::uint32_t leaf_kind = 1, frame_kind = 2;
+    explicit BvhChild(std::uint32_t bits) : bits_(bits) {}
+
+    std::uint32_t bits_;  // not initialised: stacks of them are long
+};
+
+/// Eight boxes, counted from the frame's origin, and what is in them. Of slots that are not in use,
+/// the lower ends are infinite.
+struct alignas(32) BvhNode {
+    static constexpr std::size_t width = 8;
+    using Row = std::array<float, width>;
+
+    // The children are between the ends of the boxes, and so in a line of the cache that is asked
+    // for before it is known which of them are wanted.
+    std::array<Row, 3> low;  ///< of each axis
+    std::array<BvhChild, width> children;
+    std::array<Row, 3> high;
+
+    BvhNode() { children.fill(BvhChild::leaf(0, 0)); }
+
+    bool used(std::size_t slot) const { return low[0][slot] <= high[0][slot]; }
+    Box box(std::size_t slot, const Vec3& origin) const {
+        return {origin + Vec3(low[0][slot], low[1][slot], low[2][slot]),
+                origin + Vec3(high[0][slot], high[1][slot], high[2][slot])};
+    }
+
+    bool operator==(const BvhNode&) const = default;
+};
+static_assert(sizeof(BvhNode) == BvhChild::node_size);
+
+/// A part of the hierarchy whose coordinates are counted from a point of its own.
+struct BvhFrame {
+    Vec3 origin;         ///< in the middle
+    double reach;        ///< largest distance from there on an axis
+    std::uint32_t root;  ///< the node with the first boxes
+
+    bool operator==(const BvhFrame&) const = default;
+};
+
+/// A leaf whose box a ray meets.
+struct BvhLeaf {
+    std::span<const std::uint32_t> items;  ///< at most 8, in ascending order
+    const std::uint32_t*
+        pack;      ///< what Bvh::pack() was given for them; null in a tree that is not packed
+    double entry;  ///< the ray's parameter somewhere near: where it enters the leaf's box, or its
+                   ///< range
+};
+
+/// What is to be kept for the items of leaves. Called from several threads.
+struct LeafPacks {
+    /// In so many words.
+    std::function<std::size_t(std::span<const std::uint32_t> items)> size;
+    /// Fills these in; `box` is around the items.
+    std::function<void(std::span<const std::uint32_t> items, const Box& box,
+                       std::span<std::uint32_t> words)>
+        fill;
+};
+
+class Bvh {
+public:
+    /// More levels of nodes there never are.
+    static constexpr int depth_limit = 32;
+    /// As many items there may be, and one less.
+    static constexpr std::uint32_t item_limit = 1u << 26;
+
+    /// No items: no ray meets anything.
+    Bvh() = default;
+
+    /// Calls visit(const BvhLeaf&, Interval& range) -> bool, or visit(std::span<const
+    /// std::uint32_t> items, Interval& range), for each leaf whose box the ray meets within the
+    /// range, nearer ones first where boxes do not overlap. visit may lower range.max when it found
+    /// a hit; leaves behind it are left out. When visit returns true, traversal stops and returns
+    /// true.
+    template <class Visit>
+    bool traverse(const Ray& ray, Interval range, Visit&& visit) const {
+        return !frames_.empty() && walk(frames_[0], ray, range, as_leaf_visit(visit));
+    }
+
+    /// The same for who only wants to know whether anything is met: first where the ray, for its
+    /// steps, is likeliest to be stopped. visit leaves range as it is. An item may be visited
+    /// twice.
+    template <class Visit>
+    bool traverse_likely(const Ray& ray, Interval range, Visit&& visit) const {
+        const auto own = as_leaf_visit(visit);
+        return !frames_.empty() &&
+               (visit_foremost(ray, range, own) || walk_likely(frames_[0], ray, range, own));
+    }
+
+    /// Around all items.
+    const Box& bounds() const { return bounds_; }
+    std::span<const BvhNode> nodes() const { return nodes_; }
+    std::span<const BvhFrame> frames() const { return frames_; }
+    /// Calls use(number, frame, level) for each node, those above others first; the root's level is
+    /// 1.
+    void for_each_node(
+        FunctionRef<void(std::uint32_t number, const BvhFrame&, int level)> use) const;
+    /// The items of a child that is a leaf.
+    std::span<const std::uint32_t> items(BvhChild leaf) const;
+    /// Leaves that are visited before all others when anything will do: large things, which stop
+    /// many rays. Their items are in the tree as well.
+    std::span<const BvhChild> foremost() const { return foremost_; }
+    const BvhSettings& settings() const { return settings_; }
+    std::size_t memory_bytes() const;
+
+    /// Has each leaf keep something beside its items. Once. threads = 0 means one per core.
+    void pack(const LeafPacks&, int threads = 0);
+
+private:
+    using Visit = FunctionRef<bool(const BvhLeaf&, Interval&)>;
+    friend class BvhBuilder;
+
+    bool walk(const BvhFrame&, const Ray&, Interval& range, Visit) const;
+    bool walk_likely(const BvhFrame&, const Ray&, Interval& range, Visit) const;
+    template <bool likely_first>
+    bool walk_any(const BvhFrame&, const Ray&, Interval& range, Visit) const;
+    bool visit_foremost(const Ray&, Interval& range, Visit) const;
+    BvhLeaf leaf(BvhChild child, double entry) const {
+        if (packs_.empty())
+            return {{items_.data() + child.first_item(), child.item_count()}, nullptr, entry};
+        const std::uint32_t* const items = packs_.data() + 4 * child.pack() + 1;
+        return {{items, items[-1]}, items + items[-1], entry};
+    }
+
+    template <class OwnVisit>
+    static auto as_leaf_visit(OwnVisit& visit) {
+        if constexpr (std::invocable<OwnVisit, const BvhLeaf&, Interval&>)
+            return std::ref(visit);
+        else
+            return
+                [&visit](const BvhLeaf& leaf, Interval& range) { return visit(leaf.items, range); };
+    }
+
+    Box bounds_;
+    std::vector<BvhFrame> frames_;  ///< the first is the whole
+    std::vector<BvhNode> nodes_;
+    std::vector<std::uint32_t> items_;  ///< those of a leaf side by side; none once packed
+    /// For each leaf the number of its items, the items, and what is kept for them.
+    std::vector<std::uint32_t> packs_;
+    std::vector<BvhChild> foremost_;
+    BvhSettings settings_;
+};

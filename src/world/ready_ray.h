@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A ray of the world, and what is made ready of it for many primitives of a kind when the first one
+// asks: most rays ask few kinds, and many none at all.
+#pragma once
+
+#include "shape/slabs.h"
+#include "shape/triangle.h"
+
+#include <optional>
+
+class ReadyRay {
+public:
+    explicit ReadyRay(const Ray& ray) : ray_(ray) {}
+    explicit ReadyRay(Ray&&) = delete;
+
+    const Ray& ray() const { return ray_; }
+    const Slabs& slabs() {
+        if (!slabs_) slabs_.emplace(ray_);
+        return *slabs_;
+    }
+    const ShearedRay& sheared() {
+        if (!sheared_) sheared_.emplace(ray_);
+        return *sheared_;
+    }
+
+private:
+    const Ray& ray_;
+    std::optional<Slabs> slabs_;
+    std::optional<ShearedRay> sheared_;
+};

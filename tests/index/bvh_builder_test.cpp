@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "index/bvh_builder.h"
+
+#include "index/statistics.h"
+#include "items.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace {
+
+bool same(const Bvh& a, const Bvh& b) {
+    return std::ranges::equal(a.nodes(), b.nodes()) && std::ranges::equal(a.frames(), b.frames()) &&
+           std::ranges::equal(a.foremost(), b.foremost()) && items_of(a) == items_of(b);
+}
+
+}  // namespace
+
+TEST_CASE("the hierarchy is the same for any number of threads", "[index]") {
+    // Otherwise no more threads would start than there are cores.
+    const oneapi::tbb::global_control allowed(oneapi::tbb::global_control::max_allowed_parallelism,
+                                              7);
+    const std::vector<Item> items = random_balls(20000, 0.005, 0.05, 14);
+    const Bvh one = tree_of(items, {}, 1);
+    REQUIRE(one.nodes().size() > 500);
+    for (const int threads : {0, 2, 7}) CHECK(same(one, tree_of(items, {}, threads)));
+}
+
+TEST_CASE("items with empty boxes are left out", "[index]") {
+    const std::vector<Box> boxes = {{}, {Vec3(0), Vec3(1)}, {}};
+    const Bvh tree = build_bvh(boxes);
+    CHECK(items_of(tree) == std::vector<std::uint32_t>{1});
+}
+
+TEST_CASE("a million coincident items are all there, and not deep", "[index]") {
+    const std::vector<Box> boxes(1000000, Box{Vec3(-1), Vec3(1)});
+    const Bvh tree = build_bvh(boxes);
+    CHECK(items_of(tree).size() == boxes.size());
+    CHECK(statistics(tree).max_depth < 10);
+    CHECK(tree.memory_bytes() < 50 * boxes.size());
+}
+
+TEST_CASE("items of a leaf are in order", "[index]") {
+    const std::vector<Item> items = random_balls(1000, 0.05, 0.2, 16);
+    const Bvh tree = tree_of(items);
+    tree.traverse({Vec3(-2, 0.1, 0.2), Vec3(1, 0, 0)}, {},
+                  [&](std::span<const std::uint32_t> leaf, Interval&) {
+                      CHECK(leaf.size() <= 8);
+                      CHECK(std::ranges::is_sorted(leaf));
+                      return false;
+                  });
+}
+
+TEST_CASE("what is large among many is asked before all others", "[index]") {
+    std::vector<Item> items = random_balls(2000, 0.001, 0.01, 41);
+    CHECK(tree_of(items).foremost().empty());
+    items.push_back(ball(Vec3(0), 0.5));
+    items.push_back(ball(Vec3(0.3), 0.6));
+    const Bvh tree = tree_of(items);
+    REQUIRE(tree.foremost().size() == 1);
+    CHECK(
+        std::ranges::equal(tree.items(tree.foremost()[0]), std::vector<std::uint32_t>{2000, 2001}));
+    // It is in the tree as well.
+    CHECK(std::ranges::count(items_of(tree), 2000u) == 1);
+}
