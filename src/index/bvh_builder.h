@@ -2,21 +2,23 @@
 // Builds hierarchies of boxes. Called by the world, composites and shapes of many parts.
 #pragma once
 
-#include "index/bvh.h"
+#include "index/pieces.h"
 
 /// Bounds of an item.
 using ItemBox = std::function<Box(std::uint32_t item)>;
 
 /// Items with an empty box are left out; boxes must be finite, and fewer than Bvh::item_limit.
-/// threads = 0 means one per core; the hierarchy is the same for any number.
+/// Where the parts of items are known, long ones that lie aslant may stand in several leaves; all
+/// others stand in one. threads = 0 means one per core; the hierarchy is the same for any number.
 ///
 /// Boxes are made larger by 2^-46 of the largest coordinate. This is some thirty times the rounding
 /// error of a plane's ray parameter, so a hit within that distance of its item is found for all
 /// origins up to thirty times as far away as the items.
-Bvh build_bvh(std::uint32_t items, const ItemBox&, const BvhSettings& = {}, int threads = 0);
+Bvh build_bvh(std::uint32_t items, const ItemBox&, const ItemPart&, const BvhSettings& = {},
+              int threads = 0);
 inline Bvh build_bvh(std::span<const Box> boxes, const BvhSettings& settings = {},
                      int threads = 0) {
     return build_bvh(
         static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t item) { return boxes[item]; },
-        settings, threads);
+        {}, settings, threads);
 }

@@ -5,6 +5,7 @@
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
 #include "shape/moved.h"
+#include "shape/stick.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
 #include "world/flatten.h"
@@ -24,9 +25,21 @@ Box bounds_in_tree(const World& world, std::uint32_t item) {
     return std::ranges::binary_search(world.unbounded, item) ? Box() : item_bounds(world, item);
 }
 
+Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
+    if (item < world.spheres.size() || item >= world.leaves_begin()) return cell;
+    const std::size_t face = item - world.spheres.size();
+    if (face < world.triangles.size()) {
+        const TrianglePrimitive& t = world.triangles[face];
+        return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
+    }
+    const PlacedShape& placed = world.shapes[face - world.triangles.size()];
+    return clipped_bounds(stick_around(placed.shape, placed.transform.get()), cell);
+}
+
 void build_tree(World& world, int threads) {
     world.tree = build_bvh(
-        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); }, {},
+        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
+        [&](std::uint32_t item, const Box& cell) { return part_in_tree(world, item, cell); }, {},
         threads);
     const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
     const auto faces = static_cast<std::uint32_t>(world.triangles.size());

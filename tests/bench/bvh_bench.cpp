@@ -188,7 +188,7 @@ void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
 Bvh tree_of(const std::vector<Ball>& balls, const BvhSettings& settings) {
     const auto count = static_cast<std::uint32_t>(balls.size());
     Bvh tree = build_bvh(
-        count, [&](std::uint32_t i) { return bounds(balls[i]); }, settings, 1);
+        count, [&](std::uint32_t i) { return bounds(balls[i]); }, {}, settings, 1);
     const auto ball = [&](std::uint32_t i) {
         return PackedKinds::Ball{balls[i].centre, balls[i].radius};
     };

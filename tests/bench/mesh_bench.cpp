@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Speed of the hierarchy of boxes on a mesh of a million triangles, a bumpy ball, against Embree 3
 // where its headers are there: build time, then million rays a second. Run by hand: mesh_bench
-// [steps], which makes 4 steps^2 triangles; GROUP_COST in the environment replaces the setting.
-// Rays: through a camera's pixels, cosine-distributed from what they hit, and from there to points
-// of a light above (any hit). One thread everywhere.
+// [steps], which makes 4 steps^2 triangles, or mesh_bench needles [count], long thin triangles in
+// all directions; GROUP_COST in the environment replaces the setting. Rays: through a camera's
+// pixels, cosine-distributed from what they hit, and from there to points of a light above (any
+// hit). One thread everywhere.
 #include "index/bvh_builder.h"
 #include "rays.h"
 #include "shape/leaf_pack.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -49,6 +51,23 @@ Surface bumpy_ball(unsigned steps) {
     return made;
 }
 
+Surface needles(unsigned count) {
+    Surface made;
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto point = [&] {
+        const double x = uniform(random), y = uniform(random);
+        return Vec3(x, y, uniform(random));
+    };
+    for (unsigned i = 0; i < count; ++i) {
+        const Vec3 from = point(), along = unit(point()), aside = 0.002 * unit(point());
+        made.points.insert(made.points.end(), {from, from + along, from + aside});
+        made.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        made.flat.push_back({from, from + along, from + aside});
+    }
+    return made;
+}
+
 struct Found {
     double t = far_away;
     std::uint32_t face = 0;
@@ -57,7 +76,9 @@ struct Found {
 Bvh tree_of(const Surface& mesh, const BvhSettings& settings) {
     const auto count = static_cast<std::uint32_t>(mesh.flat.size());
     Bvh tree = build_bvh(
-        count, [&](std::uint32_t i) { return bounds(mesh.flat[i]); }, settings, 1);
+        count, [&](std::uint32_t i) { return bounds(mesh.flat[i]); },
+        [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
+        settings, 1);
     const auto corners = [&](std::uint32_t i) {
         const Triangle& face = mesh.flat[i];
         return std::array{face.corner1, face.corner2, face.corner3};
@@ -143,7 +164,11 @@ void fill(RTCGeometry geometry, const Surface& mesh) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const Surface mesh = bumpy_ball(argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 500);
+    const bool thin = argc > 1 && std::strcmp(argv[1], "needles") == 0;
+    const auto number = [&](int place, unsigned otherwise) {
+        return argc > place ? static_cast<unsigned>(std::atoi(argv[place])) : otherwise;
+    };
+    const Surface mesh = thin ? needles(number(2, 10000)) : bumpy_ball(number(1, 500));
     BvhSettings settings;
     read_setting("GROUP_COST", settings.group_cost);
     double start = seconds();
@@ -152,7 +177,7 @@ int main(int argc, char** argv) {
     std::printf("%zu triangles, %.1f bytes each, built in %.2f s\n", mesh.faces.size(),
                 static_cast<double>(tree.memory_bytes()) / static_cast<double>(mesh.faces.size()),
                 build);
-    const Rays rays = make_rays(tree, mesh, 512);
+    const Rays rays = make_rays(tree, mesh, thin ? 128 : 512);
     const auto meets = [&](const Segment& s) { return first_hit(tree, mesh, s.ray).t < far_away; };
     const auto blocks = [&](const Segment& s) { return blocked(tree, mesh, s.ray, s.length); };
 #ifdef WITH_EMBREE

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "index/node_builder.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace {
+
+struct Row {
+    Vec3 centre;
+    double half;
+    std::uint32_t count;  ///< so many items in the same place
+};
+
+/// Numbered one after the other.
+BuiltNodes nodes_of(const std::vector<Row>& rows, const NodeTask& task = {}) {
+    std::vector<Fragment> fragments;
+    Box around;
+    for (const Row& row : rows)
+        for (std::uint32_t i = 0; i < row.count; ++i) {
+            const Box box{row.centre - Vec3(row.half), row.centre + Vec3(row.half)};
+            fragments.push_back({box, static_cast<std::uint32_t>(fragments.size())});
+            around = join(around, box);
+        }
+    return build_nodes(task, fragments, around);
+}
+
+std::size_t used(const BvhNode& node) {
+    std::size_t count = 0;
+    while (count < BvhNode::width && node.used(count)) ++count;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("a single item is a leaf below the only node", "[index]") {
+    const BuiltNodes built = nodes_of({{Vec3(1, 2, 3), 0.5, 1}});
+    REQUIRE(built.nodes.size() == 1);
+    CHECK(used(built.nodes[0]) == 1);
+    CHECK(built.nodes[0].children[0] == BvhChild::leaf(0, 1));
+    CHECK(built.items == std::vector<std::uint32_t>{0});
+    CHECK(built.frames.size() == 1);
+    CHECK(built.prospect.chance == Approx(0.5));
+    CHECK(built.prospect.steps == 4);
+}
+
+TEST_CASE("the child that is likelier to stop rays has the higher slot", "[index]") {
+    const Vec3 left(0), right(10, 0, 0);
+    for (const bool swapped : {false, true}) {
+        const BuiltNodes built =
+            nodes_of({{swapped ? right : left, 1, 1}, {swapped ? left : right, 1, 8}});
+        REQUIRE(built.nodes.size() == 1);
+        REQUIRE(used(built.nodes[0]) == 2);
+        CHECK(built.nodes[0].children[0].item_count() == 1);
+        CHECK(built.nodes[0].children[1].item_count() == 8);
+    }
+}
+
+TEST_CASE("what is tiny beside all begins a frame", "[index]") {
+    std::vector<Row> rows = {{Vec3(100, 0, 0), 1, 1}};
+    for (int i = 0; i < 400; ++i) rows.push_back({Vec3(1e-6 * i, 0, 0), 1e-7, 1});
+    const BuiltNodes built = nodes_of(rows);
+    REQUIRE(built.frames.size() > 1);
+    CHECK(built.frames[0].root == 0);
+    CHECK(built.frames[1].reach < 50 * 0x1p-10);
+    CHECK(built.nodes[built.frames[1].root].used(0));
+    std::vector<std::uint32_t> items = built.items, all(401);
+    std::ranges::sort(items);
+    std::iota(all.begin(), all.end(), 0u);
+    CHECK(items == all);
+}
+
+TEST_CASE("children of parts that are built apart lead to the same items", "[index]") {
+    std::vector<Row> rows;
+    for (int i = 0; i < 30; ++i)
+        for (int j = 0; j < 30; ++j)
+            for (int k = 0; k < 30; ++k) rows.push_back({Vec3(i, j, k), 0.3, 1});
+    const BuiltNodes built = nodes_of(rows);
+    std::size_t leaves = 0;
+    for (const BvhNode& node : built.nodes)
+        for (std::size_t slot = 0; slot < used(node); ++slot) {
+            const BvhChild child = node.children[slot];
+            if (!child.is_leaf()) {
+                REQUIRE(child.is_node());
+                CHECK(child.node() < built.nodes.size());
+                continue;
+            }
+            ++leaves;
+            Box box = node.box(slot, built.frames[0].origin);
+            box = {box.low - Vec3(1e-4), box.high + Vec3(1e-4)};
+            for (std::uint32_t i = 0; i < child.item_count(); ++i)
+                CHECK(contains(box, rows[built.items[child.first_item() + i]].centre));
+        }
+    CHECK(leaves >= rows.size() / 8);
+    CHECK(built.items.size() == rows.size());
+}
