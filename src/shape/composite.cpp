@@ -16,8 +16,9 @@ constexpr std::size_t few = 8;
 /// Above this number of items a tree is built by several threads.
 constexpr std::size_t many = 20'000;
 
+/// Of what is asked one by one.
 Bvh index_of(std::span<const Box> boxes) {
-    return build_bvh(boxes, {}, boxes.size() > many ? 0 : 1);
+    return build_bvh(boxes, {.group = 1}, boxes.size() > many ? 0 : 1);
 }
 
 /// The half space that a leaf is, its normal unit; empty when it is none.
@@ -228,7 +229,7 @@ bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* 
             if (contains(part.region.box, point) && decides(part)) return decisive;
         return !decisive;
     }
-    // A ray without length visits the cell around its origin.
+    // A ray without length visits the leaves around its origin.
     const bool found = node.index.traverse(
         Ray{point, Vec3(1)}, {0, 0}, [&](std::span<const std::uint32_t> items, Interval&) {
             return std::ranges::any_of(items, [&](std::uint32_t i) {

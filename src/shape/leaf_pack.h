@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Spheres, triangles and boxes around other things of a leaf of the index in single precision,
 // eight at a time: rules out those that a ray surely misses, so that few are left for the exact
-// tests. Coordinates are measured from the middle of the leaf's cell, and what rounding may cost is
+// tests. Coordinates are measured from the middle of the leaf's box, and what rounding may cost is
 // added to each radius, edge and box, so nothing that the exact tests meet is ever ruled out.
 // Called by the world, whose answers do not depend on it.
 #pragma once

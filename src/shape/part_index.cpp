@@ -44,7 +44,8 @@ PartIndex::PartIndex(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
                                                     max_abs_component(bounds_.high));
     for (Box& box : boxes_)
         if (!box.empty()) box = {box.low - 1e-12 * size, box.high + 1e-12 * size};
-    if (boxes_.size() > few) tree_ = build_bvh(boxes_, {}, boxes_.size() > many ? 0 : 1);
+    // Parts are asked one by one.
+    if (boxes_.size() > few) tree_ = build_bvh(boxes_, {.group = 1}, boxes_.size() > many ? 0 : 1);
 }
 
 ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& range) const {
