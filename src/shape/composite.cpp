@@ -5,6 +5,7 @@
 #include "index/bvh_builder.h"
 #include "shape/moved.h"
 #include "shape/slabs.h"
+#include "shape/stick.h"
 
 namespace {
 
@@ -17,8 +18,16 @@ constexpr std::size_t few = 8;
 constexpr std::size_t many = 20'000;
 
 /// Of what is asked one by one.
-Bvh index_of(std::span<const Box> boxes) {
-    return build_bvh(boxes, {.group = 1}, boxes.size() > many ? 0 : 1);
+Bvh index_of(std::span<const Box> boxes, const ItemPart& part) {
+    return build_bvh(
+        static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, part,
+        {.group = 1}, boxes.size() > many ? 0 : 1);
+}
+
+/// Bounds of what the leaf has in a cell; `own` is around all of that, in its own coordinates.
+Box part_in(const CompositeLeaf& leaf, const Box& own, const Box& cell) {
+    if (!finite(own)) return cell;
+    return clipped_bounds(stick_around(leaf.shape, own, leaf.transform.get()), cell);
 }
 
 /// The half space that a leaf is, its normal unit; empty when it is none.
@@ -146,7 +155,13 @@ void CompositeBuilder::settle(std::uint32_t index) {
         boxes.push_back(part.region.box);
         all_finite = all_finite && (part.region.box.empty() || finite(part.region.box));
     }
-    if (node.boxed.size() > few && all_finite) node.index = index_of(boxes);
+    if (node.boxed.size() <= few || !all_finite) return;
+    node.index = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
+        const PartRef& ref = node.boxed[i].ref;
+        if (!ref.leaf) return cell;
+        const CompositeLeaf& leaf = made_.leaves_[ref.index];
+        return part_in(leaf, ::inside_bounds(leaf.shape), cell);
+    });
 }
 
 /// Notes where surface can be seen, from the root down.
@@ -199,7 +214,11 @@ Composite CompositeBuilder::finish(PartRef root) {
         made_.apart_.push_back(i);
         boxes[i] = Box();
     }
-    if (boxes.size() > few) made_.tree_ = index_of(boxes);
+    if (boxes.size() > few)
+        made_.tree_ = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
+            const CompositeLeaf& leaf = made_.leaves_[i];
+            return part_in(leaf, ::bounds(leaf.shape), cell);
+        });
     return std::move(made_);
 }
 

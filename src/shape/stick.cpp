@@ -40,13 +40,12 @@ Stick along(const Box& box, int axis) {
 
 }  // namespace
 
-Stick stick_around(const BuiltShape& shape, const Transform* map) {
+Stick stick_around(const BuiltShape& shape, const Box& box, const Transform* map) {
     const auto placed = [&](const Stick& stick) { return map ? moved(stick, *map) : stick; };
     if (const auto* c = std::get_if<Cylinder>(&shape))
         return placed(round(c->base, c->cap, c->radius));
     if (const auto* c = std::get_if<Cone>(&shape))
         return placed(round(c->base, c->cap, std::max(c->base_radius, c->cap_radius)));
-    const Box box = bounds(shape);
     std::array<Stick, 3> sticks;
     for (int axis = 0; axis < 3; ++axis)
         sticks[static_cast<std::size_t>(axis)] = placed(along(box, axis));

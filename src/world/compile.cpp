@@ -33,7 +33,8 @@ Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
         return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
     }
     const PlacedShape& placed = world.shapes[face - world.triangles.size()];
-    return clipped_bounds(stick_around(placed.shape, placed.transform.get()), cell);
+    return clipped_bounds(stick_around(placed.shape, bounds(placed.shape), placed.transform.get()),
+                          cell);
 }
 
 void build_tree(World& world, int threads) {

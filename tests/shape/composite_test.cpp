@@ -87,6 +87,43 @@ Composite made(Combination how, const std::vector<CompositeLeaf>& leaves) {
     return made(builder, how, leaves);
 }
 
+/// Asks points and rays, and compares with who is inside. The number of meetings.
+std::size_t check_surface(const Composite& composite, const Tested& whole, Draw& draw, int rays) {
+    std::size_t met_in_all = 0;
+    for (int i = 0; i < rays; ++i) {
+        const Vec3 p = draw.point(3);
+        CHECK(composite.inside(p) == whole.inside(p));
+        const Ray ray{p, draw.between(0.5, 2) * draw.direction()};
+        const auto met = meetings(composite, ray);
+        met_in_all += met.size();
+        // Between two meetings next to each other nothing changes; at each it does.
+        double before = -100;
+        for (std::size_t k = 0; k <= met.size(); ++k) {
+            const double after = k < met.size() ? met[k].t : 100;
+            const bool first = whole.inside(ray.at(before + 1e-3 * (after - before)));
+            for (const double at : {0.3, 0.8, 0.999})
+                CHECK(whole.inside(ray.at(before + at * (after - before))) == first);
+            if (k > 0 && after - before > 1e-6 &&
+                met[k - 1].t - (k > 1 ? met[k - 2].t : -100) > 1e-6)
+                CHECK(whole.inside(ray.at(met[k - 1].t - 1e-7)) !=
+                      whole.inside(ray.at(met[k - 1].t + 1e-7)));
+            before = after;
+        }
+        const auto nearest = composite.first(ray, {0, 100}, everything);
+        const auto next = std::ranges::find_if(met, [](const auto& m) { return m.t > 0; });
+        REQUIRE(nearest.has_value() == (next != met.end()));
+        if (nearest) CHECK(nearest->t == next->t);
+        for (const auto& each : met) {
+            const Box box = composite.bounds();
+            CHECK(contains({box.low - 1e-9, box.high + 1e-9}, ray.at(each.t)));
+            CHECK(dot(each.normal, ray.direction) *
+                      (whole.inside(ray.at(each.t + 1e-7)) ? 1 : -1) <=
+                  0);
+        }
+    }
+    return met_in_all;
+}
+
 }  // namespace
 
 TEST_CASE("composites of solids have surface exactly where inside changes", "[shape]") {
@@ -95,39 +132,36 @@ TEST_CASE("composites of solids have surface exactly where inside changes", "[sh
         Maker maker(seed);
         const Tested whole = maker.drawn(1 + static_cast<int>(seed % 4));
         const Composite composite = maker.builder.finish(whole.ref);
-        for (int i = 0; i < 60; ++i) {
-            const Vec3 p = maker.draw.point(3);
-            CHECK(composite.inside(p) == whole.inside(p));
-            const Ray ray{p, maker.draw.between(0.5, 2) * maker.draw.direction()};
-            const auto met = meetings(composite, ray);
-            met_in_all += met.size();
-            // Between two meetings next to each other nothing changes; at each it does.
-            double before = -100;
-            for (std::size_t k = 0; k <= met.size(); ++k) {
-                const double after = k < met.size() ? met[k].t : 100;
-                const bool first = whole.inside(ray.at(before + 1e-3 * (after - before)));
-                for (const double at : {0.3, 0.8, 0.999})
-                    CHECK(whole.inside(ray.at(before + at * (after - before))) == first);
-                if (k > 0 && after - before > 1e-6 &&
-                    met[k - 1].t - (k > 1 ? met[k - 2].t : -100) > 1e-6)
-                    CHECK(whole.inside(ray.at(met[k - 1].t - 1e-7)) !=
-                          whole.inside(ray.at(met[k - 1].t + 1e-7)));
-                before = after;
-            }
-            const auto nearest = composite.first(ray, {0, 100}, everything);
-            const auto next = std::ranges::find_if(met, [](const auto& m) { return m.t > 0; });
-            REQUIRE(nearest.has_value() == (next != met.end()));
-            if (nearest) CHECK(nearest->t == next->t);
-            for (const auto& each : met) {
-                const Box box = composite.bounds();
-                CHECK(contains({box.low - 1e-9, box.high + 1e-9}, ray.at(each.t)));
-                CHECK(dot(each.normal, ray.direction) *
-                          (whole.inside(ray.at(each.t + 1e-7)) ? 1 : -1) <=
-                      0);
-            }
-        }
+        met_in_all += check_surface(composite, whole, maker.draw, 60);
     }
     CHECK(met_in_all > 2000);
+}
+
+TEST_CASE("composites of long parts that lie aslant, too", "[shape]") {
+    for (const bool holes : {false, true}) {
+        Maker maker(7);
+        std::vector<Tested> parts;
+        if (holes) parts.push_back(maker.leaf(Cuboid{Vec3(-2.5), Vec3(2.5)}, {}, false));
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 end = maker.draw.point(3);
+            if (i % 2 == 0) {
+                parts.push_back(maker.leaf(Cylinder{end, maker.draw.point(3), 0.05}, {}, holes));
+                continue;
+            }
+            const auto turn = make_handle<Transform>(Transform::rotation(maker.draw.point(90)));
+            parts.push_back(maker.leaf(Cuboid{end, end + Vec3(0.1, 4, 0.1)}, turn, holes));
+        }
+        const Tested whole = maker.node(holes ? Combination::common : Combination::merged, parts);
+        const Composite composite = maker.builder.finish(whole.ref);
+        CHECK(check_surface(composite, whole, maker.draw, 500) > 1000);
+        std::size_t asked = 0;
+        for (int i = 0; i < 500; ++i)
+            composite.all(
+                {maker.draw.point(3), maker.draw.direction()}, {0, 100},
+                [&](std::uint32_t) { return ++asked > 0; }, [](const Composite::Meeting&) {});
+        INFO(asked);
+        CHECK(asked < 500 * 40);
+    }
 }
 
 TEST_CASE("unions show all of their parts, merges only what is outside of the others", "[shape]") {

@@ -23,7 +23,7 @@ const std::vector<Case> cases = {
 
 /// A point of the surface, or none.
 std::optional<Vec3> surface_point(const BuiltShape& shape, const Transform& map, Draw& draw) {
-    const Stick stick = stick_around(shape, nullptr);
+    const Stick stick = stick_around(shape, bounds(shape), nullptr);
     const Vec3 target = stick.from + draw.number() * (stick.to - stick.from);
     const Vec3 origin = target + 5.0 * draw.direction();
     Crossings found;
@@ -43,7 +43,7 @@ TEST_CASE("the part of a long shape in a cell holds its surface there, and littl
         const BuiltShape shape = built(c.shape);
         for (const Transform* map : {static_cast<const Transform*>(nullptr), &turned, &far}) {
             CAPTURE(c.name, map);
-            const Stick stick = stick_around(shape, map);
+            const Stick stick = stick_around(shape, bounds(shape), map);
             const Transform placed = map ? *map : Transform();
             const Box whole = placed.box(bounds(shape));
             Draw draw(1);
@@ -78,7 +78,7 @@ TEST_CASE("halves of shapes aslant have small boxes", "[shape]") {
         const int axis = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
         Box low = whole, high = whole;
         low.high[axis] = high.low[axis] = whole.centre()[axis];
-        const Stick stick = stick_around(shape, map);
+        const Stick stick = stick_around(shape, bounds(shape), map);
         return (area(clipped_bounds(stick, low)) + area(clipped_bounds(stick, high))) / area(whole);
     };
     for (const Case& c : cases) {
@@ -90,7 +90,8 @@ TEST_CASE("halves of shapes aslant have small boxes", "[shape]") {
 }
 
 TEST_CASE("what a cell does not hold has no part in it", "[shape]") {
-    const Stick stick = stick_around(built(Cylinder{Vec3(0), Vec3(4, 4, 4), 0.1}), nullptr);
+    const BuiltShape rod = built(Cylinder{Vec3(0), Vec3(4, 4, 4), 0.1});
+    const Stick stick = stick_around(rod, bounds(rod), nullptr);
     CHECK(clipped_bounds(stick, Box{Vec3(3, 0, 0), Vec3(4, 1, 1)}).empty());
     CHECK(clipped_bounds(stick, Box{Vec3(5), Vec3(6)}).empty());
     CHECK(clipped_bounds(stick, Box{}).empty());
