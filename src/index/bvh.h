@@ -131,15 +131,15 @@ public:
     /// std::uint32_t> items, Interval& range), for each leaf whose box the ray meets within the
     /// range, nearer ones first where boxes do not overlap. visit may lower range.max when it found
     /// a hit; leaves behind it are left out. When visit returns true, traversal stops and returns
-    /// true.
+    /// true. An item that is there in pieces may be visited several times.
     template <class Visit>
     bool traverse(const Ray& ray, Interval range, Visit&& visit) const {
         return !frames_.empty() && walk(frames_[0], ray, range, as_leaf_visit(visit));
     }
 
     /// The same for who only wants to know whether anything is met: first where the ray, for its
-    /// steps, is likeliest to be stopped. visit leaves range as it is. An item may be visited
-    /// twice.
+    /// steps, is likeliest to be stopped. visit leaves range as it is. Any item may be visited
+    /// several times.
     template <class Visit>
     bool traverse_likely(const Ray& ray, Interval range, Visit&& visit) const {
         const auto own = as_leaf_visit(visit);
