@@ -51,6 +51,9 @@ inline double farthest_distance2(const Box& b, const Vec3& p) {
     return dot(far, far);
 }
 
+/// Not when a coordinate is no number.
 inline bool finite(const Box& b) {
-    return max_abs_component(b.low) < 1e30 && max_abs_component(b.high) < 1e30;
+    const Vec3 limit(1e30);
+    return glm::all(glm::lessThan(glm::abs(b.low), limit)) &&
+           glm::all(glm::lessThan(glm::abs(b.high), limit));
 }

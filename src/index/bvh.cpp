@@ -45,12 +45,12 @@ public:
         inverse = inverse < -along ? FourDoubles{} - along : inverse;
 
         Vec3 from = ray.origin - frame.origin;
-        double lost = 0;
+        double lost = 0x1p-146;  // of the least numbers of single precision
         // From far away, a ray begins near the frame.
         if (const double distance = max_abs(from); distance > far_away * frame.reach) {
             skipped_ = -dot(from, d) / dot(d, d);
             from += skipped_ * d;
-            lost = 0x1p-50 * distance;
+            lost += 0x1p-50 * distance;
         }
         // Distances have errors of their own size, and that of the origin in single precision. Both
         // make boxes larger: near planes nearer, and far ones further. The signs are those for t
@@ -206,10 +206,20 @@ bool Bvh::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
     if (!contains(bounds_, ray.origin)) {
         const double length2 = dot(ray.direction, ray.direction);
         entry = dot(bounds_.centre() - ray.origin, ray.direction);
-        if (!(std::abs(length2 - 1) < 1e-3)) entry /= length2;
+        if (!(std::abs(length2 - 1) < 0x1p-30)) entry /= length2;
     }
     return std::ranges::any_of(foremost_,
                                [&](BvhChild child) { return visit(leaf(child, entry), range); });
+}
+
+bool Bvh::visit_endless(Interval& range, Visit visit) const {
+    // As few at a time as a leaf has.
+    for (std::size_t first = 0; first < endless_.size(); first += BvhNode::width) {
+        const std::size_t count = std::min(BvhNode::width, endless_.size() - first);
+        if (visit({std::span(endless_).subspan(first, count), nullptr, range.min}, range))
+            return true;
+    }
+    return false;
 }
 
 std::span<const std::uint32_t> Bvh::items(BvhChild child) const { return leaf(child, 0).items; }
@@ -217,21 +227,22 @@ std::span<const std::uint32_t> Bvh::items(BvhChild child) const { return leaf(ch
 std::size_t Bvh::memory_bytes() const {
     return sizeof(*this) + frames_.capacity() * sizeof(BvhFrame) +
            nodes_.capacity() * sizeof(BvhNode) +
-           (items_.capacity() + packs_.size()) * sizeof(std::uint32_t);
+           (leaves_.capacity() + packs_.size() + endless_.capacity()) * sizeof(std::uint32_t);
 }
 
 void Bvh::pack(const LeafPacks& packs, int threads) {
     struct Leaf {
-        BvhChild from;  ///< a range of items
+        std::span<const std::uint32_t> items;
         Box box;
         std::size_t place;
     };
     std::vector<Leaf> leaves;
     std::size_t words = 4;  // of leaves without items
     const auto add = [&](BvhChild& child, const Box& box) {
-        leaves.push_back({child, box, words});
-        const std::size_t size = 1 + child.item_count() + packs.size(items(child));
-        child = BvhChild::pack(words / 4);
+        const auto list = items(child);
+        leaves.push_back({list, box, words});
+        const std::size_t size = 1 + list.size() + packs.size(list);
+        child = BvhChild::leaf(words / 4);
         words += (size + 3) / 4 * 4;
     };
     for_each_node([&](std::uint32_t number, const BvhFrame& frame, int) {
@@ -252,16 +263,15 @@ void Bvh::pack(const LeafPacks& packs, int threads) {
     run_parallel((leaves.size() + portion - 1) / portion, threads, [&](std::size_t part) {
         const std::size_t end = std::min(leaves.size(), (part + 1) * portion);
         for (std::size_t i = part * portion; i < end; ++i) {
-            const auto& [from, box, place] = leaves[i];
-            const auto list = items(from);
+            const auto& [list, box, place] = leaves[i];
             const std::size_t size = packs.size(list);
-            made[place] = from.item_count();
+            made[place] = static_cast<std::uint32_t>(list.size());
             std::ranges::copy(list, made.begin() + static_cast<std::ptrdiff_t>(place) + 1);
             packs.fill(list, box, std::span(made).subspan(place + 1 + list.size(), size));
         }
     });
     packs_ = std::move(made);
-    std::vector<std::uint32_t>().swap(items_);
+    std::vector<std::uint32_t>().swap(leaves_);
     use_huge_pages(nodes_.data(), nodes_.size() * sizeof(BvhNode));
     use_huge_pages(packs_.data(), packs_.size() * sizeof(std::uint32_t));
 }

@@ -5,7 +5,7 @@
 // Where boxes become so small that this does not tell them apart any more, a new frame begins,
 // whose coordinates are counted from its own origin. Immutable once built, and the same for any
 // number of threads. Every item whose box the ray meets is visited, rounding errors included; see
-// build_bvh for what that promises.
+// build_bvh for what that promises. Items without end are visited by every ray.
 #pragma once
 
 #include "base/box.h"
@@ -27,20 +27,17 @@ struct BvhSettings {
     int group = 8;          ///< so many items of a leaf are tested at once
 };
 
-/// What a slot of a node refers to. Rays wait for where
-/// the next node is, so a child that is a node has its place in bytes, and nothing else in it.
+/// What a slot of a node refers to. Rays wait for where the next node is, so a child that is a node
+/// has its place in eights of bytes, and nothing else in it.
 class BvhChild {
 public:
     static constexpr std::uint32_t node_size = 7 * 32;
 
-    static BvhChild node(std::uint32_t number) { return BvhChild(number * node_size); }
+    static BvhChild node(std::uint32_t number) { return BvhChild(number * (node_size / 8)); }
     static BvhChild frame(std::uint32_t number) { return BvhChild(number << 2 | frame_kind); }
-    /// A range of the tree's items; at most 15.
-    static BvhChild leaf(std::uint32_t first_item, std::uint32_t count) {
-        return BvhChild(first_item << 5 | count << 1 | leaf_kind);
-    }
-    /// A leaf that is packed; its place is counted in fours of words.
-    static BvhChild pack(std::size_t place) {
+    /// Where the number of the leaf's items stands, which these follow: counted in words, and in
+    /// fours of them in a tree that is packed.
+    static BvhChild leaf(std::size_t place) {
         return BvhChild(static_cast<std::uint32_t>(place) << 1 | leaf_kind);
     }
 
@@ -49,12 +46,11 @@ public:
     bool is_leaf() const { return (bits_ & leaf_kind) != 0; }
     bool is_frame() const { return (bits_ & (leaf_kind | frame_kind)) == frame_kind; }
     bool is_node() const { return (bits_ & (leaf_kind | frame_kind)) == 0; }
-    std::uint32_t node() const { return bits_ / node_size; }
-    std::size_t node_place() const { return bits_; }
+    std::uint32_t node() const { return bits_ / (node_size / 8); }
+    /// In bytes.
+    std::size_t node_place() const { return std::size_t{bits_} * 8; }
     std::uint32_t frame() const { return bits_ >> 2; }
-    std::uint32_t first_item() const { return bits_ >> 5; }
-    std::uint32_t item_count() const { return bits_ >> 1 & 15; }
-    std::size_t pack() const { return bits_ >> 1; }
+    std::size_t leaf() const { return bits_ >> 1; }
 
     bool operator==(const BvhChild&) const = default;
 
@@ -77,7 +73,7 @@ struct alignas(32) BvhNode {
     std::array<BvhChild, width> children;
     std::array<Row, 3> high;
 
-    BvhNode() { children.fill(BvhChild::leaf(0, 0)); }
+    BvhNode() { children.fill(BvhChild::leaf(0)); }
 
     bool used(std::size_t slot) const { return low[0][slot] <= high[0][slot]; }
     Box box(std::size_t slot, const Vec3& origin) const {
@@ -121,8 +117,8 @@ class Bvh {
 public:
     /// More levels of nodes there never are.
     static constexpr int depth_limit = 32;
-    /// As many items there may be, and one less.
-    static constexpr std::uint32_t item_limit = 1u << 26;
+    /// As many items there may be, and one less: what their leaves and nodes can count.
+    static constexpr std::uint32_t item_limit = 1u << 28;
 
     /// No items: no ray meets anything.
     Bvh() = default;
@@ -134,7 +130,9 @@ public:
     /// true. An item that is there in pieces may be visited several times.
     template <class Visit>
     bool traverse(const Ray& ray, Interval range, Visit&& visit) const {
-        return !frames_.empty() && walk(frames_[0], ray, range, as_leaf_visit(visit));
+        const auto own = as_leaf_visit(visit);
+        return (!endless_.empty() && visit_endless(range, own)) ||
+               (!frames_.empty() && walk(frames_[0], ray, range, own));
     }
 
     /// The same for who only wants to know whether anything is met: first where the ray, for its
@@ -143,11 +141,12 @@ public:
     template <class Visit>
     bool traverse_likely(const Ray& ray, Interval range, Visit&& visit) const {
         const auto own = as_leaf_visit(visit);
-        return !frames_.empty() &&
-               (visit_foremost(ray, range, own) || walk_likely(frames_[0], ray, range, own));
+        return (!endless_.empty() && visit_endless(range, own)) ||
+               (!frames_.empty() &&
+                (visit_foremost(ray, range, own) || walk_likely(frames_[0], ray, range, own)));
     }
 
-    /// Around all items.
+    /// Around all items but those without end.
     const Box& bounds() const { return bounds_; }
     std::span<const BvhNode> nodes() const { return nodes_; }
     std::span<const BvhFrame> frames() const { return frames_; }
@@ -160,6 +159,8 @@ public:
     /// Leaves that are visited before all others when anything will do: large things, which stop
     /// many rays. Their items are in the tree as well.
     std::span<const BvhChild> foremost() const { return foremost_; }
+    /// Items whose boxes are not finite: in no leaf, and visited by every ray.
+    std::span<const std::uint32_t> endless() const { return endless_; }
     const BvhSettings& settings() const { return settings_; }
     std::size_t memory_bytes() const;
 
@@ -175,11 +176,12 @@ private:
     template <bool likely_first>
     bool walk_any(const BvhFrame&, const Ray&, Interval& range, Visit) const;
     bool visit_foremost(const Ray&, Interval& range, Visit) const;
+    bool visit_endless(Interval& range, Visit) const;
     BvhLeaf leaf(BvhChild child, double entry) const {
-        if (packs_.empty())
-            return {{items_.data() + child.first_item(), child.item_count()}, nullptr, entry};
-        const std::uint32_t* const items = packs_.data() + 4 * child.pack() + 1;
-        return {{items, items[-1]}, items + items[-1], entry};
+        const bool packed = !packs_.empty();
+        const std::uint32_t* const items =
+            (packed ? packs_.data() + 4 * child.leaf() : leaves_.data() + child.leaf()) + 1;
+        return {{items, items[-1]}, packed ? items + items[-1] : nullptr, entry};
     }
 
     template <class OwnVisit>
@@ -194,9 +196,12 @@ private:
     Box bounds_;
     std::vector<BvhFrame> frames_;  ///< the first is the whole
     std::vector<BvhNode> nodes_;
-    std::vector<std::uint32_t> items_;  ///< those of a leaf side by side; none once packed
-    /// For each leaf the number of its items, the items, and what is kept for them.
+    /// For each leaf the number of its items, and the items; nothing once packed. The first one has
+    /// none.
+    std::vector<std::uint32_t> leaves_;
+    /// The same, and what is kept for them.
     std::vector<std::uint32_t> packs_;
     std::vector<BvhChild> foremost_;
+    std::vector<std::uint32_t> endless_;
     BvhSettings settings_;
 };

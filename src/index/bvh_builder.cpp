@@ -21,16 +21,19 @@ constexpr std::uint32_t most_to_cut = 1u << 23;
 /// Makes what only the hierarchy's owner may.
 class BvhBuilder {
 public:
-    static Bvh make(std::span<Fragment> fragments, const Box& bounds, const NodeTask& task) {
+    static Bvh make(std::span<Fragment> fragments, std::vector<std::uint32_t> endless,
+                    const Box& bounds, const NodeTask& task) {
         Bvh made;
         made.settings_ = task.costs;
+        made.endless_ = std::move(endless);
+        if (fragments.empty()) return made;
         made.bounds_ = bounds;
         BuiltNodes built;
         run_on_threads(task.threads, [&] { built = build_nodes(task, fragments, bounds); });
         made.nodes_ = std::move(built.nodes);
         made.nodes_.shrink_to_fit();
         made.frames_ = std::move(built.frames);
-        made.items_ = std::move(built.items);
+        made.leaves_ = std::move(built.leaves);
         choose_foremost(made, fragments, built.prospect.steps);
         return made;
     }
@@ -57,11 +60,11 @@ private:
             double chance = 0;
             for (const Fragment* f : items) chance += chance_to_stop(area(f->box), whole);
             if (chance * steps < cost) return;
-            const std::size_t first = made.items_.size();
-            for (const Fragment* f : items) made.items_.push_back(f->item);
-            std::sort(made.items_.begin() + static_cast<std::ptrdiff_t>(first), made.items_.end());
-            made.foremost_.push_back(BvhChild::leaf(static_cast<std::uint32_t>(first),
-                                                    static_cast<std::uint32_t>(items.size())));
+            made.foremost_.push_back(BvhChild::leaf(made.leaves_.size()));
+            made.leaves_.push_back(static_cast<std::uint32_t>(items.size()));
+            const auto first = static_cast<std::ptrdiff_t>(made.leaves_.size());
+            for (const Fragment* f : items) made.leaves_.push_back(f->item);
+            std::sort(made.leaves_.begin() + first, made.leaves_.end());
         }
     }
 };
@@ -70,24 +73,28 @@ Bvh build_bvh(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_o
               const BvhSettings& settings, int threads) {
     assert(items < Bvh::item_limit);
     std::vector<Fragment> fragments;
+    std::vector<std::uint32_t> endless;
     fragments.reserve(items);
     Box bounds;
     for (std::uint32_t item = 0; item < items; ++item) {
         const Box box = box_of(item);
         if (box.empty()) continue;
-        assert(finite(box));
+        if (!finite(box)) {
+            endless.push_back(item);
+            continue;
+        }
         fragments.push_back({box, item});
         bounds = join(bounds, box);
     }
-    if (fragments.empty()) return {};
-    const double slack =
-        0x1p-46 * std::max(max_abs_component(bounds.low), max_abs_component(bounds.high));
+    double slack = 0;
+    if (!fragments.empty())
+        slack = 0x1p-46 * std::max(max_abs_component(bounds.low), max_abs_component(bounds.high));
     const auto enlarge = [&](Box& box) { box = {box.low - Vec3(slack), box.high + Vec3(slack)}; };
     for (Fragment& f : fragments) enlarge(f.box);
     enlarge(bounds);
     const bool cut = part_of && items <= most_to_cut;
-    Bvh made =
-        BvhBuilder::make(fragments, bounds, {settings, cut ? part_of : ItemPart(), slack, threads});
+    Bvh made = BvhBuilder::make(fragments, std::move(endless), bounds,
+                                {settings, cut ? part_of : ItemPart(), slack, threads});
     if (items > many_items) give_back_freed();
     return made;
 }

@@ -7,7 +7,8 @@
 /// Bounds of an item.
 using ItemBox = std::function<Box(std::uint32_t item)>;
 
-/// Items with an empty box are left out; boxes must be finite, and fewer than Bvh::item_limit.
+/// Items with an empty box are left out, and those whose box is not finite() are visited by every
+/// ray; there must be fewer than Bvh::item_limit.
 /// Where the parts of items are known, long ones that lie aslant may stand in several leaves; all
 /// others stand in one. threads = 0 means one per core; the hierarchy is the same for any number.
 ///

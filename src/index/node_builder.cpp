@@ -29,7 +29,7 @@ struct Part {
     Kind kind = Kind::unknown;
     Split split = {};  ///< of what is divided
     Prospect prospect = {};
-    BvhChild child = BvhChild::leaf(0, 0);  ///< what it becomes
+    BvhChild child = BvhChild::leaf(0);  ///< what it becomes
     std::uint32_t node = 0;                 ///< of what is no leaf
 
     bool inner() const { return kind == Kind::divided || kind == Kind::halved; }
@@ -78,12 +78,13 @@ BvhFrame frame_around(const Box& box, std::uint32_t root) {
 
 /// So much of everything comes before what has been built apart.
 struct Offset {
-    std::uint32_t nodes, frames, items;
+    std::uint32_t nodes, frames;
+    std::size_t leaves;  ///< in words
 
     BvhChild of(BvhChild child) const {
         if (child.is_frame()) return BvhChild::frame(child.frame() + frames);
         if (child.is_node()) return BvhChild::node(child.node() + nodes);
-        return BvhChild::leaf(child.first_item() + items, child.item_count());
+        return BvhChild::leaf(child.leaf() + leaves);
     }
     BvhNode of(BvhNode node) const {
         for (BvhChild& child : node.children) child = of(child);
@@ -130,6 +131,7 @@ BuiltNodes NodeBuilder::build(const Box& box, const BvhFrame& frame, int depth) 
     }
     made_.nodes.emplace_back();
     made_.frames.push_back(frame);
+    made_.leaves.push_back(0);
     made_.prospect = build(0, Part{box, 0, fragments_.size()}, frame, depth);
     return std::move(made_);
 }
@@ -199,11 +201,11 @@ void NodeBuilder::finish_leaf(Part& part) {
     for (const Fragment& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
     std::ranges::sort(held, {}, &Fragment::item);
     held = held.first(held.size() - std::ranges::unique(held, {}, &Fragment::item).size());
-    const auto first = static_cast<std::uint32_t>(made_.items.size());
-    for (const Fragment& f : held) made_.items.push_back(f.item);
+    part.child = BvhChild::leaf(made_.leaves.size());
+    made_.leaves.push_back(static_cast<std::uint32_t>(held.size()));
+    for (const Fragment& f : held) made_.leaves.push_back(f.item);
     part.prospect = {1 - passing,
                      1 + 2 * std::ceil(static_cast<double>(held.size()) / task_.costs.group)};
-    part.child = BvhChild::leaf(first, static_cast<std::uint32_t>(held.size()));
 }
 
 Prospect NodeBuilder::build(std::uint32_t node, const Part& whole, const BvhFrame& frame,
@@ -269,7 +271,7 @@ void NodeBuilder::build_apart(std::span<Part> parts, const BvhFrame& frame, int 
 void NodeBuilder::adopt(const Part& part, const BuiltNodes& other) {
     const Offset up{static_cast<std::uint32_t>(made_.nodes.size() - 1),
                     static_cast<std::uint32_t>(made_.frames.size() - 1),
-                    static_cast<std::uint32_t>(made_.items.size())};
+                    made_.leaves.size()};
     made_.nodes[part.node] = up.of(other.nodes[0]);
     for (std::size_t i = 1; i < other.nodes.size(); ++i)
         made_.nodes.push_back(up.of(other.nodes[i]));
@@ -277,7 +279,7 @@ void NodeBuilder::adopt(const Part& part, const BuiltNodes& other) {
         made_.frames.push_back(other.frames[i]);
         made_.frames.back().root += up.nodes;
     }
-    made_.items.insert(made_.items.end(), other.items.begin(), other.items.end());
+    made_.leaves.insert(made_.leaves.end(), other.leaves.begin(), other.leaves.end());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ inline constexpr std::size_t leaf_limit = 8;
 struct BuiltNodes {
     std::vector<BvhNode> nodes;    ///< the first is around all; those of one parent side by side
     std::vector<BvhFrame> frames;  ///< the first is that of the first node
-    std::vector<std::uint32_t> items;  ///< those of a leaf side by side
+    std::vector<std::uint32_t> leaves;  ///< see Bvh; the first one has no items
     Prospect prospect;
 };
 

@@ -12,7 +12,9 @@ namespace {
 // Bounds of rounding errors, as shares of the numbers that they come from. They are generous: a
 // lane too many costs an exact test, one too few a hole.
 constexpr double float_error = 0x1p-19;
-constexpr double double_error = 0x1p-46;
+// A leaf's entry is known in single precision, so the point there may be further from the leaf than
+// the leaf is large.
+constexpr double double_error = 0x1p-43;
 /// Below this, products lose their digits.
 constexpr float tiny = 1e-36f;
 

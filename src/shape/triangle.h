@@ -73,6 +73,7 @@ public:
         const double along = ray.direction[z_];
         shear_ = Vec2(ray.direction[x_], ray.direction[y_]) / along;
         inverse_ = Vec3(1) / ray.direction;
+        length2_ = dot(ray.direction, ray.direction);
     }
 
     /// The crossing in the range, or t = range.max. Triangles seen edge-on, or without area, are
@@ -92,14 +93,19 @@ public:
         const double sum = u + v + w, approach = dot(normal, ray_.direction);
         if (sum == 0 || approach == 0) return miss;
         // From the plane, because the weights of slivers have few digits; but never beyond the
-        // bounds, because a triangle seen edge-on has a plane that is almost along the ray.
-        const Interval part = within(join(join(Box{corner1, corner1}, corner2), corner3));
+        // bounds where the triangle is seen edge-on: its plane is almost along the ray then.
         double t = dot(normal, b) / approach;
-        if (part.min <= part.max) t = std::clamp(t, part.min, part.max);
+        if (approach * approach < edge_on2 * dot(normal, normal) * length2_) {
+            const Interval part = within(join(join(Box{corner1, corner1}, corner2), corner3));
+            if (part.min <= part.max) t = std::clamp(t, part.min, part.max);
+        }
         return range.contains(t) ? TriangleHit{t, v / sum, w / sum} : miss;
     }
 
 private:
+    /// Square of the sine of the angle between ray and plane from which on t has nearly all digits.
+    static constexpr double edge_on2 = 0.01;
+
     /// As clip() of the whole line.
     Interval within(const Box& box) const {
         constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -128,7 +134,8 @@ private:
 
     Ray ray_;
     Vec2 shear_;
-    Vec3 inverse_;  ///< of the direction
+    Vec3 inverse_;    ///< of the direction
+    double length2_;  ///< of the direction, squared
     int x_, y_, z_;
     Edges edges_;
 };

@@ -145,6 +145,29 @@ TEST_CASE("solids neither shadow themselves nor leak, whatever the numbers", "[w
     keep_tight(500);
 }
 
+TEST_CASE("what is too large for numbers does others no harm", "[world]") {
+    const std::string small =
+        "#for (I, 0, 39) sphere { <mod(I, 8), div(I, 8), 0>, 0.2 } #end\n"
+        "light_source { -9*z, 1 }\n";
+    const std::string huge_box =
+        "box { -1, 1 translate 1e29*x scale 1e99 scale 1e99 scale 1e99 rotate <10, 20, 30> ";
+    const std::string huge_mesh =
+        "mesh { #for (I, 0, 19) triangle { <1e308, I, 1>, <-1.7e308, I, 2>, <3, 1.7e308, I> } #end ";
+    for (const std::string& thing :
+         {std::string("sphere { 0, 1e210 scale 1e100 "),
+          std::string("sphere { <1e210, 0, 0>, 1 scale 1e100 "), huge_box, huge_mesh,
+          "intersection { " + huge_mesh + "inside_vector y } sphere { 0, 1 } ",
+          "union { " + huge_box + "} sphere { y, 1 scale 1e95 scale 1e95 scale 1e95 } "})
+        for (const char* look : {"}", "pigment { rgbt 1 } finish { emission 1 } }"}) {
+            INFO(thing << look);
+            const World world = world_of(small + thing + look);
+            Hit hit;
+            REQUIRE(world.first_hit({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, RayKind::camera, hit));
+            CHECK(hit.position.z == Approx(-0.2));
+            world.transmittance({Vec3(3, 2, -1), Vec3(0, 0, 1)}, 0, 5);
+        }
+}
+
 TEST_CASE("the same with millions of rays", "[.long]") {
     agree(300'000);
     keep_tight(50'000);

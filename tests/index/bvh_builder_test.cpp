@@ -34,6 +34,37 @@ TEST_CASE("items with empty boxes are left out", "[index]") {
     CHECK(items_of(tree) == std::vector<std::uint32_t>{1});
 }
 
+TEST_CASE("items without end are visited by every ray", "[index]") {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Box> endless = {everywhere(),
+                                      {Vec3(-1e308), Vec3(1e308)},
+                                      {Vec3(nan), Vec3(nan)},
+                                      {Vec3(0, 0, -infinity), Vec3(1, 1, 0)}};
+    for (const int others : {0, 1, 40}) {
+        std::vector<Box> boxes;
+        for (int i = 0; i < others; ++i) boxes.push_back({Vec3(i), Vec3(i + 0.5)});
+        for (int i = 0; i < 10; ++i) boxes.push_back(endless[static_cast<std::size_t>(i) % 4]);
+        const Bvh tree = build_bvh(boxes);
+        REQUIRE(tree.endless().size() == 10);
+        CHECK(tree.endless()[0] == static_cast<std::uint32_t>(others));
+        CHECK(items_of(tree).size() == static_cast<std::size_t>(others));
+        CHECK(tree.bounds().empty() == (others == 0));
+        std::size_t visited = 0;
+        const auto count = [&](std::span<const std::uint32_t> items, Interval&) {
+            CHECK(items.size() <= 8);
+            visited += items.size();
+            return false;
+        };
+        const Ray past{Vec3(-5), Vec3(0, 1, 0)};
+        tree.traverse(past, {}, count);
+        CHECK(visited == 10);
+        visited = 0;
+        tree.traverse_likely(past, {}, count);
+        CHECK(visited == 10);
+    }
+}
+
 TEST_CASE("a million coincident items are all there, and not deep", "[index]") {
     const std::vector<Box> boxes(1000000, Box{Vec3(-1), Vec3(1)});
     const Bvh tree = build_bvh(boxes);

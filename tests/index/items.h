@@ -206,6 +206,7 @@ inline std::vector<ItemScene> scenes() {
         {"flat boxes far away", moved(flat_boxes(300, 7), 1, Vec3(-1e6, 1e6, 0))},
         {"tiny balls", moved(random_balls(400, 0.01, 0.2, 8), 1e-9, Vec3(0))},
         {"huge balls", moved(random_balls(400, 0.01, 0.2, 9), 1e9, Vec3(0))},
+        {"balls near the least numbers", moved(random_balls(400, 0.01, 0.2, 23), 1e-40, Vec3(0))},
         {"points", random_balls(300, 1e-300, 1e-300, 10)},
     };
     for (int i = 1; i <= 200; ++i) all[4].items.push_back(ball(Vec3(0), i * 0.01));

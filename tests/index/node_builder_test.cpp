@@ -33,14 +33,31 @@ std::size_t used(const BvhNode& node) {
     return count;
 }
 
+std::span<const std::uint32_t> items_of(const BuiltNodes& built, BvhChild leaf) {
+    const std::size_t place = leaf.leaf();
+    return std::span(built.leaves).subspan(place + 1, built.leaves[place]);
+}
+
+/// Of all leaves.
+std::vector<std::uint32_t> items_of(const BuiltNodes& built) {
+    std::vector<std::uint32_t> items;
+    for (const BvhNode& node : built.nodes)
+        for (std::size_t slot = 0; slot < used(node); ++slot) {
+            if (!node.children[slot].is_leaf()) continue;
+            const auto leaf = items_of(built, node.children[slot]);
+            items.insert(items.end(), leaf.begin(), leaf.end());
+        }
+    return items;
+}
+
 }  // namespace
 
 TEST_CASE("a single item is a leaf below the only node", "[index]") {
     const BuiltNodes built = nodes_of({{Vec3(1, 2, 3), 0.5, 1}});
     REQUIRE(built.nodes.size() == 1);
     CHECK(used(built.nodes[0]) == 1);
-    CHECK(built.nodes[0].children[0] == BvhChild::leaf(0, 1));
-    CHECK(built.items == std::vector<std::uint32_t>{0});
+    CHECK(built.nodes[0].children[0] == BvhChild::leaf(1));
+    CHECK(items_of(built) == std::vector<std::uint32_t>{0});
     CHECK(built.frames.size() == 1);
     CHECK(built.prospect.chance == Approx(0.5));
     CHECK(built.prospect.steps == 4);
@@ -53,8 +70,8 @@ TEST_CASE("the child that is likelier to stop rays has the higher slot", "[index
             nodes_of({{swapped ? right : left, 1, 1}, {swapped ? left : right, 1, 8}});
         REQUIRE(built.nodes.size() == 1);
         REQUIRE(used(built.nodes[0]) == 2);
-        CHECK(built.nodes[0].children[0].item_count() == 1);
-        CHECK(built.nodes[0].children[1].item_count() == 8);
+        CHECK(items_of(built, built.nodes[0].children[0]).size() == 1);
+        CHECK(items_of(built, built.nodes[0].children[1]).size() == 8);
     }
 }
 
@@ -66,7 +83,7 @@ TEST_CASE("what is tiny beside all begins a frame", "[index]") {
     CHECK(built.frames[0].root == 0);
     CHECK(built.frames[1].reach < 50 * 0x1p-10);
     CHECK(built.nodes[built.frames[1].root].used(0));
-    std::vector<std::uint32_t> items = built.items, all(401);
+    std::vector<std::uint32_t> items = items_of(built), all(401);
     std::ranges::sort(items);
     std::iota(all.begin(), all.end(), 0u);
     CHECK(items == all);
@@ -90,9 +107,9 @@ TEST_CASE("children of parts that are built apart lead to the same items", "[ind
             ++leaves;
             Box box = node.box(slot, built.frames[0].origin);
             box = {box.low - Vec3(1e-4), box.high + Vec3(1e-4)};
-            for (std::uint32_t i = 0; i < child.item_count(); ++i)
-                CHECK(contains(box, rows[built.items[child.first_item() + i]].centre));
+            for (const std::uint32_t item : items_of(built, child))
+                CHECK(contains(box, rows[item].centre));
         }
     CHECK(leaves >= rows.size() / 8);
-    CHECK(built.items.size() == rows.size());
+    CHECK(items_of(built).size() == rows.size());
 }

@@ -165,6 +165,41 @@ TEST_CASE("packs rule out nothing that millions of rays meet", "[.long]") {
     rule_out_nothing(300'000);
 }
 
+TEST_CASE("tiny spheres far apart are met from far away", "[shape]") {
+    // Where a ray enters a leaf is known less exactly than the leaf is large.
+    Draw draw(3);
+    for (const double radius : {1e-8, 1e-10, 1e-12}) {
+        CAPTURE(radius);
+        Things things;
+        for (int place = 0; place < 6; ++place) {
+            const Vec3 centre = draw.point();
+            for (int i = 0; i < 3; ++i)
+                things.spheres.push_back({centre + 3 * radius * draw.point(), radius});
+        }
+        const auto box = [&](std::uint32_t i) {
+            const Sphere& s = things.spheres[i];
+            return Box{s.centre - Vec3(s.radius), s.centre + Vec3(s.radius)};
+        };
+        Bvh tree =
+            build_bvh(static_cast<std::uint32_t>(things.size()), box, ItemPart(), BvhSettings(), 1);
+        tree.pack(leaf_packs(things.kinds()), 1);
+        std::size_t met = 0, lost = 0;
+        for (int i = 0; i < 30000; ++i) {
+            const Sphere& aim = things.spheres[static_cast<std::size_t>(i) % things.size()];
+            const Vec3 from = aim.centre + 60.0 * draw.direction();
+            const Ray ray{from, unit(aim.centre + 0.9 * radius * draw.point() - from)};
+            const Candidates found = candidates(tree, things, ray, {});
+            for (std::uint32_t item = 0; item < things.size(); ++item) {
+                const bool meets = things.meet(item, ray, {}) < Interval{}.max;
+                met += meets;
+                lost += meets && !found.asked[item];
+            }
+        }
+        CHECK(met > 20000);
+        CHECK(lost == 0);
+    }
+}
+
 TEST_CASE("packs leave little in doubt", "[shape]") {
     Draw draw(2);
     for (const Vec3& centre : {Vec3(0), Vec3(1e6)}) {
