@@ -30,7 +30,7 @@ struct Part {
     Split split = {};  ///< of what is divided
     Prospect prospect = {};
     BvhChild child = BvhChild::leaf(0);  ///< what it becomes
-    std::uint32_t node = 0;                 ///< of what is no leaf
+    std::uint32_t node = 0;              ///< of what is no leaf
 
     bool inner() const { return kind == Kind::divided || kind == Kind::halved; }
 };
@@ -270,8 +270,7 @@ void NodeBuilder::build_apart(std::span<Part> parts, const BvhFrame& frame, int 
 /// Its first node and its first frame are there already.
 void NodeBuilder::adopt(const Part& part, const BuiltNodes& other) {
     const Offset up{static_cast<std::uint32_t>(made_.nodes.size() - 1),
-                    static_cast<std::uint32_t>(made_.frames.size() - 1),
-                    made_.leaves.size()};
+                    static_cast<std::uint32_t>(made_.frames.size() - 1), made_.leaves.size()};
     made_.nodes[part.node] = up.of(other.nodes[0]);
     for (std::size_t i = 1; i < other.nodes.size(); ++i)
         made_.nodes.push_back(up.of(other.nodes[i]));

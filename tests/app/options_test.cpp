@@ -185,7 +185,8 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
 }
 
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
-    CHECK(complaint({"+MB1"}, Severity::warning) == "`+MB1` is ignored: objects are always found through a hierarchy of boxes");
+    CHECK(complaint({"+MB1"}, Severity::warning) ==
+          "`+MB1` is ignored: objects are always found through a hierarchy of boxes");
     for (const char* word : {"+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);

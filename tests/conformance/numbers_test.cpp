@@ -152,7 +152,8 @@ TEST_CASE("what is too large for numbers does others no harm", "[world]") {
     const std::string huge_box =
         "box { -1, 1 translate 1e29*x scale 1e99 scale 1e99 scale 1e99 rotate <10, 20, 30> ";
     const std::string huge_mesh =
-        "mesh { #for (I, 0, 19) triangle { <1e308, I, 1>, <-1.7e308, I, 2>, <3, 1.7e308, I> } #end ";
+        "mesh { #for (I, 0, 19) triangle { <1e308, I, 1>, <-1.7e308, I, 2>, <3, 1.7e308, I> } "
+        "#end ";
     for (const std::string& thing :
          {std::string("sphere { 0, 1e210 scale 1e100 "),
           std::string("sphere { <1e210, 0, 0>, 1 scale 1e100 "), huge_box, huge_mesh,
