@@ -53,7 +53,9 @@ TEST_CASE("items without end are visited by every ray", "[index]") {
         std::size_t visited = 0;
         const auto count = [&](std::span<const std::uint32_t> items, Interval&) {
             CHECK(items.size() <= 8);
-            visited += items.size();
+            // What is asked before all others is so by rays that pass it, too.
+            visited += static_cast<std::size_t>(std::ranges::count_if(
+                items, [&](std::uint32_t i) { return i >= static_cast<std::uint32_t>(others); }));
             return false;
         };
         const Ray past{Vec3(-5), Vec3(0, 1, 0)};
