@@ -12,7 +12,7 @@
 class PartIndex {
 public:
     PartIndex() = default;
-    /// The boxes are finite.
+    /// Parts whose boxes are not finite() are near every ray.
     explicit PartIndex(std::vector<Box> boxes);
 
     /// Around all parts.
