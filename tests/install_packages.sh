@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs what the build needs on Debian 12, where it is missing. Called by tests/run.sh and examples/run.sh.
+# Installs what the build needs on Debian 12, where it is missing, and with --all the programs that some tests run. Called
+# by tests/run.sh and examples/run.sh.
 set -euo pipefail
 
-packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-dev libpng-dev nettle-dev libfreetype-dev libcgal-dev libboost-dev fonts-povray nlohmann-json3-dev catch2 binutils)
+packages=(g++ cmake ninja-build bison re2c libglm-dev libtbb-dev libopenimageio-dev libpng-dev nettle-dev libfreetype-dev
+          libcgal-dev libboost-dev fonts-povray nlohmann-json3-dev catch2 binutils)
+[ "${1:-}" != --all ] || packages+=(chromium slurmctld slurmd slurm-client munge parallel ffmpeg python3 python3-yaml povray
+                                    povray-examples povray-includes)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -19,7 +19,7 @@ constexpr auto texts =
 constexpr auto channels = std::array{"R", "G", "B"};
 
 /// One plane that holds 32 bits of each pixel's sums.
-struct Part {
+struct StatePart {
     std::string name;
     std::function<std::uint32_t(const Film&, std::size_t pixel)> get;
     std::function<void(Film&, std::size_t pixel, std::uint32_t bits)> set;
@@ -27,7 +27,7 @@ struct Part {
 
 /// A part that lies in the sums of the pixel itself.
 template <class Get, class Set>
-Part own_part(std::string name, const Get& get, const Set& set) {
+StatePart own_part(std::string name, const Get& get, const Set& set) {
     return {std::move(name),
             [get](const Film& film, std::size_t i) { return get(film.pixels()[i]); },
             [set](Film& film, std::size_t i, std::uint32_t bits) { set(film.pixels()[i], bits); }};
@@ -35,7 +35,7 @@ Part own_part(std::string name, const Get& get, const Set& set) {
 
 using Counts = std::array<std::uint64_t, 3>;
 
-Part half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::string name) {
+StatePart half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::string name) {
     const int shift = 32 * half;
     return own_part(
         std::move(name),
@@ -46,7 +46,7 @@ Part half_of(Counts PixelSum::*sums, std::size_t channel, int half, std::string 
 }
 
 /// A word of one of the sums besides the picture's.
-Part extra_part(std::size_t which, int word) {
+StatePart extra_part(std::size_t which, int word) {
     return {message("extra.", which, ".", word),
             [=](const Film& film, std::size_t i) { return film.extra(i)[which].word(word); },
             [=](Film& film, std::size_t i, std::uint32_t bits) {
@@ -54,8 +54,8 @@ Part extra_part(std::size_t which, int word) {
             }};
 }
 
-std::vector<Part> parts(std::size_t extras) {
-    std::vector<Part> all;
+std::vector<StatePart> parts(std::size_t extras) {
+    std::vector<StatePart> all;
     const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
         all.push_back(own_part(
             std::move(name), [=](const PixelSum& p) { return p.*number; },
@@ -91,7 +91,7 @@ std::size_t extras_in(const LayeredPicture& picture) {
 /// Of the planes that count, in their order; nothing when one is missing.
 std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
     std::uint64_t sum = mix(static_cast<std::uint64_t>(picture.width));
-    for (const Part& part : parts(extras_in(picture))) {
+    for (const StatePart& part : parts(extras_in(picture))) {
         const auto plane = std::ranges::find(picture.planes, part.name, &ChannelPlane::name);
         if (plane == picture.planes.end()) return std::nullopt;
         for (const std::uint32_t bits : plane->bits) sum = mix(sum ^ bits);
@@ -135,7 +135,7 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
             plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(pixel.mean()[c])));
         picture.planes.push_back(std::move(plane));
     }
-    for (const Part& part : parts(film.extras())) {
+    for (const StatePart& part : parts(film.extras())) {
         ChannelPlane plane{part.name, true, {}};
         plane.bits.reserve(film.pixels().size());
         for (std::size_t i = 0; i < film.pixels().size(); ++i)
@@ -163,7 +163,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
     if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");
     Film& film = checkpoint.state.film;
     film = Film(picture->width, picture->height, extras_in(*picture));
-    for (const Part& part : parts(film.extras())) {
+    for (const StatePart& part : parts(film.extras())) {
         const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
         for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
     }

@@ -7,9 +7,9 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json place(Span span, const SourceStore& sources) {
+OrderedJson place(Span span, const SourceStore& sources) {
     if (!span.known() || span.source >= sources.count()) return nullptr;
     const Place from = sources.place(span.source, span.first);
     const Place to = sources.place(span.source, span.last);
@@ -22,7 +22,7 @@ Json place(Span span, const SourceStore& sources) {
             {"last", span.last}};
 }
 
-std::string_view kind(const Frame& frame) {
+std::string_view kind_of(const Frame& frame) {
     switch (frame.kind) {
         case Frame::macro:
             return "macro";
@@ -47,23 +47,23 @@ std::string_view severity(const Diagnostic& diagnostic) {
 }
 
 /// Bytes that are no UTF-8 become a replacement character rather than an exception.
-std::string line(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+std::string line(const OrderedJson& json) {
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 
 }  // namespace
 
 std::string to_json(const Diagnostic& diagnostic, const SourceStore& sources) {
-    Json json = {{"severity", severity(diagnostic)},
-                 {"name", name(diagnostic.fault)},
-                 {"message", diagnostic.message},
-                 {"place", place(diagnostic.span, sources)},
-                 {"label", diagnostic.label}};
-    Json labels = Json::array(), frames = Json::array();
+    OrderedJson json = {{"severity", severity(diagnostic)},
+                        {"name", name(diagnostic.fault)},
+                        {"message", diagnostic.message},
+                        {"place", place(diagnostic.span, sources)},
+                        {"label", diagnostic.label}};
+    OrderedJson labels = OrderedJson::array(), frames = OrderedJson::array();
     for (const Label& label : diagnostic.labels)
         labels.push_back({{"place", place(label.span, sources)}, {"text", label.text}});
     for (const Frame& frame : diagnostic.frames)
-        frames.push_back({{"kind", kind(frame)},
+        frames.push_back({{"kind", kind_of(frame)},
                           {"name", frame.name},
                           {"called_at", place(frame.called_at, sources)}});
     json["labels"] = std::move(labels);

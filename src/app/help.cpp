@@ -17,7 +17,7 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::vector<ManualEntry> entries(bool offered) {
     std::vector<ManualEntry> result;
@@ -141,8 +141,8 @@ std::vector<ManualEntry> warning_entries() {
     return result;
 }
 
-Json json_options(bool offered) {
-    Json all = Json::array();
+OrderedJson json_options(bool offered) {
+    OrderedJson all = OrderedJson::array();
     for (const ManualEntry& entry : entries(offered))
         all.push_back({{"option", entry.term}, {"help", entry.help}});
     return all;
@@ -176,15 +176,15 @@ std::string_view class_name(WordClass word_class) {
 }
 
 /// The reserved words by class.
-Json json_words() {
-    Json all = Json::object();
+OrderedJson json_words() {
+    OrderedJson all = OrderedJson::object();
     for (const Word& word : reserved_words())
         all[std::string(class_name(word.word_class))].push_back(word.spelling);
     return all;
 }
 
 std::string words(ManualForm form) {
-    const Json all = json_words();
+    const OrderedJson all = json_words();
     if (form == ManualForm::json) return all.dump(2) + "\n";
     std::vector<ManualEntry> list;
     for (const auto& [name, spellings] : all.items()) {
@@ -248,11 +248,11 @@ std::string description(std::string_view part, ManualForm form, Diagnostics& dia
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);
-    Json all = {{"program", "candelabra"},
-                {"version", CANDELABRA_VERSION},
-                {"options", json_options(true)},
-                {"words", json_words()}};
-    all["functions"] = Json::parse(manual(function_entries(), form));
-    all["groups"] = Json::parse(manual(catalogue(), form));
+    OrderedJson all = {{"program", "candelabra"},
+                       {"version", CANDELABRA_VERSION},
+                       {"options", json_options(true)},
+                       {"words", json_words()}};
+    all["functions"] = OrderedJson::parse(manual(function_entries(), form));
+    all["groups"] = OrderedJson::parse(manual(catalogue(), form));
     return all.dump(2) + "\n";
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view file_prefix = "file ";
 constexpr std::string_view even = "even";
-constexpr std::string_view command = "command";
+constexpr std::string_view command_mark = "command";
 
 std::string one_line(std::string text) {
     std::ranges::replace_if(
@@ -99,7 +99,7 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
     if (format.file_gamma > 0) identity.emplace_back("file_gamma", message(format.file_gamma));
-    identity.emplace_back(command, one_line(command_line(options)));
+    identity.emplace_back(command_mark, one_line(command_line(options)));
     return identity;
 }
 
@@ -119,10 +119,10 @@ std::string description(const Identity& identity, int samples) {
             text += name.substr(file_prefix.size());
     text += message(", sha256 ", scene_digest(identity), ";");
     for (const auto& [name, value] : identity)
-        if (name != "program" && name != command && !name.starts_with(file_prefix))
+        if (name != "program" && name != command_mark && !name.starts_with(file_prefix))
             text += message(' ', name, '=', value, ';');
     if (fact(identity, "sampling") == even) text += message(" samples=", samples, ';');
-    return message(text, " made by: ", fact(identity, std::string(command)));
+    return message(text, " made by: ", fact(identity, std::string(command_mark)));
 }
 
 void tell_layers(const Identity& identity, FilmFiles& files) {
@@ -169,7 +169,7 @@ std::string difference(const Identity& before, const Identity& now) {
     const auto look = [&](const Identity& some, const Identity& others) {
         for (const auto& [name, value] : some) {
             if (name == "sampling" && fact(now, name) == even) continue;
-            if (name == command) continue;  // the other facts say what it means
+            if (name == command_mark) continue;  // the other facts say what it means
             // The same name may stand for several files.
             if (std::ranges::find(others, Fact{name, value}) != others.end()) continue;
             const std::string called = harmless(name);

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What the page is shown; made by the renderer, read by the server.
-struct Shown {
+struct Posted {
     std::mutex mutex;
     std::string png, lights;
     std::string errors, line = "reading the scene";
@@ -276,7 +276,7 @@ private:
     const std::optional<Animation>& animation_;
     const Console& console_;
     Diagnostics& diagnostics_;
-    Shown shown_;
+    Posted shown_;
     Questions questions_;
     std::map<std::string, fs::file_time_type> times_;
     std::mutex look_;

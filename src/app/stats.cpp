@@ -16,7 +16,7 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 double read_clock(clockid_t which) {
     timespec time{};
@@ -24,7 +24,7 @@ double read_clock(clockid_t which) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Json phases(const RunStatistics& run, double Phase::*which) {
+OrderedJson phases(const RunStatistics& run, double Phase::*which) {
     return {{"parse", run.parse.*which},
             {"compile", run.compile.*which},
             {"render", run.render.*which},
@@ -66,7 +66,7 @@ void complete(RunStatistics& run, const World& world, const RenderSettings& sett
 
 std::string to_json(const RunStatistics& run) {
     const double pixels = static_cast<double>(run.width) * run.height;
-    const Json json = {
+    const OrderedJson json = {
         {"seconds", phases(run, &Phase::seconds)},
         {"cpu_seconds", phases(run, &Phase::cpu_seconds)},
         {"width", run.width},

@@ -9,7 +9,7 @@
 
 namespace {
 
-std::string vector_text(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
+std::string written_out(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
 
 std::string sampler_text(const World& world) {
     LightSampler sampler = world.settings.light_sampler;
@@ -43,7 +43,7 @@ std::string report(const World& world) {
         "light sampler: ", sampler_text(world), "\n", "light sources: ", world.lights.size(), "\n",
         "index: ", tree.nodes, " nodes, ", tree.leaves, " leaves, depth ", tree.max_depth, ", ",
         tree.bytes, " bytes\n", "camera: ", camera.parallel ? "parallel rays" : "rays from a point",
-        ", location ", vector_text(camera.location), ", direction ", vector_text(camera.direction),
-        ", right ", vector_text(camera.right), ", up ", vector_text(camera.up), "\n",
+        ", location ", written_out(camera.location), ", direction ", written_out(camera.direction),
+        ", right ", written_out(camera.right), ", up ", written_out(camera.up), "\n",
         "max_trace_level: ", world.settings.max_trace_level, "\n");
 }

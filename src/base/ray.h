@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/box.h"
+#include "base/infinity.h"
 #include "base/vector.h"
 
 #include <algorithm>
@@ -24,10 +25,13 @@ struct Ray {
 /// Range of ray parameters, open at both ends.
 struct Interval {
     double min = 0;
-    double max = std::numeric_limits<double>::infinity();
+    double max = infinity;
 
     bool contains(double t) const { return t > min && t < max; }
 };
+
+/// The line through the ray's origin, in both directions.
+inline constexpr Interval whole_line{-infinity, infinity};
 
 /// The part of the interval in which the ray is inside the box; empty (min > max) when it misses.
 /// A ray that runs along one of the box's planes gives NaN there, which the order of the

@@ -11,7 +11,7 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// `\b(?:one|two)\b`
 std::string any_of(const std::set<std::string_view>& words) {
@@ -37,7 +37,7 @@ std::set<std::string_view> item_words() {
     return words;
 }
 
-Json coloured(std::string_view scope, const std::string& match) {
+OrderedJson coloured(std::string_view scope, const std::string& match) {
     return {{"name", message(scope, ".pov")}, {"match", match}};
 }
 
@@ -45,21 +45,23 @@ Json coloured(std::string_view scope, const std::string& match) {
 
 std::string textmate_grammar() {
     using enum WordClass;
-    const Json comment = {{"name", "comment.block.pov"},
-                          {"begin", "/\\*"},
-                          {"end", "\\*/"},
-                          {"patterns", Json::array({{{"include", "#block_comment"}}})}};
-    const Json text = {{"name", "string.quoted.double.pov"},
-                       {"begin", "\""},
-                       {"end", "\""},
-                       {"patterns", Json::array({coloured("constant.character.escape", "\\\\.")})}};
+    const OrderedJson comment = {
+        {"name", "comment.block.pov"},
+        {"begin", "/\\*"},
+        {"end", "\\*/"},
+        {"patterns", OrderedJson::array({{{"include", "#block_comment"}}})}};
+    const OrderedJson text = {
+        {"name", "string.quoted.double.pov"},
+        {"begin", "\""},
+        {"end", "\""},
+        {"patterns", OrderedJson::array({coloured("constant.character.escape", "\\\\.")})}};
     const std::string directives =
         message("#\\s*", any_of(words_of({WordClass::directive})).substr(2));
-    const Json macro = {{"match", "(#\\s*macro)\\s+([A-Za-z_][A-Za-z0-9_]*)"},
-                        {"captures",
-                         {{"1", {{"name", "keyword.control.directive.pov"}}},
-                          {"2", {{"name", "entity.name.function.pov"}}}}}};
-    Json patterns = Json::array(
+    const OrderedJson macro = {{"match", "(#\\s*macro)\\s+([A-Za-z_][A-Za-z0-9_]*)"},
+                               {"captures",
+                                {{"1", {{"name", "keyword.control.directive.pov"}}},
+                                 {"2", {{"name", "entity.name.function.pov"}}}}}};
+    OrderedJson patterns = OrderedJson::array(
         {{{"include", "#block_comment"}},
          coloured("comment.line.double-slash", "//.*$"),
          text,
@@ -72,10 +74,10 @@ std::string textmate_grammar() {
          coloured("storage.type", any_of(words_of({array, function_literal}))),
          coloured("keyword.other", any_of(item_words())),
          coloured("keyword.operator", "[-+*/=<>&|!?:]")});
-    const Json grammar = {{"name", "POV scene"},
-                          {"scopeName", "source.pov"},
-                          {"fileTypes", {"pov", "inc"}},
-                          {"patterns", std::move(patterns)},
-                          {"repository", {{"block_comment", comment}}}};
+    const OrderedJson grammar = {{"name", "POV scene"},
+                                 {"scopeName", "source.pov"},
+                                 {"fileTypes", {"pov", "inc"}},
+                                 {"patterns", std::move(patterns)},
+                                 {"repository", {{"block_comment", comment}}}};
     return grammar.dump(2) + "\n";
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-using Operands = std::vector<ProgramBuilder::Operand>;
+using FunctionOperands = std::vector<ProgramBuilder::Operand>;
 
-std::optional<Operands> Evaluator::State::FunctionCompiler::arguments(const Tree& tree,
-                                                                      NodeId first) {
+std::optional<FunctionOperands> Evaluator::State::FunctionCompiler::arguments(const Tree& tree,
+                                                                              NodeId first) {
     std::vector<Operand> values;
     list(tree, first, values);
     const bool bad = std::ranges::find(values, ProgramBuilder::none) != values.end();

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr std::string_view effectless_words = "sturm hierarchy";
+constexpr std::string_view effectless_in_parts = "sturm hierarchy";
 
 /// texture, pigment, normal and finish of a part.
 class PartLookReader : public SimpleReader {
@@ -75,7 +75,7 @@ void read_part(OpenBlock& block, const FieldInfo& field, void* item, const Eleme
     const ItemInfo& info = field.parts->info();
     OpenBlock inner(block.binder, field.name, element.word_span);
     inner.item = &info;
-    inner.effectless = effectless_words;
+    inner.effectless = effectless_in_parts;
     if (field.parts->look) inner.part_textures = block.part_textures;
     void* const part = field.parts->add(item);
     Transform* const place = field.parts->transform ? field.parts->transform(part) : nullptr;

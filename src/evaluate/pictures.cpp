@@ -35,7 +35,7 @@ TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMa
 
 /// A function's values at all pixels, in 65536 steps from 0 to 1, as POV-Ray keeps them: values
 /// beyond begin anew at the other end.
-Texels sampled(const Formula& function) {
+Texels texels_of(const Formula& function) {
     Texels texels;
     texels.width = function.columns();
     texels.height = function.rows();
@@ -174,7 +174,7 @@ void PictureReader::load() {
                               .with_help("function 256, 256 { ... }"));
             return;
         }
-        map_.texels = make_handle<Texels>(sampled(*map_.function));
+        map_.texels = make_handle<Texels>(texels_of(*map_.function));
     } else if (map_.file.empty()) {
         block_.report(
             error(Fault::missing, block_.span, message(block_.quoted(), " needs a picture"))

@@ -38,7 +38,7 @@ std::size_t character_size(std::string_view text, std::size_t at) {
     return size;
 }
 
-std::size_t character_count(std::string_view text) {
+std::size_t length_in_characters(std::string_view text) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < text.size(); i += character_size(text, i)) ++count;
     return count;
@@ -128,7 +128,7 @@ Value character(Call call) {
 Value substring(Call call) {
     const std::string_view text = call.text(0);
     const std::int64_t start = call.integer(1), length = call.integer(2);
-    const auto size = static_cast<std::int64_t>(character_count(text));
+    const auto size = static_cast<std::int64_t>(length_in_characters(text));
     if (call.failed()) return Absence::broken;
     // POV-Ray has the end of a string in front of the first character.
     if (start == 0 && length >= 0 && length <= size + 1) return std::string();
@@ -179,7 +179,9 @@ Value first_code(Call call) {
     return text.empty() ? 0.0 : character_code(text, 0);
 }
 
-Value character_number(Call call) { return static_cast<double>(character_count(call.text(0))); }
+Value character_number(Call call) {
+    return static_cast<double>(length_in_characters(call.text(0)));
+}
 
 Value date_text(Call call) {
     // Days since the year 2000 began, in UTC.

@@ -85,9 +85,9 @@ private:
 };
 
 /// The textures of a material_map, numbered from 0.
-class TexturesReader : public SimpleReader {
+class TextureBlocksReader : public SimpleReader {
 public:
-    explicit TexturesReader(OpenBlock& block) : block_(block) {}
+    explicit TextureBlocksReader(OpenBlock& block) : block_(block) {}
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block || element.word != "texture"_word) return false;
@@ -198,7 +198,7 @@ private:
     void take_material_map(const Element& element) {
         OpenBlock inner(block_.binder, "material_map", element.word_span);
         inner.form = "{ \"picture.png\" texture { ... } texture { ... } ... }";
-        TexturesReader textures(inner);
+        TextureBlocksReader textures(inner);
         Pattern pattern = MaterialMap{};
         read_picture(inner, element.body, pattern, textures);
         block_.broken |= inner.broken;

@@ -2,6 +2,7 @@
 #include "formula/enclosed_function.h"
 
 #include "base/degrees.h"
+#include "base/infinity.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 namespace {
 
 using std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double square(double x) { return x * x; }
 
@@ -111,7 +111,7 @@ Enclosure tangent(const Enclosure& a) {
 }
 
 // In the order of the functions of operation.cpp.
-constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
+constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 22>{
     absolute,
     [](const Enclosure& a) { return plus(negated(arc_sine(a)), pi / 2); },
     [](const Enclosure& a) {
@@ -173,5 +173,5 @@ constexpr auto functions = std::array<Enclosure (*)(const Enclosure&), 22>{
 }  // namespace
 
 Enclosure enclosed_function(std::uint16_t number, const Enclosure& a) {
-    return functions[number](a);
+    return enclosed_functions[number](a);
 }

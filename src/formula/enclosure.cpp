@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "formula/enclosure.h"
 
+#include "base/infinity.h"
 #include "formula/enclosed_function.h"
 #include "formula/formula.h"
 
@@ -9,7 +10,6 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Bounds no_slope{0, 0}, yes{1, 1}, no{0, 0}, perhaps{0, 1};
 
 Bounds bounds(double low, double high) {

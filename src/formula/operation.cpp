@@ -13,7 +13,7 @@ struct Named {
     double (*code)(double);
 };
 
-constexpr auto functions = std::array{
+constexpr auto number_functions = std::array{
     Named{"abs", [](double x) { return std::abs(x); }},
     Named{"acos", [](double x) { return std::acos(x); }},
     Named{"acosh", [](double x) { return std::acosh(x); }},
@@ -41,8 +41,8 @@ constexpr auto functions = std::array{
 }  // namespace
 
 std::optional<std::uint16_t> function_number(std::string_view name) {
-    for (std::size_t i = 0; i < functions.size(); ++i)
-        if (functions[i].name == name) return static_cast<std::uint16_t>(i);
+    for (std::size_t i = 0; i < number_functions.size(); ++i)
+        if (number_functions[i].name == name) return static_cast<std::uint16_t>(i);
     return std::nullopt;
 }
 
@@ -54,7 +54,7 @@ std::optional<Operation> operation_of_two(std::string_view name) {
     return std::nullopt;
 }
 
-double apply_function(std::uint16_t number, double x) { return functions[number].code(x); }
+double apply_function(std::uint16_t number, double x) { return number_functions[number].code(x); }
 
 std::int32_t to_int32(double value) {
     if (!(value > -2147483649.0 && value < 2147483648.0)) return INT32_MIN;

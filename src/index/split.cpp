@@ -2,6 +2,7 @@
 #include "index/split.h"
 
 #include "base/every_machine.h"
+#include "base/infinity.h"
 #include "base/lanes.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_bins = 16;
 /// Fewer items are put into half as many bins.
 constexpr std::size_t few = 32;

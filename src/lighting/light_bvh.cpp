@@ -14,7 +14,7 @@ namespace {
 constexpr double least_height = 1e-4, least_facing = 1e-2;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
-constexpr double worn_out = 1e-7;
+constexpr double worn_out_walk = 1e-7;
 
 /// cos(max(0, a - b)) for angles from 0 to pi given by cosine and, for b, also by sine.
 double cosine_beyond(double cos_a, double cos_b, double sin_b) {
@@ -76,7 +76,7 @@ void BuiltLightBvh::choose(const ShadingPoint& point, const Key& key, LightPicks
         probability *= step;
         since_fresh *= step;
         here = left ? first : second;
-        if (since_fresh < worn_out) {
+        if (since_fresh < worn_out_walk) {
             u = draw(key, Purpose::light_choice, level);
             since_fresh = 1;
         }

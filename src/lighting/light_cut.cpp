@@ -19,7 +19,7 @@ constexpr double least_dull = 0.02;
 /// Of entries that are lower over the horizon, weights are not divided by the cosine, but by this.
 constexpr float least_cosine = 0.05f;
 
-struct Columns {
+struct EntryColumns {
     const float *x, *y, *z, *radius, *strength;
     const float *axis_x, *axis_y, *axis_z, *evenness;
     const float *half_x, *half_y, *half_z;
@@ -39,8 +39,8 @@ using Rows = std::array<float, block>;
 
 /// The formula of irradiance() in glow.h, in single precision and with wider margins.
 template <bool both_sides>
-[[gnu::always_inline]] inline void weigh_even(const Columns& c, std::size_t first, const Place& p,
-                                              Rows& out) {
+[[gnu::always_inline]] inline void weigh_even(const EntryColumns& c, std::size_t first,
+                                              const Place& p, Rows& out) {
     const float steep_x = std::abs(p.nx), steep_y = std::abs(p.ny), steep_z = std::abs(p.nz);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
@@ -69,7 +69,7 @@ template <bool both_sides>
     }
 }
 
-[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t first,
+[[gnu::always_inline]] inline void turn_to_point(const EntryColumns& c, std::size_t first,
                                                  const Place& p, Rows& out) {
     constexpr auto kept = static_cast<float>(least_leaning);
     for (std::size_t i = 0; i < block; ++i) {
@@ -102,7 +102,7 @@ template <bool both_sides>
 }
 
 /// against_square_law(), in single precision.
-[[gnu::always_inline]] inline void fall_off(const Columns& c, const SourceColumns& s,
+[[gnu::always_inline]] inline void fall_off(const EntryColumns& c, const SourceColumns& s,
                                             std::size_t first, const Place& p, Rows& out) {
     constexpr auto slack = static_cast<float>(cone_slack), edge = static_cast<float>(cone_edge);
     for (std::size_t i = 0; i < block; ++i) {
@@ -150,7 +150,7 @@ struct Look {
 
 /// Weighs all rows, and adds up each block of them.
 CANDELABRA_EVERY_MACHINE
-void weigh_rows(const Columns& c, std::size_t count, const Place& place, const Look& look,
+void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, const Look& look,
                 CutWeights& result) {
     const Place p = place;
     for (std::size_t first = 0; first < count; first += block) {
@@ -171,7 +171,7 @@ struct Peak {
 };
 
 /// Adds to what each row of a block answers at least: of a highlight, spread over the entry's cone.
-[[gnu::always_inline]] inline void shine(const Columns& c, std::size_t first, const Place& p,
+[[gnu::always_inline]] inline void shine(const EntryColumns& c, std::size_t first, const Place& p,
                                          const Peak& peak, Rows& out) {
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
@@ -191,7 +191,7 @@ struct Peak {
 }
 
 CANDELABRA_EVERY_MACHINE
-void weigh_answers_of_rows(const Columns& c, std::size_t count, const Place& place, float dull,
+void weigh_answers_of_rows(const EntryColumns& c, std::size_t count, const Place& place, float dull,
                            std::span<const Peak> peaks, CutWeights& result) {
     const Place p = place;
     for (std::size_t first = 0; first < count; first += block) {
@@ -284,7 +284,7 @@ std::size_t LightCut::entry_of(std::uint32_t place) const {
 
 struct LightCut::Rough {
     Place place;
-    Columns columns;
+    EntryColumns columns;
 };
 
 LightCut::Rough LightCut::rough(const ShadingPoint& point) const {

@@ -8,15 +8,15 @@
 namespace {
 
 /// Triangles nearer than this many radii are asked themselves.
-constexpr double near_radii = 4;
+constexpr double exact_radii = 4;
 
-struct Columns {
+struct GlowColumns {
     const double *x, *y, *z, *radius, *strength;
     const double *axis_x, *axis_y, *axis_z, *evenness, *exact_within2;
 };
 
 template <bool both_sides>
-[[gnu::always_inline]] inline void estimate_even(const Columns& c, std::size_t count,
+[[gnu::always_inline]] inline void estimate_even(const GlowColumns& c, std::size_t count,
                                                  const ShadingPoint& point, double* out) {
     const Vec3 p = point.position, n = point.normal;
     for (std::size_t i = 0; i < count; ++i)
@@ -26,8 +26,8 @@ template <bool both_sides>
 
 /// The sign says that the estimate must be replaced: -0 needs no replacement, nothing is above the
 /// horizon then.
-[[gnu::always_inline]] inline void turn_to_point(const Columns& c, std::size_t count, const Vec3& p,
-                                                 double* out) {
+[[gnu::always_inline]] inline void turn_to_point(const GlowColumns& c, std::size_t count,
+                                                 const Vec3& p, double* out) {
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 v(c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z);
         const double estimate =
@@ -38,7 +38,8 @@ template <bool both_sides>
 }
 
 CANDELABRA_EVERY_MACHINE
-void estimate_rows(const Columns& c, std::size_t count, const ShadingPoint& point, double* out) {
+void estimate_rows(const GlowColumns& c, std::size_t count, const ShadingPoint& point,
+                   double* out) {
     if (point.both_sides)
         estimate_even<true>(c, count, point, out);
     else
@@ -66,7 +67,7 @@ LightTable::LightTable(std::span<const Luminaire> luminaires)
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
         records_[i].glow = ::glow(bounds(luminaires[i]));
         records_[i].glow.half = Glow().half;  // the rows know spheres only
-        const double reach = near_radii * records_[i].glow.radius;
+        const double reach = exact_radii * records_[i].glow.radius;
         if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
             records_[i].exact_within2 = reach * reach;
         flat_ = flat_ || records_[i].glow.axis != Vec3(0);

@@ -6,24 +6,15 @@
 
 namespace {
 
-constexpr int bins = 16;
+constexpr int tree_bins = 16;
 /// Below this depth nodes are halved by number, so that luminaires in geometric progression make no
 /// endless tree.
-constexpr int halved_below = 64;
+constexpr int tree_halved_below = 64;
 /// Nodes with more luminaires are only cut across their longest side: which way matters little
 /// there, and time does.
-constexpr std::uint32_t many = 1u << 12;
+constexpr std::uint32_t many_luminaires = 1u << 12;
 
 using Float3 = std::array<float, 3>;
-
-/// A luminaire on its way into the tree.
-struct Item {
-    Float3 low, high;
-    float intensity;
-    LightIndex light;
-
-    float middle(int axis) const { return low[axis] + high[axis]; }  // twice: no matter here
-};
 
 struct Bin {
     Float3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
@@ -124,6 +115,15 @@ public:
     }
 
 private:
+    /// A luminaire on its way into the tree.
+    struct Item {
+        Float3 low, high;
+        float intensity;
+        LightIndex light;
+
+        float middle(int axis) const { return low[axis] + high[axis]; }  // twice: no matter here
+    };
+
     struct Work {
         std::uint32_t first, end;
         int depth;
@@ -135,7 +135,8 @@ private:
         float low = 0, scale = 0;
 
         int bin_of(const Item& item) const {
-            return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0, bins - 1);
+            return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0,
+                              tree_bins - 1);
         }
     };
 
@@ -145,21 +146,21 @@ private:
     }
 
     void consider(const Work& work, Split place, Split& best) const {
-        std::array<Bin, bins> bin;
+        std::array<Bin, tree_bins> bin;
         for (std::uint32_t i = work.first; i < work.end; ++i) {
             Bin& b = bin[place.bin_of(items_[i])];
             b.add(items_[i].low, items_[i].high);
             b.intensity += items_[i].intensity;
             ++b.count;
         }
-        std::array<float, bins> upper{};
+        std::array<float, tree_bins> upper{};
         Bin behind;
-        for (int b = bins - 1; b > 0; --b) {
+        for (int b = tree_bins - 1; b > 0; --b) {
             behind.add(bin[b]);
             upper[b] = behind.cost();
         }
         Bin before;
-        for (int b = 1; b < bins; ++b) {
+        for (int b = 1; b < tree_bins; ++b) {
             before.add(bin[b - 1]);
             if (before.count == 0 || before.count == work.end - work.first) continue;
             place.cost = before.cost() + upper[b];
@@ -181,10 +182,12 @@ private:
             if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
         const auto begin = items_.begin() + work.first, end = items_.begin() + work.end;
         Split best;
-        if (work.depth < halved_below)
+        if (work.depth < tree_halved_below)
             for (int axis = 0; axis < 3; ++axis)
-                if (high[axis] > low[axis] && (work.end - work.first <= many || axis == longest))
-                    consider(work, {0, axis, 0, low[axis], bins / (high[axis] - low[axis])}, best);
+                if (high[axis] > low[axis] &&
+                    (work.end - work.first <= many_luminaires || axis == longest))
+                    consider(work, {0, axis, 0, low[axis], tree_bins / (high[axis] - low[axis])},
+                             best);
         if (best.axis >= 0) {
             const auto middle = std::stable_partition(
                 begin, end, [&](const Item& item) { return best.bin_of(item) < best.bin; });
@@ -235,7 +238,8 @@ private:
         return tree_.falloffs_[cluster.node] = result;
     }
 
-    /// Fills in how the nodes shine, from the leaves up. (The depth is bounded: see halved_below.)
+    /// Fills in how the nodes shine, from the leaves up. (The depth is bounded: see
+    /// tree_halved_below.)
     Shine shine(const LightCluster& cluster) {
         Shine sum;
         if (cluster.count == 1) {

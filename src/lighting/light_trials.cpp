@@ -17,7 +17,7 @@ constexpr double least = 0.1, greatest = 4;
 /// behind shutters must not take all rays.
 constexpr double most_unseen = 0.1;
 
-double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+double trial_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key{a, b, c, 1}, Purpose::light_representative);
 }
 
@@ -99,9 +99,9 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
             const std::size_t place = place_of(entry, i);
             const double weight = weights[place].weight[entry];
             if (!(weight > 0)) continue;
-            const std::uint32_t member = tree.draw(cluster, number(n, i, 0));
+            const std::uint32_t member = tree.draw(cluster, trial_number(n, i, 0));
             const double light = arriving(luminaires, tree.light(member), receivers[place],
-                                          {number(n, i, 1), number(n, i, 2)}, probe) /
+                                          {trial_number(n, i, 1), trial_number(n, i, 2)}, probe) /
                                  tree.share(cluster, member);
             given[entry][i] = light / weight;
             at_place[place] += light;

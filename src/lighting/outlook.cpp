@@ -25,7 +25,7 @@ constexpr double neighbours = 0.3;
 /// How many tries the mean of all bins may count for; the last is all but no picture at all.
 constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
 
-double number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+double outlook_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     return uniform(Key{a, b, c, 0}, Purpose::light_representative);
 }
 
@@ -140,7 +140,7 @@ template <class Line>
 Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
     Found found;
     for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
-        const Vec3 place(number(i, 0, 1), number(i, 0, 2), number(i, 0, 3));
+        const Vec3 place(outlook_number(i, 0, 1), outlook_number(i, 0, 2), outlook_number(i, 0, 3));
         const Ray ray = line(i, cell.low + place * cell.size());
         const auto sight = probe(ray, 0);
         if (!sight) continue;
@@ -183,7 +183,8 @@ std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& e
         if (!seen[0].empty()) return std::move(seen[0]);
     }
     Found found = met_by(cell, probe, [&](std::uint32_t i, const Vec3& place) {
-        const double height = 2 * number(i, 0, 4) - 1, angle = 2 * pi * number(i, 0, 5);
+        const double height = 2 * outlook_number(i, 0, 4) - 1,
+                     angle = 2 * pi * outlook_number(i, 0, 5);
         const double across = std::sqrt(1 - height * height);
         return Ray{place, Vec3(across * std::cos(angle), across * std::sin(angle), height)};
     });
@@ -191,7 +192,7 @@ std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& e
         if (!kind.empty()) return std::move(kind);
     std::vector<Receiver> anywhere;
     for (std::uint32_t i = 0; i < enough; ++i) {
-        const Vec3 place(number(i, 1, 1), number(i, 1, 2), number(i, 1, 3));
+        const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
         anywhere.push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
     }
     return anywhere;
@@ -226,8 +227,8 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
             const std::size_t place = receiver_of(bin, i);
             const Receiver& from = receivers[place];
             const Cone cone = cone_at(from.point.position);
-            const Vec3 direction = cone.direction(bin / sectors + number(bin, i, 10),
-                                                  bin % sectors + number(bin, i, 11));
+            const Vec3 direction = cone.direction(bin / sectors + outlook_number(bin, i, 10),
+                                                  bin % sectors + outlook_number(bin, i, 11));
             const double height = dot(direction, from.point.normal),
                          cosine = from.point.both_sides ? std::abs(height) : height;
             if (cosine <= 0) continue;

@@ -16,7 +16,7 @@ constexpr double even_share = 0.1;
 /// the point. This keeps few unlucky representatives from making the rest a rare and glaring
 /// surprise, and ends the search where all are below the horizon. (The paper draws until one is
 /// above, which need never happen.)
-constexpr double least_height = 0.05;
+constexpr double min_dim_height = 0.05;
 
 /// What a luminaire gives a surface that faces it, nearly.
 double straight_on_bound(const Glow& g, const Vec3& position) {
@@ -78,7 +78,7 @@ double BuiltPaperOctree::guess_dim(const ShadingPoint& point, const Key& key,
         given += table_.estimate(light, point) / places;
         straight_on += straight_on_bound(table_.glow(light), point.position) / places;
     }
-    return std::fmax(given, least_height * straight_on) * static_cast<double>(dim.places()) /
+    return std::fmax(given, min_dim_height * straight_on) * static_cast<double>(dim.places()) /
            representatives_;
 }
 

@@ -54,7 +54,7 @@ constexpr double astray = 0.125, guided = 1 - astray;
 
 /// Of luminaires whose glow varies: triangles have no edge longer than this share of the size, and
 /// have so much of the luminance from those around them.
-constexpr double longest_edge = 1.0 / 12, neighbours = 0.25;
+constexpr double longest_edge = 1.0 / 12, neighbour_share = 0.25;
 
 /// Of a direction that meets the leaf, which is within the ball.
 double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
@@ -181,7 +181,7 @@ struct Brightnesses {
         for (std::size_t i = 0; i < square.size(); ++i) {
             double beside = 0;
             for (const int corner : mesh.faces[i]) beside += around[at(corner)] / count[at(corner)];
-            square[i] = (1 - neighbours) * square[i] + neighbours * beside / 3;
+            square[i] = (1 - neighbour_share) * square[i] + neighbour_share * beside / 3;
         }
     }
 };

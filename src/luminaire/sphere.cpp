@@ -36,11 +36,11 @@ std::optional<LightPoint> sample_area(const SphereEmitter& s, const Vec3& from, 
 }
 
 /// How a point outside sees the sphere.
-struct View {
+struct SphereView {
     Vec3 middle;  ///< unit
     double distance, sine2;
 
-    View(const SphereEmitter& s, const Vec3& from) : middle(s.centre - from) {
+    SphereView(const SphereEmitter& s, const Vec3& from) : middle(s.centre - from) {
         distance = length(middle);
         middle /= distance;
         sine2 = (s.radius / distance) * (s.radius / distance);
@@ -50,7 +50,7 @@ struct View {
 /// The point that is met in a direction that makes this angle with the middle, across being its
 /// part at right angles. Near root and place on the sphere in forms that lose no digits, neither
 /// close to the sphere nor far from it.
-LightPoint point_towards(const SphereEmitter& s, const View& view, double cosine,
+LightPoint point_towards(const SphereEmitter& s, const SphereView& view, double cosine,
                          const Vec3& across, double density) {
     const double d = view.distance, across2 = dot(across, across);
     const double half_chord = std::sqrt(std::fmax(0, s.radius * s.radius - d * d * across2));
@@ -60,7 +60,7 @@ LightPoint point_towards(const SphereEmitter& s, const View& view, double cosine
     return {position, cosine * view.middle + across, distance, density};
 }
 
-LightPoint sample_cone(const SphereEmitter& s, const View& view, const Vec2& u) {
+LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec2& u) {
     const double widest = rim(s, view.distance), versine = u.x * widest, cosine = 1 - versine;
     const double sine = std::sqrt(versine * (2 - versine));
     const auto [x, y] = perpendiculars(view.middle);
@@ -71,7 +71,7 @@ LightPoint sample_cone(const SphereEmitter& s, const View& view, const Vec2& u) 
 
 /// Height of the sphere's centre over the horizon, as a cosine, when all of the sphere is above
 /// (or, for surfaces that are lit from behind, all below: then it is negative); else 0.
-double clear_height(const View& view, const ShadingPoint& point) {
+double clear_height(const SphereView& view, const ShadingPoint& point) {
     // At the horizon itself the density of a direction loses its digits.
     constexpr double margin = 1.0001;
     const double height = dot(view.middle, point.normal);
@@ -81,12 +81,12 @@ double clear_height(const View& view, const ShadingPoint& point) {
 
 /// Probability per steradian for each unit of the cosine: the sphere's cap of directions, seen from
 /// above, is an ellipse in the unit disc (Nusselt), and its points are drawn evenly.
-double projected_density(const View& view, double height) {
+double projected_density(const SphereView& view, double height) {
     return 1 / (pi * view.sine2 * std::abs(height));
 }
 
-LightPoint sample_projected(const SphereEmitter& s, const View& view, const ShadingPoint& point,
-                            double height, const Vec2& u) {
+LightPoint sample_projected(const SphereEmitter& s, const SphereView& view,
+                            const ShadingPoint& point, double height, const Vec2& u) {
     const Vec3 normal = height > 0 ? point.normal : -point.normal;
     const double sine = std::sqrt(view.sine2), up = std::abs(height);
     const Vec3 level = view.middle - up * normal;
@@ -120,13 +120,13 @@ double unoccluded(const SphereEmitter& s, double luminance, const ShadingPoint& 
 std::optional<LightPoint> sample(const SphereEmitter& s, const Vec3& from, const Vec2& u) {
     const double to_centre = length(s.centre - from);
     if (inside_or_on(s, to_centre)) return sample_area(s, from, u);
-    return sample_cone(s, View(s, from), u);
+    return sample_cone(s, SphereView(s, from), u);
 }
 
 std::optional<LightPoint> sample(const SphereEmitter& s, const ShadingPoint& point, const Vec2& u) {
     if (inside_or_on(s, length(s.centre - point.position)))
         return sample_area(s, point.position, u);
-    const View view(s, point.position);
+    const SphereView view(s, point.position);
     const double height = clear_height(view, point);
     if (height == 0) return sample_cone(s, view, u);
     const LightPoint drawn = sample_projected(s, view, point, height, u);
@@ -148,7 +148,7 @@ void meet(const SphereEmitter& s, const ShadingPoint& point, const Vec3& directi
         return;
     }
     if (!(along > 0)) return;
-    const View view(s, point.position);
+    const SphereView view(s, point.position);
     const double height = clear_height(view, point);
     const double density =
         height == 0 ? 1 / (2 * pi * rim(s, view.distance))

@@ -20,8 +20,8 @@ constexpr double least_solid_angle = 3e-4, greatest_solid_angle = 6.22;
 constexpr double small = 1e-3;
 
 /// The triangle as a point sees it.
-struct View {
-    View(const TriangleEmitter& t, const Vec3& from)
+struct TriangleView {
+    TriangleView(const TriangleEmitter& t, const Vec3& from)
         : corners{t.corner1 - from, t.corner2 - from, t.corner3 - from},
           edge1(t.corner2 - t.corner1),
           edge2(t.corner3 - t.corner1),
@@ -44,12 +44,12 @@ struct View {
 };
 
 /// The solid angle if it is what the triangle is sampled by, else 0.
-double sampled_solid_angle(const View& view) {
+double sampled_solid_angle(const TriangleView& view) {
     const double solid_angle = view.solid_angle();
     return solid_angle > least_solid_angle && solid_angle < greatest_solid_angle ? solid_angle : 0;
 }
 
-double area_density(const View& view, const Vec3& direction, double distance) {
+double area_density(const TriangleView& view, const Vec3& direction, double distance) {
     const double twice_seen = std::abs(dot(view.scaled_normal, direction));
     return twice_seen > 0 ? 2 * distance * distance / twice_seen : 0;
 }
@@ -66,7 +66,7 @@ double angle_at(const Vec3& u, const Vec3& v, const Vec3& w) {
 /// A direction in the triangle, uniform in solid angle (Arvo 1995): first the part of the triangle
 /// up to a new corner on the third edge, then a point on the arc from the second corner to that
 /// one.
-Vec3 direction_in(const View& view, double solid_angle, const Vec2& u) {
+Vec3 direction_in(const TriangleView& view, double solid_angle, const Vec2& u) {
     const Vec3 a = unit(view.corners[0]), b = unit(view.corners[1]), c = unit(view.corners[2]);
     const double alpha = angle_at(a, b, c), cos_alpha = std::cos(alpha),
                  sin_alpha = std::sin(alpha);
@@ -83,7 +83,7 @@ Vec3 direction_in(const View& view, double solid_angle, const Vec2& u) {
 
 /// Where the direction meets the triangle's plane, moved into the triangle if rounding put it
 /// outside; from the point.
-Vec3 on_triangle(const View& view, const Vec3& direction) {
+Vec3 on_triangle(const TriangleView& view, const Vec3& direction) {
     const Vec3 p = cross(direction, view.edge2);
     const double determinant = dot(view.edge1, p);
     if (determinant == 0) return view.corners[0];
@@ -145,7 +145,7 @@ double patch_irradiance(const Polygon& polygon, const Vec3& normal) {
     return result;
 }
 
-double one_side(const View& view, const Vec3& normal, bool far) {
+double one_side(const TriangleView& view, const Vec3& normal, bool far) {
     const Polygon visible = above_horizon(view.corners, normal);
     return far ? patch_irradiance(visible, normal) : polygon_irradiance(visible, normal);
 }
@@ -175,7 +175,7 @@ double unoccluded(const TriangleEmitter& t, double luminance, const ShadingPoint
     // The estimate keeps the answer above 0 where the exact one is lost in rounding.
     const double estimate = irradiance(glow(b), point);
     if (estimate == 0) return 0;
-    const View view(t, point.position);
+    const TriangleView view(t, point.position);
     const bool far = b.radius < small * length(b.centre - point.position);
     double exact = one_side(view, point.normal, far);
     if (point.both_sides) exact += one_side(view, -point.normal, far);
@@ -183,7 +183,7 @@ double unoccluded(const TriangleEmitter& t, double luminance, const ShadingPoint
 }
 
 std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, const Vec2& u) {
-    const View view(t, from);
+    const TriangleView view(t, from);
     const double solid_angle = sampled_solid_angle(view);
     const double root = std::sqrt(u.x);
     const Vec3 offset = solid_angle > 0
@@ -203,7 +203,7 @@ void meet(const TriangleEmitter& t, const ShadingPoint& point, const Vec3& direc
     const TriangleHit hit =
         first_crossing(t.corner1, t.corner2, t.corner3, {point.position, direction}, {});
     if (!(hit.t < std::numeric_limits<double>::infinity())) return;
-    const View view(t, point.position);
+    const TriangleView view(t, point.position);
     const double solid_angle = sampled_solid_angle(view);
     met.push_back(
         {hit.t, solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t)});

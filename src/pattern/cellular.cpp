@@ -32,7 +32,7 @@ const ItemInfo Facets::vocabulary = described<Facets>([] {
 
 namespace {
 
-constexpr double tolerance = 1e-10;
+constexpr double cell_margin = 1e-10;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct Cell {
@@ -97,7 +97,7 @@ struct Gaps {
 template <class Use>
 void for_nuclei(const Vec3& point, double metric, const double& farthest, Use use) {
     static constexpr auto steps = make_steps();
-    const Cell home = cell_of(point - Vec3(tolerance));
+    const Cell home = cell_of(point - Vec3(cell_margin));
     const std::span<const double> random = random_table();
     const Vec3 corner = Vec3(static_cast<double>(home.x), static_cast<double>(home.y),
                              static_cast<double>(home.z)) -
@@ -115,7 +115,7 @@ void for_nuclei(const Vec3& point, double metric, const double& farthest, Use us
 }  // namespace
 
 double evaluate(const Cells&, const Vec3& point) {
-    const Cell cell = cell_of(point + Vec3(tolerance));
+    const Cell cell = cell_of(point + Vec3(cell_margin));
     return random_table()[cell_hash(cell.x, cell.y, cell.z)];
 }
 

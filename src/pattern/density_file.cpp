@@ -38,7 +38,7 @@ AxisPlace place(double t, std::size_t size) {
     return {{before, i, (i + 1) % size, (i + 2) % size}, along - static_cast<double>(i)};
 }
 
-double between(double a, double b, double t) { return a + t * (b - a); }
+double interpolated(double a, double b, double t) { return a + t * (b - a); }
 
 /// The cubic curve from b to c with slopes as between their neighbours.
 double cubic(const std::array<double, 4>& v, double t) {
@@ -56,10 +56,10 @@ struct Sampler {
     }
     double linear() const {
         const auto along_z = [&](std::size_t i, std::size_t j) {
-            return between(at(i, j, 1), at(i, j, 2), z.fraction);
+            return interpolated(at(i, j, 1), at(i, j, 2), z.fraction);
         };
-        return between(between(along_z(1, 1), along_z(1, 2), y.fraction),
-                       between(along_z(2, 1), along_z(2, 2), y.fraction), x.fraction);
+        return interpolated(interpolated(along_z(1, 1), along_z(1, 2), y.fraction),
+                            interpolated(along_z(2, 1), along_z(2, 2), y.fraction), x.fraction);
     }
     double cubic() const {
         std::array<double, 4> planes{}, lines{}, points{};

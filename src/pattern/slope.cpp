@@ -31,15 +31,15 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double tolerance = 1e-10;
+constexpr double top_margin = 1e-10;
 
 double rescaled(double value, double low, double high) {
     return high == low ? value : (value - low) / (high - low);
 }
 
 /// Into 0 to 1, where 1 itself stays just below 1.
-double wrapped(double value) {
-    if (value >= 1 && value < 1 + tolerance) return value - tolerance;
+double below_one(double value) {
+    if (value >= 1 && value < 1 + top_margin) return value - top_margin;
     return value < 0 ? 1 + std::fmod(value, 1) : std::fmod(value, 1);
 }
 
@@ -55,11 +55,11 @@ double evaluate(const Slope& slope, const PatternPoint& at) {
     const double steepness =
         rescaled(std::asin(cosine) / pi + 0.5, to_point ? slope.point_low : slope.low,
                  to_point ? slope.point_high : slope.high);
-    if (to_point || !slope.altitude || *slope.altitude == Vec3(0)) return wrapped(steepness);
+    if (to_point || !slope.altitude || *slope.altitude == Vec3(0)) return below_one(steepness);
     const double height =
         rescaled(dot(at.position, unit(*slope.altitude)), slope.altitude_low, slope.altitude_high);
     const double along = length(towards), up = length(*slope.altitude);
-    return wrapped((along * steepness + up * height) / (along + up));
+    return below_one((along * steepness + up * height) / (along + up));
 }
 
 double evaluate(const Aoi&, const PatternPoint& at) {

@@ -34,7 +34,7 @@ const ItemInfo CubicPattern::vocabulary = described<CubicPattern>([] {
 
 namespace {
 
-constexpr double tolerance = 1e-10;
+constexpr double tile_margin = 1e-10;
 
 /// The remainder of a division downwards: from 0 to below the divisor.
 double wrapped(double value, double divisor) {
@@ -46,14 +46,14 @@ double fraction(double value) { return value - std::floor(value); }
 }  // namespace
 
 double evaluate(const Checker&, const Vec3& point) {
-    const double sum = std::floor(point.x + tolerance) + std::floor(point.y + tolerance) +
-                       std::floor(point.z + tolerance);
+    const double sum = std::floor(point.x + tile_margin) + std::floor(point.y + tile_margin) +
+                       std::floor(point.z + tile_margin);
     return std::fmod(std::abs(sum), 2);
 }
 
 double evaluate(const Brick& brick, const Vec3& point) {
-    const double mortar = single_precision(brick.mortar - 2 * tolerance);
-    const Vec3 at = (point + Vec3(mortar + tolerance)) / brick.brick_size;
+    const double mortar = single_precision(brick.mortar - 2 * tile_margin);
+    const Vec3 at = (point + Vec3(mortar + tile_margin)) / brick.brick_size;
     const Vec3 seam = Vec3(mortar) / brick.brick_size;
     if (fraction(at.y) <= seam.y) return 0;
     // Every other row is shifted by half a brick; along z it is the rows between.

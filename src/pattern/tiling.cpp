@@ -306,14 +306,14 @@ double arranged(int type, const Vec2& point) {
     return all[static_cast<std::size_t>(type)].value(point);
 }
 
-double wrapped(double value, double divisor) {
+double modulo(double value, double divisor) {
     return value - divisor * std::floor(value / divisor);
 }
 
 /// Hexagons that lie in pairs across each other around a square; type 14 tells their directions
 /// apart.
 double crossed_hexagons(bool directions, const Vec2& point) {
-    const double u = wrapped(sqrt2 * point.x, 4) - 2, w = wrapped(sqrt2 * point.y, 4) - 2;
+    const double u = modulo(sqrt2 * point.x, 4) - 2, w = modulo(sqrt2 * point.y, 4) - 2;
     const double x = std::abs(u), z = std::abs(w);
     const double greater = std::max(x, z), less = std::min(x, z);
     if (greater < 1) {
@@ -333,7 +333,7 @@ double evaluate(const Tiling& tiling, const Vec3& point) {
     const Vec2 p(point.x, point.z);
     switch (tiling.type) {
         case 12:
-            return arranged(11, {std::abs(wrapped(p.x, 6) - 3), std::abs(wrapped(p.y, 6) - 3)});
+            return arranged(11, {std::abs(modulo(p.x, 6) - 3), std::abs(modulo(p.y, 6) - 3)});
         case 13:
         case 14:
             return crossed_hexagons(tiling.type == 14, p);

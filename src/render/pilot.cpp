@@ -10,7 +10,7 @@ namespace {
 
 /// What a camera ray costs with shading and weighing of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
-constexpr int most_rays = 4;
+constexpr int max_pilot_rays = 4;
 /// Pixels that are tried in each direction at most, and the share of all pixels that they may be.
 constexpr int most_across = 16;
 constexpr int pixels_for_each = 4;
@@ -73,7 +73,7 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
 
 int best_shadow_rays(const PilotNoise& noise) {
     if (!(noise.of_light > 0)) return 1;
-    const double most = most_rays;
+    const double most = max_pilot_rays;
     const double rays = std::sqrt(cost_of_camera_ray * noise.of_light /
                                   std::fmax(noise.of_camera, 1e-3 * noise.of_light));
     return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));

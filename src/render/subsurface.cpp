@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 /// Surfaces in a row that a line through the solid may pass.
-constexpr int most_passed = 64;
+constexpr int max_walls = 64;
 
 /// Light whose share is smaller than this is asked for more seldom.
 constexpr double least_factor = 0.2;
@@ -23,7 +23,7 @@ constexpr double least_factor = 0.2;
 constexpr double needed = 1.0 / 3;
 
 /// Kinds of bounces for keys; the tracer's own are smaller.
-enum Bounce : std::uint32_t { spread = 16, once = 17 };
+enum SubsurfaceBounce : std::uint32_t { spread = 16, once = 17 };
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -102,7 +102,7 @@ private:
     /// The next crossing of the solid on the line; `from` moves behind it.
     std::optional<Hit> next(const Ray& ray, double& from, double until) const {
         Hit hit;
-        for (int passed = 0; passed < most_passed; ++passed) {
+        for (int passed = 0; passed < max_walls; ++passed) {
             if (!world_.first_hit(ray, from, RayKind::light, hit)) return {};
             const double t = dot(hit.position - ray.origin, ray.direction);
             if (t > until) return {};

@@ -12,7 +12,7 @@
 namespace {
 
 // Clear surfaces in a row that a ray may pass; a stop for rays that rounding keeps in one place.
-constexpr int most_passed = 1000;
+constexpr int max_clear_surfaces = 1000;
 
 enum Bounce : std::uint32_t { reflection, refraction, scattering };
 
@@ -387,7 +387,7 @@ Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& su
     next.tolerance = s.tolerance;
     next.level = path.level + (straight ? 0 : 1);
     next.passed = path.passed + 1;
-    if (next.passed > most_passed) return Vec3(0);
+    if (next.passed > max_clear_surfaces) return Vec3(0);
     next.weight = path.weight * max_component(glm::abs(share));
     next.key = path.key.bounced(refraction);
     next.solids = surface.behind;

@@ -93,7 +93,7 @@ std::string part_look(const Object& object, int number) {
 
 /// What follows an object's own content. The texture comes last: transformations before it do not
 /// move it.
-std::vector<std::string> modifiers(const Object& object) {
+std::vector<std::string> modifiers_of(const Object& object) {
     std::vector<std::string> result;
     if (object.transform && !(*object.transform == Transform()))
         result.push_back(matrix_text(*object.transform).substr(1));
@@ -130,7 +130,7 @@ bool is_group(const Object& object) {
 /// read as such a union.
 const Object& essence(const Object& object) {
     const Object* result = &object;
-    while (children(*result).size() == 1 && modifiers(*result).empty() && !is_group(*result) &&
+    while (children(*result).size() == 1 && modifiers_of(*result).empty() && !is_group(*result) &&
            !is_row(*children(*result).front()))
         result = children(*result).front().get();
     return *result;
@@ -241,7 +241,7 @@ private:
         out_ += message(group.light_group ? "light_group" : keyword(group.csg), " {\n");
         if (group.light_group) write_lights(group, depth + 1);
         for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
-        for (const std::string& each : modifiers(object))
+        for (const std::string& each : modifiers_of(object))
             out_ += std::string(4 * depth + 4, ' ') + each + "\n";
         out_ += std::string(4 * depth, ' ') + "}\n";
     }
@@ -257,7 +257,7 @@ private:
         out_.append(4 * depth, ' ');
         const auto look = [&](int number) { return part_look(object, number); };
         out_ += message(info.name, " { ", written_fields(info, Kinds<Shape>::address(shape), look));
-        for (const std::string& each : modifiers(object)) out_ += " " + each;
+        for (const std::string& each : modifiers_of(object)) out_ += " " + each;
         out_ += " }\n";
     }
 

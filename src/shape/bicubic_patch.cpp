@@ -29,9 +29,6 @@ namespace {
 /// single ones takes longer than small pictures do.
 constexpr std::uint32_t facets_of_part = 8;
 
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
-
 /// points[row][column].
 using Points = std::array<std::array<Vec3, 4>, 4>;
 

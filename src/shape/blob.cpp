@@ -54,9 +54,6 @@ namespace {
 using Source = BuiltBlob::Source;
 using Kind = BuiltBlob::Kind;
 
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
-
 Handle<Transform> handle(const Transform& transform) {
     return transform == Transform() ? Handle<Transform>() : make_handle<Transform>(transform);
 }
@@ -111,16 +108,16 @@ Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
     return range;
 }
 
-using Quartic = std::array<double, 5>;
+using FieldQuartic = std::array<double, 5>;
 
 /// A stretch of the ray on which a field is a polynomial.
-struct Stretch {
+struct FieldStretch {
     Interval range;
-    Quartic field;
+    FieldQuartic field;
     double greatest;  ///< what the field adds at most
 };
 
-std::optional<Stretch> stretch(const Source& f, const Ray& ray) {
+std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
     const Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
     const Quadratic q = nearness(f, local);
     const Interval range = reach(f, local, q);
@@ -128,10 +125,10 @@ std::optional<Stretch> stretch(const Source& f, const Ray& ray) {
         return std::nullopt;
     const double s = f.strength;
     const double nearest = q.c < 0 ? q.a - q.b * q.b / (4 * q.c) : q.a;
-    return Stretch{range,
-                   {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
-                    2 * s * q.b * q.c, s * q.c * q.c},
-                   std::fmax(0, s * nearest * nearest)};
+    return FieldStretch{range,
+                        {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
+                         2 * s * q.b * q.c, s * q.c * q.c},
+                        std::fmax(0, s * nearest * nearest)};
 }
 
 /// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
@@ -168,13 +165,13 @@ Vec3 gradient(const BuiltBlob& blob, const Vec3& point) {
 /// The fields that a ray passes, and those of them that reach over a place which moves along it.
 class Passage {
 public:
-    void add(const Stretch& stretch) { stretches_.push_back(stretch); }
+    void add(const FieldStretch& stretch) { stretches_.push_back(stretch); }
 
     /// Where stretches begin and end, in order; what is so near to each other as `same` is the same
     /// but for rounding: a rod's end and the ball there.
     ShortList<double, 64> ends(double same) const {
         ShortList<double, 64> ends;
-        for (const Stretch& each : stretches_)
+        for (const FieldStretch& each : stretches_)
             ends.insert(ends.end(), {each.range.min, each.range.max});
         std::sort(ends.begin(), ends.end());
         ends.erase(std::unique(ends.begin(), ends.end(),
@@ -185,7 +182,7 @@ public:
 
     /// To be called before the place moves.
     void begin() {
-        const auto by_start = [](const Stretch& a, const Stretch& b) {
+        const auto by_start = [](const FieldStretch& a, const FieldStretch& b) {
             return a.range.min < b.range.min;
         };
         std::sort(stretches_.begin(), stretches_.end(), by_start);
@@ -207,23 +204,23 @@ public:
     }
 
     /// Their sum, less the threshold.
-    Quartic sum(double threshold) const {
-        Quartic sum{-threshold, 0, 0, 0, 0};
+    FieldQuartic sum(double threshold) const {
+        FieldQuartic sum{-threshold, 0, 0, 0, 0};
         for (const std::uint32_t each : here_)
             for (std::size_t i = 0; i < 5; ++i) sum[i] += stretches_[each].field[i];
         return sum;
     }
 
 private:
-    ShortList<Stretch, 32> stretches_;
+    ShortList<FieldStretch, 32> stretches_;
     ShortList<std::uint32_t, 32> here_;
     std::uint32_t next_ = 0;  ///< the first that the place has not come to
 };
 
-enum class Wanted { all, nearest };
+enum class ComponentsWanted { all, nearest };
 
 /// The crossings in the range, or the nearest of them, and maybe others.
-void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wanted how,
+void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, ComponentsWanted how,
             Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0) || blob.sources.empty()) return;
@@ -247,7 +244,7 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wante
         if (parameter(range.max) <= wanted.min) continue;
         passage.move_to(0.5 * (range.min + range.max));
         if (passage.greatest() <= blob.threshold) continue;
-        const Quartic sum = passage.sum(blob.threshold);
+        const FieldQuartic sum = passage.sum(blob.threshold);
         const double at_start = known ? *known : polynomial(sum, range.min);
         before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, range.max);
         bool met = false;
@@ -259,7 +256,7 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wante
             found.add({t, normal, dot(u, normal) < 0});
             met = true;
         }
-        if (met && how == Wanted::nearest) return;
+        if (met && how == ComponentsWanted::nearest) return;
     }
 }
 
@@ -311,17 +308,17 @@ std::string vanishes(const Blob& blob) {
 Box bounds(const BuiltBlob& blob) { return blob.index.bounds(); }
 
 void crossings(const BuiltBlob& blob, const Ray& ray, Crossings& found) {
-    search(blob, ray, whole_line, Wanted::all, found);
+    search(blob, ray, whole_line, ComponentsWanted::all, found);
 }
 
 void crossings_between(const BuiltBlob& blob, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    search(blob, ray, range, Wanted::all, found);
+    search(blob, ray, range, ComponentsWanted::all, found);
 }
 
 void nearest_crossings(const BuiltBlob& blob, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    search(blob, ray, range, Wanted::nearest, found);
+    search(blob, ray, range, ComponentsWanted::nearest, found);
 }
 
 double strength_at(const Source& source, const Vec3& point) {

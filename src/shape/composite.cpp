@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/composite.h"
 
+#include "base/infinity.h"
 #include "base/short_list.h"
 #include "index/bvh_builder.h"
 #include "shape/moved.h"
+#include "shape/part_index.h"
 #include "shape/slabs.h"
 #include "shape/stick.h"
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// So many parts are asked one by one; more are found through an index.
-constexpr std::size_t few = 8;
-
-/// Above this number of items a tree is built by several threads.
-constexpr std::size_t many = 20'000;
-
 /// Of what is asked one by one.
 Bvh index_of(std::span<const Box> boxes, const ItemPart& part) {
     return build_bvh(
         static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, part,
-        {.group = 1}, boxes.size() > many ? 0 : 1);
+        {.group = 1}, boxes.size() > many_parts ? 0 : 1);
 }
 
 /// Bounds of what the leaf has in a cell; `own` is around all of that, in its own coordinates.
@@ -155,7 +149,7 @@ void CompositeBuilder::settle(std::uint32_t index) {
         boxes.push_back(part.region.box);
         all_finite = all_finite && (part.region.box.empty() || finite(part.region.box));
     }
-    if (node.boxed.size() <= few || !all_finite) return;
+    if (node.boxed.size() <= few_parts || !all_finite) return;
     node.index = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
         const PartRef& ref = node.boxed[i].ref;
         if (!ref.leaf) return cell;
@@ -210,11 +204,11 @@ Composite CompositeBuilder::finish(PartRef root) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].empty()) continue;
         made_.bounds_ = join(made_.bounds_, boxes[i]);
-        if (boxes.size() > few && finite(boxes[i])) continue;
+        if (boxes.size() > few_parts && finite(boxes[i])) continue;
         made_.apart_.push_back(i);
         boxes[i] = Box();
     }
-    if (boxes.size() > few)
+    if (boxes.size() > few_parts)
         made_.tree_ = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
             const CompositeLeaf& leaf = made_.leaves_[i];
             return part_in(leaf, ::bounds(leaf.shape), cell);

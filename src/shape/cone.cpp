@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/cone.h"
 
+#include "base/infinity.h"
 #include "vocabulary/schema.h"
 
 #include "shape/ends.h"
@@ -18,9 +19,7 @@ const ItemInfo Cone::vocabulary = described<Cone>([] {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval nowhere{infinity, -infinity};
-constexpr Interval everywhere{-infinity, infinity};
 
 /// The straight line between the centres of the ends.
 struct Axis {
@@ -58,7 +57,7 @@ struct Line {
 /// the positive radius counts; when it meets one twice, the ends tell later which it is.
 Interval within_side(const Line& line) {
     const double a = line.a(), b = line.b(), c = line.c();
-    if (a == 0 && b == 0) return c < 0 ? everywhere : nowhere;
+    if (a == 0 && b == 0) return c < 0 ? whole_line : nowhere;
     const double discriminant = b * b - a * c;
     if (a > 0 && !(discriminant > 0)) return nowhere;
     const double q = -(b + std::copysign(std::sqrt(std::fmax(discriminant, 0)), b));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/cylinder.h"
 
+#include "base/infinity.h"
 #include "vocabulary/schema.h"
 
 #include "shape/cone.h"
@@ -15,11 +16,7 @@ const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
                             F{"open", &Cylinder::open, flag, "leaves the ends out"});
 });
 
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 Box bounds(const Cylinder& c) { return bounds(Cone{c.base, c.radius, c.cap, c.radius, c.open}); }
 

@@ -80,10 +80,10 @@ std::optional<std::array<Crossing, 2>> stay(const BuiltIsosurface& surface, cons
     return both;
 }
 
-enum class Wanted { all, nearest };
+enum class RootsWanted { all, nearest };
 
 /// The crossings in the range, or the nearest of them, and maybe others.
-void search(const BuiltIsosurface& surface, const Ray& ray, const Interval& range, Wanted how,
+void search(const BuiltIsosurface& surface, const Ray& ray, const Interval& range, RootsWanted how,
             Crossings& found) {
     const double speed = length(ray.direction);
     if (!(speed > 0)) return;
@@ -100,7 +100,7 @@ void search(const BuiltIsosurface& surface, const Ray& ray, const Interval& rang
     };
     const auto at = [&](double t) { return value_at(surface, near.at(t)); };
     const auto slopes = [&](const Interval& part) { return within(surface, near, part); };
-    const bool nearest = how == Wanted::nearest;
+    const bool nearest = how == RootsWanted::nearest;
     if (!surface.open && first.t > wanted.min && is_below(at(first.t))) {
         add(first.t, first.normal, true);
         if (nearest) return;
@@ -152,12 +152,12 @@ Box bounds(const BuiltIsosurface& surface) {
 
 void nearest_crossings(const BuiltIsosurface& surface, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    search(surface, ray, range, Wanted::nearest, found);
+    search(surface, ray, range, RootsWanted::nearest, found);
 }
 
 void crossings_between(const BuiltIsosurface& surface, const Ray& ray, const Interval& range,
                        Crossings& found) {
-    search(surface, ray, range, Wanted::all, found);
+    search(surface, ray, range, RootsWanted::all, found);
 }
 
 void crossings(const BuiltIsosurface& surface, const Ray& ray, Crossings& found) {

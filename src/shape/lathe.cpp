@@ -21,16 +21,13 @@ const ItemInfo Lathe::vocabulary = described<Lathe>([] {
 
 namespace {
 
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
-
 /// A ray of unit length from its point nearest to the axis: there its square distance from the axis
 /// is nearest2 + across2 s^2.
-struct AxisRay {
+struct LatheRay {
     double nearest2, across2;
     double height, rise;
 
-    AxisRay(const Vec3& origin, const Vec3& direction)
+    LatheRay(const Vec3& origin, const Vec3& direction)
         : nearest2(origin.x * origin.x + origin.z * origin.z),
           across2(direction.x * direction.x + direction.z * direction.z),
           height(origin.y),
@@ -58,8 +55,8 @@ struct AxisRay {
     }
 };
 
-/// The factors of AxisRay::miss() along a piece that has so many of its own.
-std::array<double, 7> miss_along(const AxisRay& ray, const CurvePiece& piece, std::size_t count) {
+/// The factors of LatheRay::miss() along a piece that has so many of its own.
+std::array<double, 7> miss_along(const LatheRay& ray, const CurvePiece& piece, std::size_t count) {
     std::array<double, 7> result{};
     result[0] = ray.rise * ray.rise * ray.nearest2;
     for (std::size_t i = 0; i < count; ++i)
@@ -79,7 +76,7 @@ struct Meeting {
 
 /// Newton's method for both equations: at the ray's distance from the axis, at its height. Nearly
 /// level rays need it, which meet the curve in two places close together.
-Meeting polished(const AxisRay& ray, const CurvePiece& piece, Meeting m) {
+Meeting polished(const LatheRay& ray, const CurvePiece& piece, Meeting m) {
     for (int step = 0; step < 3; ++step) {
         const Vec2 p = piece.at(m.u), slope = piece.slope(m.u);
         const double off = ray.nearest2 + ray.across2 * m.s * m.s - p.x * p.x;
@@ -98,7 +95,7 @@ Meeting polished(const AxisRay& ray, const CurvePiece& piece, Meeting m) {
 constexpr double level = 1e-6;
 
 template <class Take>
-void meet(const AxisRay& ray, const BuiltLathe::Part& part, Take take) {
+void meet(const LatheRay& ray, const BuiltLathe::Part& part, Take take) {
     const CurvePiece& piece = part.piece;
     if (std::abs(ray.rise) > level) {
         const auto miss = miss_along(ray, piece, part.factors);
@@ -189,7 +186,7 @@ void crossings(const BuiltLathe& lathe, const Ray& ray, Crossings& found) {
     const double start = across2 > 1e-12 ? -(ray.origin.x * d.x + ray.origin.z * d.z) / across2
                                          : dot(centre - ray.origin, d);
     const Ray near{ray.origin + start * d, d};
-    const AxisRay seen(near.origin, d);
+    const LatheRay seen(near.origin, d);
     for (const BuiltLathe::Part& part : lathe.parts) {
         if (!seen.comes_near(part)) continue;
         meet(seen, part, [&](const Meeting& m) {

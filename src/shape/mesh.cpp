@@ -25,9 +25,6 @@ const ItemInfo Mesh::vocabulary = described<Mesh>([] {
 
 namespace {
 
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
-
 struct Noun {
     const char* one;
     const char* many;

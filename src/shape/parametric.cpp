@@ -27,9 +27,6 @@ const ItemInfo Parametric::vocabulary = described<Parametric>([] {
 
 namespace {
 
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
-
 /// Facets in each direction.
 constexpr int fineness = 128;
 constexpr std::size_t row = fineness + 1;
@@ -57,13 +54,14 @@ Slopes slopes(const BuiltParametric& surface, const Vec2& uv) {
 }
 
 /// Where the ray meets the surface itself, by Newton's method from a place on a facet.
-struct Place {
+struct FacetPlace {
     Vec2 uv;
     double t;
 };
 
-std::optional<Place> polished(const BuiltParametric& surface, const Ray& ray, Place from) {
-    Place at = from;
+std::optional<FacetPlace> polished(const BuiltParametric& surface, const Ray& ray,
+                                   FacetPlace from) {
+    FacetPlace at = from;
     for (int i = 0; i < 8; ++i) {
         const auto [by_u, by_v] = slopes(surface, at.uv);
         const Vec3 off = ray.at(at.t) - surface.at(at.uv);
@@ -183,8 +181,8 @@ void crossings(const BuiltParametric& surface, const Ray& ray, Crossings& found)
         // Of the piece.
         const Vec2 at = upper ? Vec2(hit.weight2, hit.weight2 + hit.weight3)
                               : Vec2(hit.weight2 + hit.weight3, hit.weight3);
-        const Place facet{surface.pieces[part].first + surface.pieces[part].step * at, hit.t};
-        const Place exact = polished(surface, ray, facet).value_or(facet);
+        const FacetPlace facet{surface.pieces[part].first + surface.pieces[part].step * at, hit.t};
+        const FacetPlace exact = polished(surface, ray, facet).value_or(facet);
         const auto [by_u, by_v] = slopes(surface, exact.uv);
         const Vec3 normal = unit(cross(by_u, by_v));
         if (normal == Vec3(0) || !finite(normal) || !std::isfinite(exact.t) ||

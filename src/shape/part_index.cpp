@@ -9,17 +9,13 @@
 
 namespace {
 
-/// So many boxes are tested one by one.
-constexpr std::size_t few = 8;
-constexpr std::size_t many = 20'000;
-
 /// One bit for each part: of a few thousand parts this puts them in order sooner than sorting
 /// does.
-class Marks {
+class PartMarks {
 public:
     static constexpr std::size_t most = 4096;
 
-    explicit Marks(std::size_t parts) : words_((parts + 63) / 64) {
+    explicit PartMarks(std::size_t parts) : words_((parts + 63) / 64) {
         std::fill_n(bits_.begin(), words_, 0);
     }
     void set(std::uint32_t part) { bits_[part / 64] |= std::uint64_t{1} << part % 64; }
@@ -45,13 +41,14 @@ PartIndex::PartIndex(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
     for (Box& box : boxes_)
         if (!box.empty()) box = {box.low - 1e-12 * size, box.high + 1e-12 * size};
     // Parts are asked one by one.
-    if (boxes_.size() > few) tree_ = build_bvh(boxes_, {.group = 1}, boxes_.size() > many ? 0 : 1);
+    if (boxes_.size() > few_parts)
+        tree_ = build_bvh(boxes_, {.group = 1}, boxes_.size() > many_parts ? 0 : 1);
 }
 
 ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& range) const {
     ShortList<std::uint32_t, 512> found;
-    if (boxes_.size() <= Marks::most) {
-        Marks marks(boxes_.size());
+    if (boxes_.size() <= PartMarks::most) {
+        PartMarks marks(boxes_.size());
         tree_.traverse(ray, range, [&](std::span<const std::uint32_t> items, Interval&) {
             for (const std::uint32_t item : items) marks.set(item);
             return false;

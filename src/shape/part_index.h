@@ -9,6 +9,12 @@
 
 #include <cmath>
 
+/// So many parts are asked one by one; more are found through an index.
+inline constexpr std::size_t few_parts = 8;
+
+/// Above this number of parts an index is built by several threads.
+inline constexpr std::size_t many_parts = 20'000;
+
 class PartIndex {
 public:
     PartIndex() = default;

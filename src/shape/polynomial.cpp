@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/polynomial.h"
 
+#include "base/infinity.h"
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
@@ -50,8 +51,6 @@ const ItemInfo Polynomial::vocabulary = described<Polynomial>([] {
 });
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A number, as horner() computes with it.
 struct Plain {

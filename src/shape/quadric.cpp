@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/quadric.h"
 
+#include "base/infinity.h"
 #include "vocabulary/schema.h"
 
 #include <optional>
@@ -16,8 +17,6 @@ const ItemInfo Quadric::vocabulary = described<Quadric>([] {
 });
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The symmetric bilinear form of the second degree's part.
 double product(const Quadric& q, const Vec3& a, const Vec3& b) {

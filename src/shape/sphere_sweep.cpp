@@ -78,11 +78,11 @@ Box bounds(const Piece& p) {
 
 /// A ray of unit length meets the sphere at u between along(u) - sqrt(spare(u)) and along(u) +
 /// sqrt(spare(u)), where spare(u) is not below 0.
-struct Profile {
+struct SweepProfile {
     std::array<double, 4> along{};
     std::array<double, 7> spare{};
 
-    Profile(const Piece& p, const Ray& ray) {
+    SweepProfile(const Piece& p, const Ray& ray) {
         std::array<Vec3, 4> across;
         for (std::size_t i = 0; i < 4; ++i) {
             const Vec3 to = i == 0 ? p.centres[0] - ray.origin : p.centres[i];
@@ -119,15 +119,15 @@ struct Profile {
 };
 
 /// A part of the ray inside the solid, with the spheres that begin and end it.
-struct Stretch {
+struct SweepStretch {
     double first, last;
     Vec3 first_centre, last_centre;
 };
 
 /// The spheres of a range of u, each of which the ray meets, cover one part of the ray.
-Stretch covered(const Piece& p, const Profile& profile, const Interval& range) {
-    Stretch result{std::numeric_limits<double>::infinity(),
-                   -std::numeric_limits<double>::infinity(), Vec3(0), Vec3(0)};
+SweepStretch covered(const Piece& p, const SweepProfile& profile, const Interval& range) {
+    SweepStretch result{std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity(), Vec3(0), Vec3(0)};
     const auto consider = [&](double u) {
         const double middle = polynomial(profile.along, u);
         const double half = std::sqrt(std::fmax(0, polynomial(profile.spare, u)));
@@ -144,8 +144,8 @@ Stretch covered(const Piece& p, const Profile& profile, const Interval& range) {
     return result;
 }
 
-void meet(const Piece& p, const Ray& ray, std::vector<Stretch>& found) {
-    const Profile profile(p, ray);
+void meet(const Piece& p, const Ray& ray, std::vector<SweepStretch>& found) {
+    const SweepProfile profile(p, ray);
     const Roots ends = sign_changes(profile.spare, {0, 1});
     double from = 0;
     bool met = polynomial(profile.spare, 0) > 0;
@@ -198,13 +198,13 @@ void crossings(const BuiltSphereSweep& sweep, const Ray& ray, Crossings& found) 
     const Vec3 u = ray.direction / speed;
     const double start = dot(sweep.index.bounds().centre() - ray.origin, u);
     const Ray near{ray.origin + start * u, u};
-    std::vector<Stretch> stretches;
+    std::vector<SweepStretch> stretches;
     sweep.index.along(near, {-std::numeric_limits<double>::infinity()},
                       [&](std::uint32_t i) { meet(sweep.pieces[i], near, stretches); });
     std::sort(stretches.begin(), stretches.end(),
-              [](const Stretch& a, const Stretch& b) { return a.first < b.first; });
+              [](const SweepStretch& a, const SweepStretch& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < stretches.size();) {
-        Stretch whole = stretches[i];
+        SweepStretch whole = stretches[i];
         for (++i; i < stretches.size() && stretches[i].first <= whole.last; ++i)
             if (stretches[i].last > whole.last)
                 whole.last = stretches[i].last, whole.last_centre = stretches[i].last_centre;

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr double ulp = std::numeric_limits<double>::epsilon();
+constexpr double rounding = std::numeric_limits<double>::epsilon();
 
 /// How far a disc around a line reaches.
 Stick round(const Vec3& from, const Vec3& to, double radius) {
@@ -58,7 +58,7 @@ Box clipped_bounds(const Stick& stick, const Box& cell) {
     Interval within{0, 1};
     for (int axis = 0; axis < 3; ++axis) {
         const double start = stick.from[axis];
-        const double pad = 8 * ulp * (std::abs(start) + std::abs(way[axis]));
+        const double pad = 8 * rounding * (std::abs(start) + std::abs(way[axis]));
         const double more = stick.reach[axis] + pad;
         const Interval part =
             between_ends(start - cell.low[axis] + more, cell.high[axis] - start + more, way[axis]);
@@ -66,6 +66,6 @@ Box clipped_bounds(const Stick& stick, const Box& cell) {
     }
     if (!(within.min <= within.max)) return {};
     const Vec3 from = stick.from + within.min * way, to = stick.from + within.max * way;
-    const Vec3 more = stick.reach + 8 * ulp * (glm::abs(from) + glm::abs(way));
+    const Vec3 more = stick.reach + 8 * rounding * (glm::abs(from) + glm::abs(way));
     return clip(Box{glm::min(from, to) - more, glm::max(from, to) + more}, cell);
 }

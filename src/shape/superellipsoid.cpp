@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/superellipsoid.h"
 
+#include "base/infinity.h"
 #include "vocabulary/schema.h"
 
 #include <optional>
@@ -14,8 +15,6 @@ const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
 });
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A power whose exponent may be known to be easy.
 class Power {

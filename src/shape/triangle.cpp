@@ -26,12 +26,10 @@ const ItemInfo SmoothTriangle::vocabulary = described<SmoothTriangle>([] {
 namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
-constexpr Interval whole_line{-std::numeric_limits<double>::infinity(),
-                              std::numeric_limits<double>::infinity()};
 
 /// A convex polygon: a triangle that at most six planes have cut, each of which adds at most one
 /// corner.
-struct Polygon {
+struct ClippedPolygon {
     std::array<Vec3, 9> corners;
     std::size_t count = 0;
 
@@ -40,7 +38,8 @@ struct Polygon {
 
 /// The part on one side of a plane across an axis (Sutherland and Hodgman): above it for sign 1,
 /// below for sign -1.
-void cut(const Polygon& polygon, int axis, double plane, double sign, Polygon& result) {
+void cut(const ClippedPolygon& polygon, int axis, double plane, double sign,
+         ClippedPolygon& result) {
     result.count = 0;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const Vec3 &from = polygon.corners[i],
@@ -57,7 +56,7 @@ void cut(const Polygon& polygon, int axis, double plane, double sign, Polygon& r
 
 Box corner_box(const Vec3& a, const Vec3& b, const Vec3& c) { return join(join(Box{a, a}, b), c); }
 
-Box corner_box(const Polygon& polygon) {
+Box corner_box(const ClippedPolygon& polygon) {
     Box box;
     for (std::size_t i = 0; i < polygon.count; ++i) box = join(box, polygon.corners[i]);
     return box;
@@ -105,11 +104,11 @@ Box clipped_bounds(const Triangle& t, const Box& cell) {
     Box part = bounds(t);
     const Vec3 pad(32 * ulp * max_component(glm::max(-part.low, part.high)));
     const Box around{cell.low - pad, cell.high + pad};
-    Polygon polygon, rest;
+    ClippedPolygon polygon, rest;
     polygon.add(t.corner1);
     polygon.add(t.corner2);
     polygon.add(t.corner3);
-    Polygon *now = &polygon, *next = &rest;
+    ClippedPolygon *now = &polygon, *next = &rest;
     const auto keep = [&](int axis, double plane, double sign) {
         cut(*now, axis, plane, sign, *next);
         std::swap(now, next);

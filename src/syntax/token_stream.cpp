@@ -16,7 +16,7 @@ constexpr std::size_t most_ahead = 100'000;
 constexpr std::size_t longest_value = 500;
 
 /// The text from one pair of parentheses to its end, without blanks.
-std::string in_parentheses(std::string_view text) {
+std::string parenthesised(std::string_view text) {
     std::string result;
     int open = 0;
     for (const char c : text) {
@@ -283,7 +283,7 @@ bool TokenStream::take_parentheses(Tokens& taken) {
 std::string TokenStream::take_condition(Tokens& taken, std::string_view text) {
     const std::size_t first = taken.size();
     take_parentheses(taken);
-    return in_parentheses(text.substr(taken[first].first));
+    return parenthesised(text.substr(taken[first].first));
 }
 
 bool TokenStream::goes_on_with_sign(bool or_is_empty) {
@@ -336,7 +336,7 @@ TokenKind TokenStream::take_behind_value(Tokens& taken) {
 
 bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,
                                         std::string_view text, int braces) {
-    const std::string condition = in_parentheses(text.substr(opener.last));
+    const std::string condition = parenthesised(text.substr(opener.last));
     Tokens taken;
     Balance balance;
     for (;;) {

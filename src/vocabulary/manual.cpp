@@ -149,7 +149,7 @@ bool is_further_value(const ItemInfo& item, std::size_t field) {
     return item.fields[field].place == Placement::following && word_of(item, field) != field;
 }
 
-std::vector<ManualEntry> entries(const ItemInfo& item) {
+std::vector<ManualEntry> entries_of(const ItemInfo& item) {
     std::vector<ManualEntry> result;
     for (std::size_t i = 0; i < item.fields.size(); ++i) {
         if (is_further_value(item, i))
@@ -195,7 +195,7 @@ std::string roff_item(const ItemInfo& item, std::string_view block) {
     std::string text =
         message(".PP\n.B ", roff(usage(item, block)), "\n.br\n", roff_lines(item.help));
     if (!item.fields.empty())
-        text += message(".RS\n", manual(entries(item), ManualForm::roff), ".RE\n");
+        text += message(".RS\n", manual(entries_of(item), ManualForm::roff), ".RE\n");
     return text;
 }
 
@@ -310,7 +310,7 @@ std::string values(const ItemInfo& item, std::size_t field) {
 
 std::string manual(const ItemInfo& item, std::string_view block) {
     return message(wrapped(usage(item, block), 4), "\n  ", wrapped(item.help, 2), "\n",
-                   manual(entries(item), ManualForm::text));
+                   manual(entries_of(item), ManualForm::text));
 }
 
 std::string manual(std::span<const ItemGroup> groups, ManualForm form) {

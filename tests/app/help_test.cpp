@@ -2,6 +2,7 @@
 #include "app/help.h"
 
 #include "app/option_table.h"
+#include "support/shell.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -14,10 +15,6 @@ std::string help(std::string_view topic) {
     for (const Diagnostic& each : diagnostics.all())
         text += "! " + each.message + " | " + each.help;
     return text;
-}
-
-bool has(const std::string& text, std::string_view part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

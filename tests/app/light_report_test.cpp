@@ -8,7 +8,7 @@
 
 namespace {
 
-const std::string scene = R"(#version 3.7;
+const std::string ten_lights = R"(#version 3.7;
 camera { location <0, 3, -5> look_at 0 }
 plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 0.8 } }
 #declare Lamp = sphere { 0, 0.1 pigment { rgb 1 } finish { emission 3 } }
@@ -30,10 +30,10 @@ Rendering rendered(const World& world, int threads) {
 }  // namespace
 
 TEST_CASE("the report of light has a line for each statement that makes lights", "[app]") {
-    const World world = world_of(scene);
+    const World world = world_of(ten_lights);
     REQUIRE(world.light_statements.size() == 2);
     SourceStore sources;
-    sources.add("scene.pov", scene);
+    sources.add("scene.pov", ten_lights);
     const Rendering made = rendered(world, 1);
     const std::string text = light_report(world, made.rays, sources);
     INFO(text);
@@ -49,5 +49,5 @@ TEST_CASE("the report of light has a line for each statement that makes lights",
 TEST_CASE("lights are counted only when that is asked for", "[app]") {
     RenderSettings settings;
     settings.width = settings.height = 4;
-    CHECK(render(world_of(scene), settings).rays.lights.empty());
+    CHECK(render(world_of(ten_lights), settings).rays.lights.empty());
 }

@@ -8,7 +8,7 @@ namespace {
 using Words = std::vector<std::string_view>;
 
 /// Options without any complaint.
-Options read(const Words& words) {
+Options options_of(const Words& words) {
     Diagnostics diagnostics;
     Options options = read_options(words, diagnostics);
     for (const Diagnostic& each : diagnostics.all()) FAIL_CHECK(each.message);
@@ -33,15 +33,15 @@ TEST_CASE("sizes, in every form and either case of letters") {
     for (const char* words :
          {"+W800", "-W800", "+w800", "Width=800", "WIDTH=800", "width=800", "+W+800", "+W8e2"}) {
         CAPTURE(words);
-        CHECK(read({words}).render.width == 800);
+        CHECK(options_of({words}).render.width == 800);
     }
-    CHECK(read({"+H1"}).render.height == 1);
-    CHECK(read({"Height=65535"}).render.height == 65535);
-    CHECK(read({"+W100", "+W200"}).render.width == 200);
+    CHECK(options_of({"+H1"}).render.height == 1);
+    CHECK(options_of({"Height=65535"}).render.height == 65535);
+    CHECK(options_of({"+W100", "+W200"}).render.width == 200);
 }
 
 TEST_CASE("without options there are defaults") {
-    const Options options = read({});
+    const Options options = options_of({});
     CHECK(options.task == Task::render);
     CHECK_FALSE(options.scene);
     CHECK(options.to_file);
@@ -60,22 +60,22 @@ TEST_CASE("what changes no picture is ignored with a warning", "[app]") {
 }
 
 TEST_CASE("switches that are on or off") {
-    CHECK_FALSE(read({"-V"}).verbose);
-    CHECK(read({"-V", "+V"}).verbose);
-    CHECK_FALSE(read({"Verbose=off"}).verbose);
-    CHECK_FALSE(read({"verbose=No"}).verbose);
-    CHECK_FALSE(read({"-F"}).to_file);
-    CHECK_FALSE(read({"Output_to_File=false"}).to_file);
-    CHECK_FALSE(read({"-A"}).render.antialias);
-    CHECK(read({"-A", "+A0.1"}).render.antialias);
-    CHECK(read({"+A0.1"}).render.antialias_threshold == 0.1);
-    CHECK(read({"Antialias_Threshold=.05"}).render.antialias_threshold == 0.05);
-    CHECK(read({"+R5"}).render.antialias_depth == 5);
-    CHECK_FALSE(read({"-J"}).render.jitter);
-    CHECK(read({"-J", "+J0.5"}).render.jitter);
-    CHECK(read({"+J0.5"}).render.jitter_amount == 0.5);
-    CHECK(read({"Jitter_Amount=2", "Jitter=off"}).render.jitter_amount == 2);
-    CHECK(read({"+AG1"}).render.antialias_gamma == 1);
+    CHECK_FALSE(options_of({"-V"}).verbose);
+    CHECK(options_of({"-V", "+V"}).verbose);
+    CHECK_FALSE(options_of({"Verbose=off"}).verbose);
+    CHECK_FALSE(options_of({"verbose=No"}).verbose);
+    CHECK_FALSE(options_of({"-F"}).to_file);
+    CHECK_FALSE(options_of({"Output_to_File=false"}).to_file);
+    CHECK_FALSE(options_of({"-A"}).render.antialias);
+    CHECK(options_of({"-A", "+A0.1"}).render.antialias);
+    CHECK(options_of({"+A0.1"}).render.antialias_threshold == 0.1);
+    CHECK(options_of({"Antialias_Threshold=.05"}).render.antialias_threshold == 0.05);
+    CHECK(options_of({"+R5"}).render.antialias_depth == 5);
+    CHECK_FALSE(options_of({"-J"}).render.jitter);
+    CHECK(options_of({"-J", "+J0.5"}).render.jitter);
+    CHECK(options_of({"+J0.5"}).render.jitter_amount == 0.5);
+    CHECK(options_of({"Jitter_Amount=2", "Jitter=off"}).render.jitter_amount == 2);
+    CHECK(options_of({"+AG1"}).render.antialias_gamma == 1);
 }
 
 TEST_CASE("formats") {
@@ -100,44 +100,44 @@ TEST_CASE("formats") {
     };
     for (const Case& each : cases) {
         CAPTURE(each.word);
-        const Options options = read({each.word});
+        const Options options = options_of({each.word});
         CHECK(options.type == each.type);
         CHECK(options.bits == each.bits);
         CHECK(options.compressed == each.compressed);
     }
-    CHECK_FALSE(read({"+F"}).type);
+    CHECK_FALSE(options_of({"+F"}).type);
 }
 
 TEST_CASE("our own options, with a blank or an equals sign") {
     for (const Words& words :
          {Words{"--samples", "64"}, Words{"--samples=64"}, Words{"--SAMPLES=64"}})
-        CHECK(read(words).render.samples == 64);
-    CHECK(read({"--shadow-rays", "4"}).render.shadow_rays == 4);
-    CHECK(read({"--seed=7"}).render.seed == 7);
-    CHECK(read({"--threads", "3"}).render.threads == 3);
-    CHECK(read({"+WT3"}).render.threads == 3);
-    CHECK(read({"--stats", "a b.json"}).stats_file == "a b.json");
+        CHECK(options_of(words).render.samples == 64);
+    CHECK(options_of({"--shadow-rays", "4"}).render.shadow_rays == 4);
+    CHECK(options_of({"--seed=7"}).render.seed == 7);
+    CHECK(options_of({"--threads", "3"}).render.threads == 3);
+    CHECK(options_of({"+WT3"}).render.threads == 3);
+    CHECK(options_of({"--stats", "a b.json"}).stats_file == "a b.json");
     CHECK(std::holds_alternative<ConstantAlpha>(
-        *read({"--light-sampler", "constant_alpha"}).render.light_sampler));
-    CHECK(read({"--check"}).task == Task::check);
-    CHECK(read({"--check=syntax"}).task == Task::check_syntax);
-    CHECK(read({"--dump", "tokens"}).task == Task::dump_tokens);
-    CHECK(read({"--dump=tree"}).task == Task::dump_tree);
-    CHECK(read({"--dump", "scene"}).task == Task::dump_scene);
-    CHECK(read({"--dump", "world"}).task == Task::dump_world);
-    CHECK(read({"--version"}).task == Task::version);
-    CHECK(read({"+K0.5"}).facts.clock == 0.5);
-    CHECK(read({"+Lone", "Library_Path=two"}).library_paths ==
+        *options_of({"--light-sampler", "constant_alpha"}).render.light_sampler));
+    CHECK(options_of({"--check"}).task == Task::check);
+    CHECK(options_of({"--check=syntax"}).task == Task::check_syntax);
+    CHECK(options_of({"--dump", "tokens"}).task == Task::dump_tokens);
+    CHECK(options_of({"--dump=tree"}).task == Task::dump_tree);
+    CHECK(options_of({"--dump", "scene"}).task == Task::dump_scene);
+    CHECK(options_of({"--dump", "world"}).task == Task::dump_world);
+    CHECK(options_of({"--version"}).task == Task::version);
+    CHECK(options_of({"+K0.5"}).facts.clock == 0.5);
+    CHECK(options_of({"+Lone", "Library_Path=two"}).library_paths ==
           std::vector<std::string>{"one", "two"});
 }
 
 TEST_CASE("help and descriptions take words behind them") {
-    CHECK(read({"--help"}).task == Task::help);
-    CHECK(read({"-h"}).task == Task::help);
-    CHECK(read({"+H"}).task == Task::help);
-    CHECK(read({"--help", "light", "samplers", "-V"}).topic == "light samplers");
-    CHECK(read({"--help=sphere"}).topic == "sphere");
-    const Options options = read({"--describe", "roff", "options"});
+    CHECK(options_of({"--help"}).task == Task::help);
+    CHECK(options_of({"-h"}).task == Task::help);
+    CHECK(options_of({"+H"}).task == Task::help);
+    CHECK(options_of({"--help", "light", "samplers", "-V"}).topic == "light samplers");
+    CHECK(options_of({"--help=sphere"}).topic == "sphere");
+    const Options options = options_of({"--describe", "roff", "options"});
     CHECK(options.task == Task::describe);
     CHECK(options.form == ManualForm::roff);
     CHECK(options.topic == "options");
@@ -165,12 +165,12 @@ TEST_CASE("scenes have any name") {
         {{"+Ia", "+Ib"}, "b"},
         {{"a", "+W10", "-V"}, "a"},
     };
-    for (const Case& each : cases) CHECK(read(each.words).scene == each.scene);
+    for (const Case& each : cases) CHECK(options_of(each.words).scene == each.scene);
 }
 
 TEST_CASE("names are declared with numbers and strings") {
-    const Options options = read({"Declare=Depth=5", "declare=Name=\"a = b\"", "Declare=Half=.5",
-                                  "Declare=On=yes", "Declare=Depth=6"});
+    const Options options = options_of({"Declare=Depth=5", "declare=Name=\"a = b\"",
+                                        "Declare=Half=.5", "Declare=On=yes", "Declare=Depth=6"});
     const std::vector<Declaration> expected = {
         {"Depth", 5.0}, {"Name", "a = b"}, {"Half", 0.5}, {"On", 1.0}, {"Depth", 6.0}};
     CHECK(options.declares == expected);
@@ -180,7 +180,7 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
     for (const char* word : {"+D", "-D", "+D0C", "+P", "-P", "Display=on", "Pause_When_Done=off",
                              "+Q9", "+Q11", "+HR", "File_Gamma=sRGB", "-UA", "-C", "-KC"}) {
         CAPTURE(word);
-        read({word});
+        options_of({word});
     }
 }
 
@@ -317,12 +317,12 @@ TEST_CASE("no file that may come with a scene gives it permissions", "[app]") {
     CHECK_FALSE(allowed({"a.pov"}, "candelabra.ini"));
     CHECK(allowed({"a.pov"}, "/home/me/.config/candelabra/candelabra.ini"));
     CHECK(allowed({"--allow-write=/", "--allow-commands", "a.pov"}, ""));
-    CHECK(read({"--allow-commands", "+W9"}).given == std::vector<std::string>{"Width=9"});
+    CHECK(options_of({"--allow-commands", "+W9"}).given == std::vector<std::string>{"Width=9"});
 }
 
 TEST_CASE("frames, header and version have their options", "[app]") {
-    const Options options = read({"+KFI2", "Final_Frame=20", "+KF6.5", "+KC", "+SF0.5", "+STP3",
-                                  "--skip-existing", "+HIhead.inc", "Version=3.5"});
+    const Options options = options_of({"+KFI2", "Final_Frame=20", "+KF6.5", "+KC", "+SF0.5",
+                                        "+STP3", "--skip-existing", "+HIhead.inc", "Version=3.5"});
     CHECK(options.animation.initial_frame == 2);
     CHECK(options.animation.final_frame == 20);
     CHECK(options.animation.final_clock == 6.5);
@@ -336,13 +336,13 @@ TEST_CASE("frames, header and version have their options", "[app]") {
 
 TEST_CASE("all options together are lines of an INI file", "[app]") {
     const Options options =
-        read({"+W30", "-F", "+A0.2", "--seed", "4", "Declare=a=1", "-V", "x.pov"});
+        options_of({"+W30", "-F", "+A0.2", "--seed", "4", "Declare=a=1", "-V", "x.pov"});
     CHECK(options.given == std::vector<std::string>{"Width=30", "Output_to_File=off", "+A0.2",
                                                     "--seed=4", "Declare=a=1", "Verbose=off",
                                                     "Input_File_Name=x.pov"});
-    CHECK(read({"-A0.2"}).given == std::vector<std::string>{"-A0.2"});
-    CHECK(read({"+GIa.ini"}).ini_file == "a.ini");
-    CHECK(read({"Create_Ini=a.ini"}).ini_file == "a.ini");
-    CHECK_FALSE(read({"+GIa.ini", "-GI"}).ini_file);
-    CHECK_FALSE(read({"+GIa.ini", "Create_Ini=off"}).ini_file);
+    CHECK(options_of({"-A0.2"}).given == std::vector<std::string>{"-A0.2"});
+    CHECK(options_of({"+GIa.ini"}).ini_file == "a.ini");
+    CHECK(options_of({"Create_Ini=a.ini"}).ini_file == "a.ini");
+    CHECK_FALSE(options_of({"+GIa.ini", "-GI"}).ini_file);
+    CHECK_FALSE(options_of({"+GIa.ini", "Create_Ini=off"}).ini_file);
 }

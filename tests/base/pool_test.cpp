@@ -8,9 +8,9 @@
 namespace {
 
 /// Counts how many of it there are.
-struct Counted {
-    explicit Counted(int& count) : count(count) { ++count; }
-    ~Counted() { --count; }
+struct CountedItem {
+    explicit CountedItem(int& count) : count(count) { ++count; }
+    ~CountedItem() { --count; }
     int& count;
     double more[7] = {};
 };
@@ -21,9 +21,9 @@ TEST_CASE("values of a pool live as long as their handles, in whatever order the
     const std::size_t step = GENERATE(1u, 7u, 4999u);
     int count = 0;
     constexpr std::size_t many = 10000;
-    std::vector<Handle<Counted>> held;
+    std::vector<Handle<CountedItem>> held;
     {
-        Pool<Counted> pool;
+        Pool<CountedItem> pool;
         for (std::size_t i = 0; i < many; ++i) held.push_back(pool.make(count));
         CHECK(count == static_cast<int>(many));
         for (std::size_t i = 0; i < many; i += 2) held[i] = nullptr;
@@ -32,12 +32,12 @@ TEST_CASE("values of a pool live as long as their handles, in whatever order the
     }
     CHECK(count == static_cast<int>(many / 2) + 1);
     for (std::size_t i = 0; i < many; ++i) held[i * step % many] = nullptr;
-    for (Handle<Counted>& handle : held) handle = nullptr;
+    for (Handle<CountedItem>& handle : held) handle = nullptr;
     CHECK(count == 0);
 }
 
 TEST_CASE("a pool that has made nothing holds nothing", "[base]") {
-    const Pool<Counted> pool;
+    const Pool<CountedItem> pool;
     Pool<std::vector<int>> vectors;
     CHECK(vectors.make(3, 7)->size() == 3);
     const Handle<std::vector<int>> one = vectors.make(2, 5), other = vectors.make(1, 4);

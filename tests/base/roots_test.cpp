@@ -9,9 +9,6 @@
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Interval whole_line{-infinity, infinity};
-
 std::vector<double> multiplied(const std::vector<double>& a, const std::vector<double>& b) {
     std::vector<double> product(a.size() + b.size() - 1);
     for (std::size_t i = 0; i < a.size(); ++i)

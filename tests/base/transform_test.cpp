@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/transform.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// Maps of every kind, alone and combined.
 std::vector<Transform> maps() {

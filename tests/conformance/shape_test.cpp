@@ -4,14 +4,13 @@
 #include "shape/built_shape.h"
 
 #include "formula/builder.h"
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// Solids are bounded and entered as often as they are left; the others are half spaces or have no
 /// inside.

@@ -7,7 +7,7 @@
 
 namespace {
 
-struct Case {
+struct BlockCase {
     const char* script;
     const char* complaint;
 };
@@ -15,7 +15,7 @@ struct Case {
 }  // namespace
 
 TEST_CASE("what has no place in a block is told of once", "[evaluate]") {
-    const auto [script, expected] = GENERATE(values<Case>({
+    const auto [script, expected] = GENERATE(values<BlockCase>({
         {"sphere { 0, 1 trnslate x scale 2 }",
          "error unknown-word: `sphere` has no word `trnslate`"},
         {"sphre { 0, 1 }", "error unknown-word: a scene has no word `sphre`"},

@@ -13,20 +13,20 @@
 
 namespace {
 
-struct Said {
+struct SaidWithFiles {
     std::string printed;
     std::string messages;  ///< a line each, with the help
 };
 
 /// A script whose files are in the folder.
-Said said(const Folder& folder, const std::string& script, const Limits& limits = {},
-          bool off_disk = false) {
+SaidWithFiles said(const Folder& folder, const std::string& script, const Limits& limits = {},
+                   bool off_disk = false) {
     const std::string here = folder.path().string();
     SourceStore sources;
     Diagnostics diagnostics;
     Loader loader(disk_reader(), here, {}, Door({here}, {here}));
     if (off_disk) loader.keep_off_disk();
-    Said result;
+    SaidWithFiles result;
     EvaluateOptions options;
     options.limits = limits;
     options.print = [&](std::string_view text) { result.printed += text; };
@@ -43,7 +43,7 @@ Said said(const Folder& folder, const std::string& script, const Limits& limits 
 
 TEST_CASE("what is written can be read and included", "[files]") {
     const Folder folder;
-    const Said result = said(folder, R"(
+    const SaidWithFiles result = said(folder, R"(
         #fopen Out "numbers.txt" write #write(Out, 1, ",", <2, 3>) #fclose Out
         #fopen Out "numbers.txt" append #write(Out, ",4") #fclose Out
         #fopen In "numbers.txt" read
@@ -63,7 +63,7 @@ TEST_CASE("a run that changes nothing reads back what it has not written", "[fil
     const Folder folder;
     folder.put("old.txt", "7,");
     const auto off_disk = [&](const std::string& script) {
-        const Said result = said(folder, script, {}, true);
+        const SaidWithFiles result = said(folder, script, {}, true);
         return result.messages + result.printed;
     };
     CHECK(off_disk(R"x(
@@ -138,7 +138,7 @@ TEST_CASE("a scene cannot write without end", "[files]") {
     const Folder folder;
     Limits limits;
     limits.written_bytes = 10'000;
-    const Said result = said(
+    const SaidWithFiles result = said(
         folder, "#fopen F \"o.txt\" write #while (1) #write(F, \"0123456789abcdef\") #end", limits);
     CHECK(result.messages ==
           "this scene has written more than 10000 bytes, which is the limit | "

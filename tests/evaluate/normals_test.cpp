@@ -17,7 +17,7 @@ Bump bump_of(const std::string& text) {
         .normal;
 }
 
-std::string wrong(const std::string& text) {
+std::string normal_complaint(const std::string& text) {
     return complaint("sphere { 0, 1 normal { " + text + " } }");
 }
 
@@ -104,5 +104,5 @@ TEST_CASE("wrong normals are told of once", "[evaluate]") {
          "error misplaced: this pattern takes 2 normals, but here is one more"},
     }));
     INFO(text);
-    CHECK(wrong(text) == expected);
+    CHECK(normal_complaint(text) == expected);
 }

@@ -7,7 +7,7 @@
 
 namespace {
 
-std::string printed(const std::string& script) {
+std::string printed_of_object(const std::string& script) {
     return debugged(
         "#version 3.7; #macro V(A) #debug vstr(3, A, \",\", 0, 2) #end\n"
         "#declare O = sphere { <1, 0, 0>, 2 }\n" +
@@ -17,22 +17,24 @@ std::string printed(const std::string& script) {
 }  // namespace
 
 TEST_CASE("what can be asked of a declared object", "[evaluate]") {
-    CHECK(printed("V(min_extent(O))") == "-1.00,-2.00,-2.00");
-    CHECK(printed("V(max_extent(O))") == "3.00,2.00,2.00");
-    CHECK(printed("#debug str(inside(O, x), 0, 0) #debug str(inside(O, 4*x), 0, 0)") == "10");
-    CHECK(printed("#declare N = y; V(trace(O, <1, 0, -9>, z, N)) V(N)") ==
+    CHECK(printed_of_object("V(min_extent(O))") == "-1.00,-2.00,-2.00");
+    CHECK(printed_of_object("V(max_extent(O))") == "3.00,2.00,2.00");
+    CHECK(printed_of_object("#debug str(inside(O, x), 0, 0) #debug str(inside(O, 4*x), 0, 0)") ==
+          "10");
+    CHECK(printed_of_object("#declare N = y; V(trace(O, <1, 0, -9>, z, N)) V(N)") ==
           "1.00,0.00,-2.000.00,0.00,-1.00");
-    CHECK(printed("V(trace(O, <9, 9, -9>, z))") == "0.00,0.00,0.00");
+    CHECK(printed_of_object("V(trace(O, <9, 9, -9>, z))") == "0.00,0.00,0.00");
 }
 
 TEST_CASE("a text keeps its movements in another block", "[evaluate]") {
-    CHECK(printed("#declare A = text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 5*y }"
-                  "#declare B = object { text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 2*y } "
-                  "translate 3*y }"
-                  "V(max_extent(A) - max_extent(B))") == "0.00,0.00,0.00");
+    CHECK(printed_of_object(
+              "#declare A = text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 5*y }"
+              "#declare B = object { text { ttf \"timrom.ttf\" \"I\" 1, 0 translate 2*y } "
+              "translate 3*y }"
+              "V(max_extent(A) - max_extent(B))") == "0.00,0.00,0.00");
 }
 
 TEST_CASE("only objects can be asked", "[evaluate]") {
-    CHECK(printed("#declare A = inside(3, x);") ==
+    CHECK(printed_of_object("#declare A = inside(3, x);") ==
           "error: `inside` takes a declared object here, but this is a number");
 }

@@ -7,7 +7,7 @@
 
 namespace {
 
-std::string wrong(const std::string& text) {
+std::string pattern_complaint(const std::string& text) {
     return complaint("sphere { 0, 1 pigment { " + text + " } }");
 }
 
@@ -34,8 +34,10 @@ TEST_CASE("a function is a pattern", "[evaluate]") {
     const PatternUse use = pattern_of("function { x + 2 * y } sine_wave scale 2");
     CHECK(evaluate(std::get<FunctionPattern>(use.pattern), Vec3(0.25, 0.125, 9)) == 0.5);
     CHECK(std::holds_alternative<SineWave>(use.wave));
-    CHECK(wrong("function (a) { a }").find("makes one number of x, y and z") != std::string::npos);
-    CHECK(wrong("function { pigment { rgb 1 } }").find("makes one number") != std::string::npos);
+    CHECK(pattern_complaint("function (a) { a }").find("makes one number of x, y and z") !=
+          std::string::npos);
+    CHECK(pattern_complaint("function { pigment { rgb 1 } }").find("makes one number") !=
+          std::string::npos);
 }
 
 TEST_CASE("a word of a pattern may be the name of another", "[evaluate]") {
@@ -120,7 +122,7 @@ TEST_CASE("wrong patterns are told of once", "[evaluate]") {
         {"bump_map { function 2, 2 { x } }", "error misplaced: `bump_map` is for normals only"},
     }));
     INFO(text);
-    CHECK(wrong(text) == expected);
+    CHECK(pattern_complaint(text) == expected);
 }
 
 TEST_CASE("an object is a pattern, and the list stands in its braces", "[evaluate]") {

@@ -14,7 +14,7 @@ Script with(const std::string& pigment) {
     return run("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }");
 }
 
-std::string wrong(const std::string& braces) {
+std::string picture_complaint(const std::string& braces) {
     return complaint("sphere { 0, 1 pigment { image_map { " + braces + " } } }");
 }
 
@@ -62,21 +62,22 @@ TEST_CASE("filter and transmit name all colours or one", "[evaluate]") {
 }
 
 TEST_CASE("what is wrong with a picture is told of", "[evaluate]") {
-    CHECK(wrong("function 2, 2 { x } transmit -3, 0.5") ==
+    CHECK(picture_complaint("function 2, 2 { x } transmit -3, 0.5") ==
           "error out-of-range: `transmit` of a picture needs the number of a colour, counted from "
           "0, but here is -3");
-    CHECK(wrong("function 2, 2 { x } filter 1e300, 0.5") ==
+    CHECK(picture_complaint("function 2, 2 { x } filter 1e300, 0.5") ==
           "error out-of-range: `filter` of a picture needs the number of a colour, counted from 0, "
           "but here is 1e+300");
-    CHECK(wrong("png \"x.png\"") == "error include-not-found: there is no file `x.png`");
-    CHECK(wrong("gamma srgb") == "error missing: `image_map` needs a picture");
-    CHECK(wrong("function { x }") ==
+    CHECK(picture_complaint("png \"x.png\"") ==
+          "error include-not-found: there is no file `x.png`");
+    CHECK(picture_complaint("gamma srgb") == "error missing: `image_map` needs a picture");
+    CHECK(picture_complaint("function { x }") ==
           "error wrong-type: the function of a picture says how many pixels it has");
-    CHECK(wrong("function 2, 2 { x } map_type 3") ==
+    CHECK(picture_complaint("function 2, 2 { x } map_type 3") ==
           "error out-of-range: there is no `map_type` 3");
-    CHECK(wrong("function 2, 2 { x } interpolate 1") ==
+    CHECK(picture_complaint("function 2, 2 { x } interpolate 1") ==
           "error out-of-range: there is no `interpolate` 1");
-    CHECK(wrong("function 2, 2 { x } filter all") ==
+    CHECK(picture_complaint("function 2, 2 { x } filter all") ==
           "error missing: `filter` and `transmit` of a picture need a number");
     CHECK(complaint("sphere { 0, 1 texture { material_map { function 2, 2 { x } } } }") ==
           "error missing: `material_map` needs textures");

@@ -22,7 +22,7 @@ const ColourMap& colours_of(const Pigment& pigment) {
     return std::get<ColourMap>(pigment.pattern->map);
 }
 
-std::string wrong(const std::string& text) {
+std::string pigment_complaint(const std::string& text) {
     return complaint("sphere { 0, 1 pigment { " + text + " } }");
 }
 
@@ -92,44 +92,46 @@ TEST_CASE("a scene has a noise generator and a number of waves", "[evaluate]") {
 }
 
 TEST_CASE("wrong pigments are told of once", "[evaluate]") {
-    CHECK(wrong("<1, 0, 0>") ==
+    CHECK(pigment_complaint("<1, 0, 0>") ==
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
-    CHECK(wrong("0.5") ==
+    CHECK(pigment_complaint("0.5") ==
           "error wrong-type: a colour must be said to be one, but this is a number");
-    CHECK(wrong("\"red\"") == "error misplaced: a string has no place in `pigment`");
-    CHECK(wrong("rgb 1 rgb 0") ==
+    CHECK(pigment_complaint("\"red\"") == "error misplaced: a string has no place in `pigment`");
+    CHECK(pigment_complaint("rgb 1 rgb 0") ==
           "error misplaced: a pigment has one colour or one pattern, and this is a second");
-    CHECK(wrong("gradient x gradient y") ==
+    CHECK(pigment_complaint("gradient x gradient y") ==
           "error misplaced: a pigment has one colour or one pattern, and this is a second");
-    CHECK(wrong("color_map { [0 rgb 1] } gradient x") ==
+    CHECK(pigment_complaint("color_map { [0 rgb 1] } gradient x") ==
           "error misplaced: `color_map` needs a pattern before it");
-    CHECK(wrong("checker color_map { [0 rgb 1] }") ==
+    CHECK(pigment_complaint("checker color_map { [0 rgb 1] }") ==
           "error misplaced: `checker` takes two colours, not a `color_map`");
-    CHECK(wrong("checker rgb 1, rgb 0, rgb 1") ==
+    CHECK(pigment_complaint("checker rgb 1, rgb 0, rgb 1") ==
           "error wrong-count: `checker` takes 2 colours, but here is one more");
-    CHECK(wrong("checker rgb 1 pigment { rgb 1 }") ==
+    CHECK(pigment_complaint("checker rgb 1 pigment { rgb 1 }") ==
           "error misplaced: the entries of a list are all colours or all pigments");
-    CHECK(wrong("average color_map { [0 rgb 1] }") ==
+    CHECK(pigment_complaint("average color_map { [0 rgb 1] }") ==
           "error misplaced: `average` takes a `pigment_map`, not a `color_map`");
-    CHECK(wrong("average") == "error missing: `average` needs a `pigment_map`");
-    CHECK(wrong("average pigment_map { [0 rgb 1] }") ==
+    CHECK(pigment_complaint("average") == "error missing: `average` needs a `pigment_map`");
+    CHECK(pigment_complaint("average pigment_map { [0 rgb 1] }") ==
           "error out-of-range: the weights of `average` must be at least 0, and not all be 0");
-    CHECK(wrong("pigment_map { [0 rgb 1] }") ==
+    CHECK(pigment_complaint("pigment_map { [0 rgb 1] }") ==
           "error misplaced: `pigment_map` needs a pattern before it");
-    CHECK(wrong("bozo pigment_map { [rgb 1] }") ==
+    CHECK(pigment_complaint("bozo pigment_map { [rgb 1] }") ==
           "error missing: the entries of a map begin with a number");
-    CHECK(wrong("bozo pigment_map { }") == "error missing: `pigment_map` has no entries");
-    CHECK(wrong("gradient") == "error missing: `gradient` needs `direction`");
-    CHECK(wrong("gradient x color_map { }") == "error missing: `color_map` has no entries");
-    CHECK(wrong("gradient x color_map { [rgb 1] }") ==
+    CHECK(pigment_complaint("bozo pigment_map { }") ==
+          "error missing: `pigment_map` has no entries");
+    CHECK(pigment_complaint("gradient") == "error missing: `gradient` needs `direction`");
+    CHECK(pigment_complaint("gradient x color_map { }") ==
+          "error missing: `color_map` has no entries");
+    CHECK(pigment_complaint("gradient x color_map { [rgb 1] }") ==
           "error missing: an entry of `color_map` begins with a number");
-    CHECK(wrong("gradient x color_map { [0] }") ==
+    CHECK(pigment_complaint("gradient x color_map { [0] }") ==
           "error missing: an entry of `color_map` needs a colour");
-    CHECK(wrong("gradient x color_map { [0 rgb 1 rgb 0] }") ==
+    CHECK(pigment_complaint("gradient x color_map { [0 rgb 1 rgb 0] }") ==
           "error wrong-count: an entry of `color_map` has one colour for each number");
-    CHECK(wrong("gradient x color_map { [0 <1, 2, 3>] }") ==
+    CHECK(pigment_complaint("gradient x color_map { [0 <1, 2, 3>] }") ==
           "error wrong-type: a colour must be said to be one, but this is a vector of 3");
-    CHECK(wrong("quick_color") == "error missing: `quick_color` needs a colour");
+    CHECK(pigment_complaint("quick_color") == "error missing: `quick_color` needs a colour");
 }
 
 TEST_CASE("pigments within pigments without end are refused", "[evaluate]") {

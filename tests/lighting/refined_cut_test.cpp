@@ -7,7 +7,7 @@
 
 namespace {
 
-const Box cell{Vec3(-1), Vec3(1)};
+const Box refined_cell{Vec3(-1), Vec3(1)};
 
 std::vector<Luminaire> many() {
     Draw draw(1);
@@ -24,7 +24,7 @@ TEST_CASE("a refined cut holds every luminaire that is not dark once", "[lightin
     for (std::size_t i = 0; i < 3; ++i) luminaires[100 * i].radiance = Vec3(0);
     const LightTree tree(luminaires);
     for (const int most : {1, 16, 100, 256}) {
-        const RefinedCut cut = refined_cut(tree, cell, {1e-9, most});
+        const RefinedCut cut = refined_cut(tree, refined_cell, {1e-9, most});
         CHECK(cut.clusters.size() <= static_cast<std::size_t>(most));
         std::uint32_t next = 0;
         std::size_t held = 0;
@@ -43,9 +43,9 @@ TEST_CASE("a finer cut has less noise, and a coarse rule is content with few ent
           "[lighting]") {
     const std::vector<Luminaire> luminaires = many();
     const LightTree tree(luminaires);
-    const RefinedCut coarse = refined_cut(tree, cell, {1e-9, 16}),
-                     fine = refined_cut(tree, cell, {1e-9, 256}),
-                     content = refined_cut(tree, cell, {10, 256});
+    const RefinedCut coarse = refined_cut(tree, refined_cell, {1e-9, 16}),
+                     fine = refined_cut(tree, refined_cell, {1e-9, 256}),
+                     content = refined_cut(tree, refined_cell, {10, 256});
     CHECK(fine.noise < 0.5 * coarse.noise);
     CHECK(fine.clusters.size() > coarse.clusters.size());
     CHECK(content.clusters.size() < 64);

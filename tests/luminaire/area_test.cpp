@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Lamp {
     std::string name;

@@ -25,12 +25,12 @@ Luminaire lamp(const Emitter& emitter, bool mapped) {
     return result;
 }
 
-struct Moments {
+struct LampMoments {
     double mean = 0, relative_variance = 0;
 };
 /// Of the light that samples bring to a point.
-Moments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps,
-                FunctionRef<double(const Vec3&)> glow = pattern) {
+LampMoments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps,
+                    FunctionRef<double(const Vec3&)> glow = pattern) {
     double sum = 0, squares = 0;
     Draw draw(5);
     for (int i = 0; i < steps; ++i)
@@ -72,8 +72,8 @@ TEST_CASE("a screen with few bright spots makes little noise, and the same light
     for (const Emitter& emitter : flat_emitters())
         for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5), Vec3(0.4, -3, -0.7)}) {
             const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
-            const Moments even = moments(lamp(emitter, false), point, 2000),
-                          mapped = moments(lamp(emitter, true), point, 700);
+            const LampMoments even = moments(lamp(emitter, false), point, 2000),
+                              mapped = moments(lamp(emitter, true), point, 700);
             CAPTURE(emitter.index(), place.x, even.relative_variance, mapped.relative_variance);
             CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
             CHECK(even.relative_variance > 20 * mapped.relative_variance);
@@ -95,8 +95,8 @@ TEST_CASE("a globe with few bright spots makes little noise, and the same light,
         {Vec3(0.4, -2.22, 0.1), 0}, {Vec3(0.8, 0.5, -0.7), 5}, {Vec3(1.5, 0.9, -0.8), 5}};
     for (const auto& [place, gain] : places) {
         const ShadingPoint point{place, unit(globe.centre + Vec3(0.1, 0.2, 0) - place)};
-        const Moments even = moments(glowing(globe, 100), point, 2000, glow),
-                      mapped = moments(known, point, 700, glow);
+        const LampMoments even = moments(glowing(globe, 100), point, 2000, glow),
+                          mapped = moments(known, point, 700, glow);
         CAPTURE(place.x, place.y, even.relative_variance, mapped.relative_variance);
         CHECK(mapped.mean == Approx(even.mean).epsilon(0.02));
         CHECK(even.relative_variance >= gain * mapped.relative_variance - 1e-9);
@@ -128,8 +128,8 @@ TEST_CASE("a curved lamp with few bright spots makes less noise, and the same li
         CHECK(bounds(known).intensity < 0.1 * bounds(unknown).intensity);
         for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5)}) {
             const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
-            const Moments even = moments(unknown, point, 1000, glow),
-                          mapped = moments(known, point, 500, glow);
+            const LampMoments even = moments(unknown, point, 1000, glow),
+                              mapped = moments(known, point, 500, glow);
             CAPTURE(shape.index(), place.x, even.relative_variance, mapped.relative_variance);
             CHECK(mapped.mean == Approx(even.mean).epsilon(0.03));
             CHECK(even.relative_variance > gain * mapped.relative_variance);

@@ -2,13 +2,12 @@
 #include "luminaire/composite.h"
 
 #include "luminaire/sphere.h"
+#include "support/axes.h"
 #include "support/lights.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0);
 
 CompositeEmitter alone(const BuiltShape& shape) {
     CompositeBuilder builder;

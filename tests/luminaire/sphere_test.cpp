@@ -7,7 +7,8 @@
 
 namespace {
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+using std::numbers::pi;
+constexpr double degree = pi / 180;
 
 /// A point below a unit sphere of which the sphere fills a cone of half angle sigma, at the zenith
 /// angle t.
@@ -20,11 +21,11 @@ struct Seen {
     }
 };
 
-struct Moments {
+struct SphereMoments {
     double mean, relative_variance;
 };
 
-Moments moments(const SphereEmitter& sphere, const ShadingPoint& point, int steps) {
+SphereMoments moments(const SphereEmitter& sphere, const ShadingPoint& point, int steps) {
     double sum = 0, square = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
@@ -54,7 +55,7 @@ TEST_CASE("a sphere's cone has the variance that the closed form says", "[lumina
         INFO(sigma << " " << t);
         CHECK(closed == Approx(table).epsilon(0.3));  // the table is rounded to one or two digits
         const Seen seen(sigma * degree, t * degree);
-        const Moments found = moments(seen.sphere, seen.point, 400);
+        const SphereMoments found = moments(seen.sphere, seen.point, 400);
         CHECK(found.relative_variance == Approx(closed).epsilon(0.05).margin(1e-7));
         CHECK(found.mean == Approx(pi * std::pow(std::sin(sigma * degree), 2) * z).epsilon(1e-4));
     }

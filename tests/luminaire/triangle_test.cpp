@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TriangleEmitter random_triangle(Draw& draw) { return {draw.point(), draw.point(), draw.point()}; }
 

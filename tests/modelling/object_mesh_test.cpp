@@ -2,6 +2,7 @@
 #include "modelling/object_mesh.h"
 
 #include "polyhedra/shapes.h"
+#include "support/axes.h"
 #include "support/objects.h"
 
 #include <numbers>
@@ -9,7 +10,6 @@
 namespace {
 
 using std::numbers::pi;
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0);
 
 /// The volume of what the object becomes, or what is wrong.
 double volume_of(const ObjectHandle& what, int cells = 32) {

@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Folder {
+struct FileFolder {
     fs::path path =
         fs::temp_directory_path() / ("candelabra_file_test_" + std::to_string(::getpid()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
+    FileFolder() { fs::create_directories(path); }
+    ~FileFolder() { fs::remove_all(path); }
     std::string file(const std::string& name) const { return (path / name).string(); }
     std::size_t count() const {
         return static_cast<std::size_t>(
@@ -33,7 +33,7 @@ std::string content(const std::string& path) {
 }  // namespace
 
 TEST_CASE("a file is written whole, under any name, and leaves nothing beside it") {
-    const Folder folder;
+    const FileFolder folder;
     for (const std::string name :
          {"plain", "with space=and sign", "-dash", "ümlaut.png", "percent%d%s"}) {
         CAPTURE(name);
@@ -47,7 +47,7 @@ TEST_CASE("a file is written whole, under any name, and leaves nothing beside it
 }
 
 TEST_CASE("a longest possible name is no obstacle") {
-    const Folder folder;
+    const FileFolder folder;
     const std::string path = folder.file(std::string(255, 'n'));
     Diagnostics diagnostics;
     CHECK(write_file(path, "x", diagnostics));
@@ -55,7 +55,7 @@ TEST_CASE("a longest possible name is no obstacle") {
 }
 
 TEST_CASE("links stay links and permissions stay as they were") {
-    const Folder folder;
+    const FileFolder folder;
     std::ofstream(folder.file("target")) << "old";
     fs::permissions(folder.file("target"), fs::perms::owner_read | fs::perms::owner_write);
     fs::create_symlink("target", folder.path / "link");
@@ -74,7 +74,7 @@ TEST_CASE("devices are written to, not replaced") {
 }
 
 TEST_CASE("what cannot be written is an error that names the file, and known beforehand") {
-    const Folder folder;
+    const FileFolder folder;
     std::ofstream(folder.file("file")) << "kept";
     struct Case {
         std::string path;

@@ -12,11 +12,11 @@ namespace {
 
 using std::numbers::pi;
 
-struct Bench {
+struct MicrofacetBench {
     Finish finish;
     Shading shading;
 
-    explicit Bench(double roughness, double metallic = 1, double coat = 0) {
+    explicit MicrofacetBench(double roughness, double metallic = 1, double coat = 0) {
         finish.microfacet.on = true;
         finish.microfacet.roughness = roughness;
         finish.microfacet.metallic = metallic;
@@ -61,15 +61,15 @@ double by_scattering(const Shading& s) {
 
 TEST_CASE("drawn directions reflect as much as all directions do", "[render]") {
     for (const double roughness : {0.35, 0.5, 0.7, 1.0}) {
-        const Bench metal(roughness);
+        const MicrofacetBench metal(roughness);
         CAPTURE(roughness);
         const double reflected = by_response(metal.shading, Lobes::all);
         CHECK(by_scattering(metal.shading) == Approx(reflected).epsilon(0.02));
         CHECK(reflected <= 1);
         CHECK(reflected > 0.3);
     }
-    const Bench coated(0.6, 1, 1);
-    Bench dull = coated;
+    const MicrofacetBench coated(0.6, 1, 1);
+    MicrofacetBench dull = coated;
     dull.finish.microfacet.coat_roughness = 0.5;
     dull.shading.finish = &dull.finish;
     CHECK(by_scattering(dull.shading) ==
@@ -77,7 +77,7 @@ TEST_CASE("drawn directions reflect as much as all directions do", "[render]") {
 }
 
 TEST_CASE("a smooth metal is a mirror of its colour", "[render]") {
-    Bench mirror(0);
+    MicrofacetBench mirror(0);
     mirror.shading.colour = {Vec3(0.9, 0.6, 0.3)};
     mirror.shading.view = Vec3(0, -1, 0);
     const auto drawn = scatter(mirror.shading, 0.5, {0.3, 0.7});
@@ -90,8 +90,8 @@ TEST_CASE("a smooth metal is a mirror of its colour", "[render]") {
 }
 
 TEST_CASE("the response is the same both ways", "[render]") {
-    Bench there(0.5, 0.3, 0.5);
-    Bench back = there;
+    MicrofacetBench there(0.5, 0.3, 0.5);
+    MicrofacetBench back = there;
     back.shading.finish = &back.finish;
     const Vec3 light = unit(Vec3(-0.2, 0.5, 0.8));
     back.shading.view = -light;

@@ -10,7 +10,7 @@
 
 namespace {
 
-const char* const lamps = R"(
+const char* const four_lamps = R"(
     #version 3.7;
     camera { location <0, 3, -8> look_at <0, 1, 0> right x up y angle 50 }
     plane { y, 0 pigment { checker rgb 0.9, rgb 0.4 } finish { ambient 0 diffuse 0.8 } }
@@ -31,7 +31,7 @@ RenderSettings small(int threads) {
 }  // namespace
 
 TEST_CASE("the picture has the same bytes for any number of threads", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     const Rendering one = render(world, small(1));
     for (const int threads : {2, 7}) {
         const Rendering many = render(world, small(threads));
@@ -41,7 +41,7 @@ TEST_CASE("the picture has the same bytes for any number of threads", "[render]"
 }
 
 TEST_CASE("another seed gives other noise around the same mean", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     RenderSettings settings = small(0);
     settings.samples = 64;
     const Image first = render(world, settings).image;
@@ -57,7 +57,7 @@ TEST_CASE("another seed gives other noise around the same mean", "[render]") {
 }
 
 TEST_CASE("samples are as many as asked for", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     RenderSettings settings = small(0);
     settings.samples = 3;
     CHECK(render(world, settings).rays.camera == 3u * 45 * 37);
@@ -101,7 +101,7 @@ TEST_CASE("the adaptive scheme has no bias", "[render][statistics]") {
 }
 
 TEST_CASE("a picture that is stopped and continued again and again is the same", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     RenderSettings settings = small(2);
     RenderState whole = begin_picture(settings), broken = whole;
     RayCounts rays;
@@ -169,7 +169,7 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
 }
 
 TEST_CASE("samples of one picture can be taken in parts and added", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     RenderSettings settings = small(2);
     settings.samples = 5;
     RayCounts rays;
@@ -189,7 +189,7 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
 
 TEST_CASE("lights are counted by statement when that is asked for, the same by any threads",
           "[render]") {
-    const World world = world_of(lamps + std::string("light_source { 5*y, 0.1 }"));
+    const World world = world_of(four_lamps + std::string("light_source { 5*y, 0.1 }"));
     REQUIRE(world.light_statements.size() == 2);
     RenderHooks hooks;
     hooks.counts_lights = true;
@@ -209,7 +209,7 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
 }
 
 TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
-    const World world = world_of(lamps);
+    const World world = world_of(four_lamps);
     RenderSettings settings = small(1);
     settings.samples = 5;  // in several passes over the tiles, of which only the last winds down
     RenderState state = begin_picture(settings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/area.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
@@ -11,8 +12,6 @@
 using std::numbers::pi;
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// A bent sheet of 3 and 2 units, whose normals make it look round, and a face without area.
 BuiltShape bent_sheet() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/blob.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 #include "support/line_parts.h"
@@ -8,8 +9,6 @@
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 BlobSphere ball(const Vec3& centre, double radius, double strength, const Transform& map = {}) {
     return {centre, radius, strength, map, -1};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/composite.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 
 #include <catch2/catch.hpp>
@@ -9,7 +10,6 @@
 
 namespace {
 
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 constexpr Interval ahead{0};
 
 constexpr auto everything = [](std::uint32_t) { return true; };

@@ -2,6 +2,7 @@
 #include "shape/cone.h"
 #include "shape/cylinder.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
@@ -10,7 +11,6 @@
 namespace {
 
 const double w = std::sqrt(0.5);
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 }  // namespace
 

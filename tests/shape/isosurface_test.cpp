@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/isosurface.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 #include "support/line_parts.h"
@@ -10,8 +11,6 @@
 #include <cmath>
 
 namespace {
-
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// y, as code of C++.
 Isosurface ground() {

@@ -2,6 +2,7 @@
 #include "shape/lathe.h"
 
 #include "shape/cone.h"
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
@@ -9,9 +10,7 @@
 
 namespace {
 
-const Vec3 x(1, 0, 0), y(0, 1, 0);
-
-const std::vector<Vec2> five = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
+const std::vector<Vec2> lathe_points = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
 
 void check_first(const Lathe& lathe, double height, double at, const Vec3& normal) {
     const auto found = hits(build(lathe), {Vec3(-5, height, 0), x});
@@ -27,11 +26,11 @@ TEST_CASE("lathes are met where POV-Ray meets them", "[shape]") {
     const Lathe top{linear_curve, {{0, 0}, {1, 1}, {0, 2}}};
     check_first(top, 0.5, -0.5, Vec3(-0.7071, -0.7071, 0));
     CHECK(bounds(build(top)).high == Vec3(1, 2, 1));
-    const Lathe quadratic{quadratic_curve, {five.begin(), five.begin() + 4}};
+    const Lathe quadratic{quadratic_curve, {lathe_points.begin(), lathe_points.begin() + 4}};
     check_first(quadratic, 0.5, -0.875, Vec3(-0.8944, 0.4472, 0));
     check_first(quadratic, 1.5, -0.625, Vec3(-0.8944, -0.4472, 0));
     CHECK(hits(build(quadratic), {Vec3(-5, -0.5, 0), x}).empty());
-    const Lathe cubic{cubic_curve, five};
+    const Lathe cubic{cubic_curve, lathe_points};
     check_first(cubic, 0.5, -0.75, Vec3(-0.8, 0.6, 0));
     check_first(cubic, 1.5, -0.7687, Vec3(-0.7856, -0.6187, 0));
     CHECK(bounds(build(cubic)).high.x == Approx(1.0032).margin(1e-4));
@@ -102,11 +101,11 @@ TEST_CASE("the inside of a lathe is between curve and axis", "[shape]") {
 }
 
 TEST_CASE("what can be wrong with a lathe is said", "[shape]") {
-    CHECK(problem(Lathe{linear_curve, five}).empty());
+    CHECK(problem(Lathe{linear_curve, lathe_points}).empty());
     CHECK(problem(Lathe{}) == "a `lathe` with this spline needs at least 2 points");
-    CHECK(problem(Lathe{cubic_curve, {five.begin(), five.begin() + 3}}) ==
+    CHECK(problem(Lathe{cubic_curve, {lathe_points.begin(), lathe_points.begin() + 3}}) ==
           "a `lathe` with this spline needs at least 4 points");
-    CHECK(problem(Lathe{bezier_curve, five}) ==
+    CHECK(problem(Lathe{bezier_curve, lathe_points}) ==
           "a `lathe` with `bezier_spline` needs four points for each piece");
     CHECK(problem(Lathe{linear_curve, {{-1, 0}, {1, 1}}}).empty());
     CHECK(problem(Lathe{linear_curve, {{1, 0}, {-1, 1}, {1, 2}}}) ==

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/mesh.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 #include "support/line_parts.h"
@@ -8,8 +9,6 @@
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// The cube from -1 to 1, each side two triangles that face outward.
 Mesh cube() {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/ovus.h"
 
+#include "support/axes.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
-namespace {
-
-const Vec3 x(1, 0, 0), y(0, 1, 0);
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("an ovus has the bounds and the inside that POV-Ray gives it", "[shape]") {
     const Ovus egg{1, 0.7};

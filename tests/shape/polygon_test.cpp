@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/polygon.h"
 
+#include "support/axes.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
-namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a polygon is met within its edges and not in its holes", "[shape]") {
     const BuiltPolygon square = build({{o, x, x + y, y, o}});

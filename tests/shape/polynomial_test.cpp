@@ -2,14 +2,13 @@
 #include "shape/polynomial.h"
 
 #include "shape/torus.h"
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 /// The place of x^i y^j z^k among the factors.
 std::size_t place(int degree, int i, int j, int k) {

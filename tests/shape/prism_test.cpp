@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/prism.h"
 
+#include "support/axes.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 Prism prism(int spline, double low, double high, const std::vector<Vec2>& points) {
     return {linear_sweep, spline, low, high, points, false};

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/sor.h"
 
+#include "support/axes.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
 
-const Vec3 x(1, 0, 0), y(0, 1, 0);
-
-const std::vector<Vec2> five = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
+const std::vector<Vec2> sor_points = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
 
 }  // namespace
 
 TEST_CASE("a sor is met where POV-Ray meets it", "[shape]") {
-    const BuiltSor vase = build({five, false});
+    const BuiltSor vase = build({sor_points, false});
     const auto lower = hits(vase, {Vec3(-5, 0.5, 0), x}), upper = hits(vase, {Vec3(-5, 1.5, 0), x});
     REQUIRE(lower.size() == 2);
     CHECK(lower[0].t == Approx(5 - 0.7906).margin(1e-4));
@@ -29,7 +28,7 @@ TEST_CASE("a sor is met where POV-Ray meets it", "[shape]") {
 }
 
 TEST_CASE("an open sor has no ends, but the same inside", "[shape]") {
-    const BuiltSor tube = build({five, true});
+    const BuiltSor tube = build({sor_points, true});
     CHECK(hits(tube, {Vec3(0.2, 5, 0.1), -y}).empty());
     CHECK(inside(tube, Vec3(0, 0.5, 0)));
     CHECK_FALSE(inside(tube, Vec3(0.8, 0.5, 0)));
@@ -37,7 +36,7 @@ TEST_CASE("an open sor has no ends, but the same inside", "[shape]") {
 }
 
 TEST_CASE("what can be wrong with a sor is said", "[shape]") {
-    CHECK(problem(Sor{five, false}).empty());
+    CHECK(problem(Sor{sor_points, false}).empty());
     CHECK(problem(Sor{{{1, 0}, {1, 1}, {1, 2}}, false}) == "a `sor` needs at least 4 points");
     CHECK(problem(Sor{{{1, 0}, {-1, 1}, {1, 2}, {1, 3}}, false}) ==
           "a `sor` needs radii that are not below 0");

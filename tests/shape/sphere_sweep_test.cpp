@@ -2,14 +2,13 @@
 #include "shape/sphere_sweep.h"
 
 #include "shape/sphere.h"
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 const std::vector<Ball> four = {{-x, 0.3}, {o, 0.3}, {Vec3(1, 1, 0), 0.5}, {2.0 * x, 0.3}};
 

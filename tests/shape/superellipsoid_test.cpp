@@ -2,14 +2,13 @@
 #include "shape/superellipsoid.h"
 
 #include "shape/sphere.h"
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 x(1, 0, 0), z(0, 0, 1);
 
 double value(const Vec2& e, const Vec3& p) {
     const double round = std::pow(std::abs(p.x), 2 / e.x) + std::pow(std::abs(p.y), 2 / e.x);

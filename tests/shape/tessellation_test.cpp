@@ -32,13 +32,13 @@ bool closed(const Mesh& mesh) {
     return !mesh.faces.empty();
 }
 
-struct Case {
+struct SolidCase {
     const char* name;
     Shape shape;
     double volume, tolerance;
 };
 
-std::vector<Case> solids() {
+std::vector<SolidCase> solids() {
     using std::numbers::pi;
     Blob blob;
     blob.spheres.push_back({Vec3(0), 1, 1, {}, -1});
@@ -61,7 +61,7 @@ std::vector<Case> solids() {
 }  // namespace
 
 TEST_CASE("solids become closed surfaces of the same volume", "[shape]") {
-    for (const Case& each : solids()) {
+    for (const SolidCase& each : solids()) {
         INFO(each.name);
         const Mesh mesh = tessellation(built(each.shape), 48);
         CHECK(closed(mesh));

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/torus.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
 #include <catch2/catch.hpp>
 
-namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("rays cross a torus where they should", "[shape]") {
     const Torus torus{2, 0.5};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/triangle.h"
 
+#include "support/axes.h"
 #include "support/draw.h"
 #include "support/hits.h"
 
@@ -8,9 +9,7 @@
 
 namespace {
 
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-
-Interval ahead() { return {}; }
+Interval onwards() { return {}; }
 
 }  // namespace
 
@@ -52,7 +51,7 @@ TEST_CASE("weights belong to the corners", "[shape]") {
     for (const Vec3& direction :
          {Vec3(1, 2, 3), Vec3(-5, 1, 0.5), Vec3(0.1, -8, 1), Vec3(1, 1, -9)}) {
         const TriangleHit hit =
-            first_crossing(a, b, c, Ray{p - 7.0 * direction, direction}, ahead());
+            first_crossing(a, b, c, Ray{p - 7.0 * direction, direction}, onwards());
         CHECK(hit.t == Approx(7));
         CHECK(hit.weight2 == Approx(0.3));
         CHECK(hit.weight3 == Approx(0.5));
@@ -82,8 +81,8 @@ TEST_CASE("fans of triangles leave no gap, and one of them is met when only one 
         const ShearedRay any(ray), single(ray, Edges::one);
         int met_any = 0, met_single = 0;
         for (std::size_t k = 0; k < 7; ++k) {
-            met_any += any.meet(hub, rim[k], rim[(k + 1) % 7], ahead()).t < ahead().max;
-            met_single += single.meet(rim[k], rim[(k + 1) % 7], hub, ahead()).t < ahead().max;
+            met_any += any.meet(hub, rim[k], rim[(k + 1) % 7], onwards()).t < onwards().max;
+            met_single += single.meet(rim[k], rim[(k + 1) % 7], hub, onwards()).t < onwards().max;
         }
         CHECK(met_any >= 1);
         CHECK(met_single == 1);
@@ -107,10 +106,10 @@ TEST_CASE("edges and corners that a ray meets exactly", "[shape]") {
     // A square of two triangles, and a third on the same side of the diagonal as the first.
     for (const Vec3& p : {Vec3(0.5, 0.5, -1), Vec3(0.25, 0.25, -1), Vec3(0.75, 0.75, -1)}) {
         const ShearedRay single(Ray{p, z}, Edges::one);
-        const bool first = single.meet(o, x, x + y, ahead()).t == 1,
-                   second = single.meet(o, x + y, y, ahead()).t == 1;
+        const bool first = single.meet(o, x, x + y, onwards()).t == 1,
+                   second = single.meet(o, x + y, y, onwards()).t == 1;
         CHECK(first != second);
-        const bool folded = single.meet(o, x + y, x + z, ahead()).t < ahead().max;
+        const bool folded = single.meet(o, x + y, x + z, onwards()).t < onwards().max;
         CHECK(folded == first);
     }
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/uv.h"
+#include "support/axes.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 bool close(const std::optional<Vec2>& found, const Vec2& expected) {
     return found && length(*found - expected) < 1e-9;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/assemble.h"
 
+#include "support/axes.h"
 #include "support/objects.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 Object combined(Csg csg, std::vector<ObjectHandle> children) {
     return *group(csg, std::move(children));

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers are POV-Ray's; more of them are in conformance/language.
 #include "solid/shape_extent.h"
+#include "solid/same_box.h"
+#include "support/axes.h"
 
 #include <catch2/catch.hpp>
-
-namespace {
-
-const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-
-bool is(const Box& box, const Vec3& low, const Vec3& high) {
-    return length(box.low - low) < 1e-4 && length(box.high - high) < 1e-4;
-}
-
-}  // namespace
 
 TEST_CASE("boxes along an axis are turned from z to it, from the smaller end", "[extent]") {
     const Vec3 cap(1, 2, 3);

@@ -2,12 +2,11 @@
 // The numbers are POV-Ray's; more of them are in conformance/language.
 #include "solid/traced_normal.h"
 #include "solid/solid.h"
+#include "support/axes.h"
 
 #include <catch2/catch.hpp>
 
 namespace {
-
-const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
 
 Vec3 traced(const Shape& shape, const Vec3& from, const Vec3& direction, bool inverse = false) {
     Object object;

@@ -9,15 +9,15 @@
 
 namespace {
 
-constexpr int size = 48;
+constexpr int sunlit_size = 48;
 
-World room(double sun, double gap, const LightSampler& sampler) {
-    return world_of_file("tests/bench/sun.pov", {{"Sun", sun}, {"Gap", gap}}, sampler, size);
+World sunlit_room(double sun, double gap, const LightSampler& sampler) {
+    return world_of_file("tests/bench/sun.pov", {{"Sun", sun}, {"Gap", gap}}, sampler, sunlit_size);
 }
 
-Image picture(const World& world, int samples, int seed) {
+Image sunlit_picture(const World& world, int samples, int seed) {
     RenderSettings settings;
-    settings.width = settings.height = size;
+    settings.width = settings.height = sunlit_size;
     settings.antialias = false;
     settings.samples = samples;
     settings.shadow_rays = 1;
@@ -26,7 +26,7 @@ Image picture(const World& world, int samples, int seed) {
 }
 
 double rmse(const World& world) {
-    const Image a = picture(world, 16, 0), b = picture(world, 16, 1);
+    const Image a = sunlit_picture(world, 16, 0), b = sunlit_picture(world, 16, 1);
     double squares = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         squares += std::pow(grey(a.pixels[i]) - grey(b.pixels[i]), 2) / 2;
@@ -42,19 +42,20 @@ double mean(const Image& image) {
 }  // namespace
 
 TEST_CASE("a hidden sun makes little more noise than none", "[statistics][claim-27]") {
-    const double without = rmse(room(0, 0, LightOctree{})), with = rmse(room(1, 0, LightOctree{}));
+    const double without = rmse(sunlit_room(0, 0, LightOctree{})),
+                 with = rmse(sunlit_room(1, 0, LightOctree{}));
     CAPTURE(without, with);
     CHECK(without > 0.001);
     CHECK(with < 1.25 * without);
 }
 
 TEST_CASE("a sun that comes through a gap gives all its light", "[statistics]") {
-    const double exact = mean(picture(room(1, 0.1, EveryLight{}), 4, 0));
-    const World world = room(1, 0.1, LightOctree{});
+    const double exact = mean(sunlit_picture(sunlit_room(1, 0.1, EveryLight{}), 4, 0));
+    const World world = sunlit_room(1, 0.1, LightOctree{});
     constexpr int runs = 16;
     double sum = 0, squares = 0;
     for (int seed = 0; seed < runs; ++seed) {
-        const double found = mean(picture(world, 8, seed)) / exact;
+        const double found = mean(sunlit_picture(world, 8, seed)) / exact;
         sum += found;
         squares += found * found;
     }
@@ -79,7 +80,7 @@ TEST_CASE("spheres of which nothing hides any make no noise", "[statistics][clai
                 finish { ambient 0 diffuse 0 emission 60/pow(2*pi*Radii[I], 2) }
             }
         #end)");
-    const Image a = picture(world, 1, 0), b = picture(world, 1, 1);
+    const Image a = sunlit_picture(world, 1, 0), b = sunlit_picture(world, 1, 1);
     double worst = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         worst = std::fmax(worst, std::abs(grey(a.pixels[i]) / grey(b.pixels[i]) - 1));

@@ -10,10 +10,10 @@
 
 namespace {
 
-constexpr int size = 24;
+constexpr int screen_size = 24;
 
 /// A screen of 12 x 8 fields, of which three are bright, over a floor.
-const std::string room = R"(#version 3.7;
+const std::string screen_room = R"(#version 3.7;
     global_settings { assumed_gamma 1 }
     camera { location <0, 3, -6> look_at <0, 0.5, 0> right x up y angle 50 }
     box { <-5, -0.2, -5>, <5, 0, 5> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
@@ -54,7 +54,7 @@ Picture picture(const std::string& script, const LightSampler& sampler, int samp
     options.light_sampler = sampler;
     World world = compile(scene_of(script), options, diagnostics);
     RenderSettings settings;
-    settings.width = settings.height = size;
+    settings.width = settings.height = screen_size;
     settings.antialias = false;
     settings.samples = samples;
     settings.shadow_rays = 1;
@@ -69,19 +69,19 @@ Picture picture(const std::string& script, const LightSampler& sampler, int samp
         sum += (x + y) / 2;
         squares += (x - y) * (x - y) / 2;
     }
-    const double pixels = size * size, mean = sum / pixels;
+    const double pixels = screen_size * screen_size, mean = sum / pixels;
     return {mean, std::sqrt(squares / pixels * samples) / mean};
 }
 
 }  // namespace
 
 TEST_CASE("a screen lights as its fields would one by one", "[statistics]") {
-    const Picture exact = picture(room + parts, EveryLight{}, 2);
+    const Picture exact = picture(screen_room + parts, EveryLight{}, 2);
     LightOctree alone;
     alone.alone = true;
     for (const LightSampler& sampler :
          {LightSampler(EveryLight{}), LightSampler(LightOctree{}), LightSampler(alone)}) {
-        const Picture found = picture(room + whole, sampler, 256);
+        const Picture found = picture(screen_room + whole, sampler, 256);
         CAPTURE(exact.mean, found.mean, exact.noise, found.noise);
         CHECK(found.mean == Approx(exact.mean).epsilon(0.01));
         CHECK(found.noise < 2.5);

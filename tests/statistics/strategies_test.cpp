@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr int size = 12;
+constexpr int strategy_size = 12;
 constexpr int runs = 24;
 
 /// Mean and its variance, from independent runs.
@@ -36,11 +36,11 @@ Estimate estimate(const std::vector<double>& values) {
 
 Estimates render_often(const World& world, int samples) {
     RenderSettings settings;
-    settings.width = settings.height = size;
+    settings.width = settings.height = strategy_size;
     settings.antialias = false;
     settings.samples = samples;
     settings.shadow_rays = 1;
-    std::vector<std::vector<double>> pixels(size * size);
+    std::vector<std::vector<double>> pixels(strategy_size * strategy_size);
     std::vector<double> whole;
     for (settings.seed = 0; settings.seed < runs; ++settings.seed) {
         const Image image = render(world, settings).image;
@@ -106,7 +106,7 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire and light 
             INFO(name << ", " << Kinds<LightSampler>::infos[sampler.index()]->name << ": "
                       << found.whole.mean << " instead of " << exact.whole.mean);
             CHECK(deviations(found.whole, exact.whole, 1e-6) < 4.5);
-            const double mean = exact.whole.mean / (size * size);
+            const double mean = exact.whole.mean / (strategy_size * strategy_size);
             // 144 pixels, 8 strategies and 9 scenes: so far out only once in thousands of runs of
             // this test.
             for (std::size_t p = 0; p < exact.pixels.size(); ++p) {

@@ -8,7 +8,7 @@
 
 namespace {
 
-std::string squeezed(const std::string& text) {
+std::string without_double_spaces(const std::string& text) {
     std::string result;
     for (const char c : text)
         if (c != ' ' || !result.ends_with(' ')) result += c == '\n' ? ' ' : c;
@@ -41,7 +41,7 @@ TEST_CASE("what follows branches that open braces is part of each", "[syntax]") 
     INFO(text);
     const Parsed parsed(text);
     CHECK(parsed.messages() == "");
-    CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+    CHECK(without_double_spaces(print(parsed.tree, parsed.names)) == meaning);
 }
 
 TEST_CASE("of branches that are no whole elements only that for the version is read", "[syntax]") {
@@ -60,7 +60,7 @@ TEST_CASE("of branches that are no whole elements only that for the version is r
     INFO(text);
     const Parsed parsed(text);
     CHECK(parsed.messages() == "");
-    CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+    CHECK(without_double_spaces(print(parsed.tree, parsed.names)) == meaning);
 }
 
 TEST_CASE("what stands between two conditions of the same text may have braces by choice",
@@ -77,7 +77,7 @@ TEST_CASE("what stands between two conditions of the same text may have braces b
     INFO(text);
     const Parsed parsed(text);
     CHECK(parsed.messages() == "");
-    CHECK(squeezed(print(parsed.tree, parsed.names)) == meaning);
+    CHECK(without_double_spaces(print(parsed.tree, parsed.names)) == meaning);
 }
 
 TEST_CASE("branches that do not open the same are an error", "[syntax]") {

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The number beyond all others, by a name that is short.
+#pragma once
+
+#include <limits>
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
