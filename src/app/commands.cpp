@@ -9,6 +9,7 @@
 #include "app/lsp.h"
 #include "app/merge.h"
 #include "app/preview.h"
+#include "app/sandbox.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
 #include "text/harmless.h"
@@ -47,6 +48,18 @@ std::string ini_text(const Options& options) {
     std::string text;
     for (const std::string& line : options.given) text += line + "\n";
     return text;
+}
+
+/// Confines the program to what the run needs. False after a report: a sandbox was asked for, and
+/// the system has none. Commands of the shell may need anything.
+bool confined(const Options& options, const Console& console, Diagnostics& diagnostics) {
+    const bool wanted = options.sandbox.value_or(!options.commands.any());
+    if (!wanted || !console.confine) return true;
+    if (console.confine(sandbox_rules(options, console.library)) || !options.sandbox) return true;
+    diagnostics.add(
+        error(Fault::option, {}, "this system has no sandbox: Landlock or seccomp is missing")
+            .with_help("--sandbox off"));
+    return false;
 }
 
 /// What the program does beside rendering, by its first argument.
@@ -126,5 +139,6 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     sorted.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
         streams.say(stream, text, plain);
     };
+    if (!confined(options, console, diagnostics)) return end_with_errors(exit_status::usage);
     return run_task(options, animation, sorted, diagnostics);
 }

@@ -14,6 +14,7 @@
 
 class Film;
 class World;
+struct SandboxRules;
 struct RayCounts;
 
 /// What the shell is told.
@@ -49,6 +50,8 @@ struct Console {
     std::string library;      ///< folder of the standard library; empty: none
     Interrupts interrupts;    ///< what signals ask
     Environment environment;  ///< variables; empty: there are none
+    /// Confines the process to these rules; false when the system cannot. Empty: it stays free.
+    std::function<bool(const SandboxRules&)> confine;
     /// Who looks at pictures on their way and, as long as they like, at finished ones; and at the
     /// files that they are made from. May be empty.
     std::function<void(const Exhibit&)> watch, linger;

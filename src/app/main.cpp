@@ -2,6 +2,7 @@
 // The program: arguments in, exit status out.
 #include "app/commands.h"
 #include "app/library.h"
+#include "app/sandbox.h"
 #include "app/signals.h"
 #include "text/message.h"
 
@@ -45,6 +46,7 @@ int main(int count, char** arguments) {
         const char* value = std::getenv(name.c_str());
         return value ? std::optional<std::string>(value) : std::nullopt;
     };
+    console.confine = confine;
     console.library = standard_library(own_path(), std::getenv("CANDELABRA_STDLIB")).value_or("");
     console.settings =
         settings_file(std::getenv("CANDELABRA_INI"), std::getenv("HOME")).value_or("");

@@ -148,6 +148,10 @@ constexpr auto rows = std::to_array<OptionRow>({
            "folder below which the scene may read, too; may be given several times"),
     option("", "", "allow-write", value, "folder", store::allow_write,
            "folder below which the scene may write, too; may be given several times"),
+    option(
+        "", "", "sandbox", value, "on|off", store::sandbox,
+        "whether the program confines itself to the files and system calls that the run needs; on "
+        "where the system can do that (Linux's Landlock and seccomp), off with --allow-commands"),
     option("", "", "limit-steps", value, "n", store::limit_steps,
            "how many passes of loops and calls of macros a scene may take (200 million)"),
     option("", "", "limit-depth", value, "n", store::limit_depth,

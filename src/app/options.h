@@ -55,6 +55,7 @@ struct Options {
     std::vector<std::string> library_paths;
     std::vector<std::string> readable;  ///< folders that the scene may read below, too
     std::vector<std::string> writable;  ///< folders that it may write below, too
+    std::optional<bool> sandbox;        ///< nothing: where the system has one
     Limits limits;
     std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
     unsigned at_once = 1;                       ///< scenes that may be at work at the same time

@@ -125,3 +125,12 @@ void store::memory(Options& options, const Given& given, Diagnostics& diagnostic
         return refuse(given, diagnostics, "a size of memory is a number with K, M, G or T", "8G");
     options.memory_bytes = static_cast<std::uint64_t>(*bytes);
 }
+
+void store::sandbox(Options& options, const Given& given, Diagnostics& diagnostics) {
+    if (*given.value != "on" && *given.value != "off")
+        refuse(given, diagnostics,
+               message("a sandbox is `on` or `off`, not `", harmless(*given.value), "`"),
+               "--sandbox off");
+    else
+        options.sandbox = *given.value == "on";
+}

@@ -24,5 +24,6 @@ void preview(Options&, const Given&, Diagnostics&);
 void depfile(Options&, const Given&, Diagnostics&);
 void progress(Options&, const Given&, Diagnostics&);
 void memory(Options&, const Given&, Diagnostics&);
+void sandbox(Options&, const Given&, Diagnostics&);
 
 }  // namespace store

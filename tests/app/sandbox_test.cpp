@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sandbox.h"
+
+#include "evaluate/evaluate.h"
+#include "support/folder.h"
+#include "text/loader.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+/// What a confined process finds: whether each of these goes. The tests' own process stays free.
+enum Goes {
+    reads_inside = 1,
+    reads_outside = 2,
+    writes_inside = 4,
+    writes_outside = 8,
+    sockets = 16,
+    programs = 32
+};
+
+/// Runs in a process of its own, and gives its exit status.
+int apart(const std::function<int()>& work) {
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) ::_exit(work());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+bool opens(const std::string& path, int how) {
+    const int file = ::open(path.c_str(), how, 0600);
+    if (file >= 0) ::close(file);
+    return file >= 0;
+}
+
+int tried(const SandboxRules& rules, const std::string& inside, const std::string& outside) {
+    return apart([&] {
+        if (!confine(rules)) return 64;
+        const pid_t child = ::vfork();
+        if (child == 0) {
+            ::execl("/bin/true", "true", nullptr);
+            ::_exit(1);
+        }
+        int status = 1;
+        if (child > 0) ::waitpid(child, &status, 0);
+        return (opens(inside + "/a", O_RDONLY) ? reads_inside : 0) |
+               (opens(outside + "/a", O_RDONLY) ? reads_outside : 0) |
+               (opens(inside + "/b", O_WRONLY | O_CREAT) ? writes_inside : 0) |
+               (opens(outside + "/b", O_WRONLY | O_CREAT) ? writes_outside : 0) |
+               (::socket(AF_INET, SOCK_STREAM, 0) >= 0 ? sockets : 0) |
+               (child > 0 && status == 0 ? programs : 0);
+    });
+}
+
+/// What a scene says when it is evaluated with a door that lets everything pass, in a process that
+/// is confined to a folder: 0 when it has no error.
+int through_open_door(const std::string& folder, const std::string& script) {
+    return apart([&] {
+        if (!confine({{folder}, {folder}})) return 64;
+        SourceStore sources;
+        Diagnostics diagnostics;
+        Loader loader(disk_reader(), folder, {}, Door({"/"}, {"/"}));
+        EvaluateOptions options;
+        options.print = [](std::string_view) {};
+        const SourceId main = sources.add("scene.pov", script);
+        evaluate(sources, loader, main, options, diagnostics);
+        return diagnostics.failed() ? 1 : 0;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("a confined process reaches what its rules name, and nothing else", "[app]") {
+    const Folder folder;
+    const std::string in = (folder.path() / "in").string(), out = (folder.path() / "out").string();
+    for (const std::string& each : {in, out}) {
+        std::filesystem::create_directories(each);
+        std::ofstream(each + "/a") << "text";
+    }
+    const int free = tried({{"/"}, {"/"}, true, true}, in, out);
+    if (free == 64) {
+        WARN("this system has no Landlock or no seccomp");
+        return;
+    }
+    CHECK(free ==
+          (reads_inside | reads_outside | writes_inside | writes_outside | sockets | programs));
+    CHECK(tried({{in}, {}}, in, out) == reads_inside);
+    CHECK(tried({{}, {in}}, in, out) == (reads_inside | writes_inside));
+    CHECK(tried({{in, "/usr", "/lib", "/lib64", "/bin", "/etc"}, {}, false, true}, in, out) ==
+          (reads_inside | programs));
+    CHECK(tried({{in}, {}, true, false}, in, out) == (reads_inside | sockets));
+}
+
+TEST_CASE("a hole in the door leads to the wall", "[app]") {
+    const Folder folder;
+    const std::string in = (folder.path() / "in").string(), out = (folder.path() / "out").string();
+    for (const std::string& each : {in, out}) {
+        std::filesystem::create_directories(each);
+        std::ofstream(each + "/a.inc") << "#declare A = 1;";
+    }
+    const auto reads = [&](const std::string& from) {
+        return "#version 3.7; #include \"" + from + "/a.inc\"";
+    };
+    const auto writes = [&](const std::string& to) {
+        return "#version 3.7; #fopen F \"" + to + "/b.txt\" write #write (F, 1) #fclose F";
+    };
+    const int inside = through_open_door(in, reads(in));
+    if (inside == 64) {
+        WARN("this system has no Landlock or no seccomp");
+        return;
+    }
+    CHECK(inside == 0);
+    CHECK(through_open_door(in, writes(in)) == 0);
+    CHECK(through_open_door(in, reads(out)) == 1);
+    CHECK(through_open_door(in, writes(out)) == 1);
+    CHECK_FALSE(std::filesystem::exists(out + "/b.txt"));
+}
+
+TEST_CASE("a run may touch its scene, its library and the folders of what it makes", "[app]") {
+    const auto has = [](const std::vector<std::string>& list, const std::string& one) {
+        return std::ranges::find(list, one) != list.end();
+    };
+    Options options;
+    options.scene = "scenes/a.pov";
+    options.output = "pictures/a.png";
+    options.stats_file = "figures/a.json";
+    options.readable = {"models"};
+    options.writable = {"tables"};
+    const SandboxRules rules = sandbox_rules(options, "library");
+    for (const char* each : {"scenes", ".", "models", "library"}) CHECK(has(rules.readable, each));
+    for (const char* each : {"pictures", "figures", "tables"}) CHECK(has(rules.writable, each));
+    CHECK_FALSE(has(rules.readable, "/etc"));
+    CHECK_FALSE(has(rules.writable, "."));
+    CHECK_FALSE(rules.sockets);
+    CHECK_FALSE(rules.programs);
+    options.task = Task::check;
+    CHECK_FALSE(has(sandbox_rules(options, "").writable, "pictures"));
+    options.preview_port = 8000;
+    options.movie = "film.mp4";
+    CHECK(sandbox_rules(options, "").sockets);
+    CHECK(sandbox_rules(options, "").programs);
+}
