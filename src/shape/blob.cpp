@@ -265,7 +265,7 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Wante
 
 }  // namespace
 
-BuiltBlob build(const Blob& blob) {
+BuiltBlob build(const Blob& blob, const RayIndex& index) {
     BuiltBlob result;
     result.threshold = blob.threshold;
     const auto add = [&](const Source& field) {
@@ -290,7 +290,7 @@ BuiltBlob build(const Blob& blob) {
     }
     std::vector<Box> boxes;
     for (const Source& field : result.sources) boxes.push_back(bounds(field));
-    result.index = PartIndex(std::move(boxes));
+    result.index = PartIndex(std::move(boxes), index);
     return result;
 }
 
