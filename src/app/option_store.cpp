@@ -37,6 +37,26 @@ std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics)
     return refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12"), std::nullopt;
 }
 
+/// One of the alternatives, by its keyword, with its default values.
+template <class Variant>
+void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& given,
+            Diagnostics& diagnostics) {
+    using All = Kinds<Variant>;
+    std::vector<std::string_view> names;
+    for (const ItemInfo* info : All::infos) names.push_back(info->name);
+    const std::size_t found = All::find(*given.value);
+    if (found < All::count) {
+        chosen = All::make(found);
+        return;
+    }
+    std::string help = "there are";
+    for (const std::string_view name : names)
+        help += message(name == names.front() ? " " : ", ", name);
+    const std::string meant = nearest(*given.value, names);
+    refuse(given, diagnostics, message("there is no ", noun, " `", harmless(*given.value), "`"),
+           meant.empty() ? help : message("did you mean `", meant, "`? ", help));
+}
+
 }  // namespace
 
 std::optional<double> number(std::string_view text) {
@@ -174,20 +194,11 @@ void store::declare(Options& options, const Given& given, Diagnostics& diagnosti
 }
 
 void store::sampler(Options& options, const Given& given, Diagnostics& diagnostics) {
-    using All = Kinds<LightSampler>;
-    std::vector<std::string_view> names;
-    for (const ItemInfo* info : All::infos) names.push_back(info->name);
-    const std::size_t found = All::find(*given.value);
-    if (found < All::count) {
-        options.render.light_sampler = All::make(found);
-        return;
-    }
-    std::string help = "there are";
-    for (const std::string_view name : names)
-        help += message(name == names.front() ? " " : ", ", name);
-    const std::string meant = nearest(*given.value, names);
-    refuse(given, diagnostics, message("there is no light sampler `", harmless(*given.value), "`"),
-           meant.empty() ? help : message("did you mean `", meant, "`? ", help));
+    choose(options.render.light_sampler, "light sampler", given, diagnostics);
+}
+
+void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {
+    choose(options.render.index, "index", given, diagnostics);
 }
 
 void store::clock(Options& options, const Given& given, Diagnostics& diagnostics) {

@@ -50,6 +50,7 @@ void to_file(Options&, const Given&, Diagnostics&);
 void type(Options&, const Given&, Diagnostics&);
 void bits(Options&, const Given&, Diagnostics&);
 void sampler(Options&, const Given&, Diagnostics&);
+void index(Options&, const Given&, Diagnostics&);
 void library(Options&, const Given&, Diagnostics&);
 void allow_read(Options&, const Given&, Diagnostics&);
 void allow_write(Options&, const Given&, Diagnostics&);

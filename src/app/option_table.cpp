@@ -17,7 +17,7 @@ constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";
 constexpr std::string_view older = "it changes nothing in a picture";
 constexpr std::string_view over = "the run has ended then";
-constexpr std::string_view index = "objects are always found through a hierarchy of boxes";
+constexpr std::string_view index = "objects are always found through an index; see --index";
 
 using Store = void (*)(Options&, const Given&, Diagnostics&);
 using Text = std::string_view;
@@ -140,6 +140,9 @@ constexpr auto rows = std::to_array<OptionRow>({
            "parts are samples (the default), tiles, or frames (the default of animations)"),
     option("", "", "light-sampler", value, "name", store::sampler,
            "way to choose luminaires, instead of the scene's; see LIGHT SAMPLERS"),
+    option("", "", "index", value, "name", store::index,
+           "what finds the surfaces that rays meet, instead of the scene's: kd_tree or "
+           "bounding_boxes; pictures are the same"),
     setting("", "", "seed", "seed"),
     setting("WT", "Work_Threads", "threads", "threads"),
     option("L", "Library_Path", "", value, "folder", store::library,

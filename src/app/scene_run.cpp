@@ -197,9 +197,13 @@ private:
 
     CompileOptions compile_options() const {
         const RenderSettings& render = options_.render;
-        return {render.threads, render.light_sampler,
-                render.quality, render.width,
-                render.height,  console_.linger || extras_for(options_.layers, false).surface};
+        return {render.threads,
+                render.light_sampler,
+                render.index,
+                render.quality,
+                render.width,
+                render.height,
+                console_.linger || extras_for(options_.layers, false).surface};
     }
 
     /// The scene as the clock runs on while the camera's shutter is open.

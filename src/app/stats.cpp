@@ -48,7 +48,8 @@ void complete(RunStatistics& run, const World& world, const RenderSettings& sett
     run.primitives = world.material_of.size();
     run.luminaires = world.luminaires.size();
     run.light_sources = world.lights.size();
-    run.bvh = statistics(world.tree);
+    run.index = Kinds<RayIndex>::infos[world.settings.index.index()]->name;
+    run.tree = statistics(world.tree);
     run.peak_memory_bytes = peak_memory_bytes();
     run.light_sampler_bytes =
         std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
@@ -86,13 +87,15 @@ std::string to_json(const RunStatistics& run) {
          {{"camera", run.rays.camera},
           {"shadow", run.rays.shadow},
           {"scattered", run.rays.scattered}}},
-        {"bvh",
-         {{"bytes", run.bvh.bytes},
-          {"nodes", run.bvh.nodes},
-          {"leaves", run.bvh.leaves},
-          {"max_depth", run.bvh.max_depth},
-          {"items_per_leaf", run.bvh.mean_items_per_leaf},
-          {"cost", run.bvh.cost}}},
+        {"index", run.index},
+        {run.index == KdTree::vocabulary.name ? "kdtree" : "bounding_boxes",
+         {{"bytes", run.tree.bytes},
+          {"nodes", run.tree.nodes},
+          {"cells", run.tree.leaves},
+          {"depth", run.tree.max_depth},
+          {"references", run.tree.references},
+          {"references_per_cell", run.tree.mean_items_per_leaf},
+          {"cost", run.tree.cost}}},
         {"light_octree", {{"bytes", run.light_octree_bytes}}},
         {"light_sampler_bytes", run.light_sampler_bytes},
         {"peak_memory_bytes", run.peak_memory_bytes},

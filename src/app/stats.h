@@ -40,7 +40,8 @@ struct RunStatistics {
     std::size_t luminaires = 0;
     std::size_t light_sources = 0;
     RayCounts rays;
-    BvhStatistics bvh;
+    std::string index;  ///< its name
+    TreeStatistics tree;
     std::size_t light_octree_bytes = 0;   ///< 0: another sampler was used
     std::size_t light_sampler_bytes = 0;  ///< whichever was used
     std::size_t peak_memory_bytes = 0;

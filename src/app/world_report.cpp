@@ -33,7 +33,7 @@ std::string luminaire_text(const World& world) {
 }  // namespace
 
 std::string report(const World& world) {
-    const BvhStatistics tree = statistics(world.tree);
+    const TreeStatistics tree = statistics(world.tree);
     const Projection& camera = world.camera;
     return message(
         "objects: ", world.objects, "\n", "primitives: ", world.spheres.size(), " spheres, ",

@@ -2,6 +2,7 @@
 #include "evaluate/settings.h"
 
 #include "base/gamma.h"
+#include "evaluate/choice_block.h"
 #include "evaluate/item_block.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
@@ -36,107 +37,34 @@ constexpr auto words_of_paper =
     std::to_array<std::string_view>({"threshold", "white", "max_bright", "representatives"});
 constexpr auto words_of_cuts = std::to_array<std::string_view>({"eta", "cut", "outlook", "alone"});
 
-/// The name of a sampler, alone, with its parameters behind it or in braces.
-class SamplerReader {
-public:
-    SamplerReader(OpenBlock& block, LightSampler& sampler)
-        : block_(block), sampler_(sampler), fields_(block, EveryLight::vocabulary, &sampler) {}
+/// Tells of parameters that the others leave without effect.
+void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReader& fields,
+                  Span span) {
+    const auto* octree = std::get_if<LightOctree>(&sampler);
+    if (!octree) return;
+    const auto check = [&](std::string_view word, std::string_view why) {
+        if (fields.given(word))
+            block.report(warning(Fault::no_effect, span,
+                                 message('`', word, "` of `light_octree` has no effect ", why)));
+    };
+    for (const std::string_view word : words_of_paper)
+        if (!octree->paper) check(word, "without `paper`");
+    for (const std::string_view word : words_of_cuts)
+        if (octree->paper) check(word, "with `paper`");
+    if (octree->alone && !octree->paper) check("outlook", "with `alone`");
+}
 
-    bool waiting() const { return fields_.waiting(); }
-    bool wants() const { return fields_.wants(); }
+ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler) {
+    return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
+}
 
-    bool take(const Element& element) {
-        const bool named =
-            element.kind == Element::Kind::word || element.kind == Element::Kind::block;
-        const std::size_t kind = !fields_.waiting() && element.word != no_name
-                                     ? Kinds<LightSampler>::find(block_.spelling(element.word))
-                                     : Kinds<LightSampler>::count;
-        if (kind == Kinds<LightSampler>::count) return chosen_ && fields_.take(element);
-        // A name that the scene has declared as something else arrives as its value.
-        if (!named && element.kind != Element::Kind::value) return false;
-        if (chosen_) {
-            block_.report(error(Fault::duplicate, element.word_span,
-                                "`light_sampler` has one strategy, and this is a second")
-                              .with_help(block_.help()));
-            return true;
-        }
-        chosen_ = true;
-        sampler_ = Kinds<LightSampler>::make(kind);
-        fields_.rebind(*Kinds<LightSampler>::infos[kind], Kinds<LightSampler>::address(sampler_));
-        if (element.kind == Element::Kind::block)
-            read_parameters(element, *Kinds<LightSampler>::infos[kind]);
-        return true;
-    }
-
-    void finish() {
-        fields_.finish();
-        warn_of_idle(fields_, block_.span);
-        if (!chosen_ && !block_.broken)
-            block_.report(
-                error(Fault::missing, block_.span, "`light_sampler` needs the name of a strategy")
-                    .with_help(block_.help()));
-    }
-
-    void add_words(WordList& words) const {
-        for (const ItemInfo* info : Kinds<LightSampler>::infos) words.push_back(info->name);
-        fields_.add_words(words);
-    }
-
-private:
-    void read_parameters(const Element& element, const ItemInfo& info) {
-        OpenBlock inner(block_.binder, info.name, element.word_span);
-        inner.item = &info;
-        ItemReader fields(inner, info, Kinds<LightSampler>::address(sampler_));
-        inner.read(element.body, fields);
-        block_.broken |= inner.broken;
-        warn_of_idle(fields, element.word_span);
-    }
-
-    /// Tells of parameters that the others leave without effect.
-    void warn_of_idle(const ItemReader& fields, Span span) {
-        const auto* octree = std::get_if<LightOctree>(&sampler_);
-        if (!octree) return;
-        const auto check = [&](std::string_view word, std::string_view why) {
-            if (fields.given(word))
-                block_.report(
-                    warning(Fault::no_effect, span,
-                            message('`', word, "` of `light_octree` has no effect ", why)));
-        };
-        for (const std::string_view word : words_of_paper)
-            if (!octree->paper) check(word, "without `paper`");
-        for (const std::string_view word : words_of_cuts)
-            if (octree->paper) check(word, "with `paper`");
-        if (octree->alone && !octree->paper) check("outlook", "with `alone`");
-    }
-
-    OpenBlock& block_;
-    LightSampler& sampler_;
-    ItemReader fields_;
-    bool chosen_ = false;
-};
-
-/// light_sampler { ... } in global_settings.
-class SamplerBlock : public SimpleReader {
-public:
-    SamplerBlock(OpenBlock& block, LightSampler& sampler) : block_(block), sampler_(sampler) {}
-
-    bool take(const Element& element) {
-        if (element.kind != Element::Kind::block ||
-            block_.spelling(element.word) != "light_sampler")
-            return false;
-        OpenBlock inner(block_.binder, "light_sampler", element.word_span);
-        const std::string form = sampler_form();
-        inner.form = form;
-        SamplerReader reader(inner, sampler_);
-        inner.read(element.body, reader);
-        return true;
-    }
-    void add_words(WordList& words) const { words.push_back("light_sampler"); }
-
-private:
-    OpenBlock& block_;
-    LightSampler& sampler_;
-};
+ChoiceBlock<RayIndex> index_block(OpenBlock& block, RayIndex& index) {
+    const auto all_have_effect = [](OpenBlock&, const RayIndex&, const ItemReader&, Span) {};
+    return {block,
+            {"index", "structure", "{ kd_tree [node_cost n] ... }, or { bounding_boxes }"},
+            all_have_effect,
+            index};
+}
 
 /// The fields; `assumed_gamma srgb` is the one that has a word for its value.
 class SettingsFields {
@@ -217,11 +145,12 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
         "radiosity photons";
     const double gamma = settings.assumed_gamma;
     SettingsFields fields(block, settings);
-    SamplerBlock sampler(block, settings.light_sampler);
+    auto sampler = sampler_block(block, settings.light_sampler);
+    auto index = index_block(block, settings.index);
     LuminairesReader luminaires(block, settings.ambient_luminaires);
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
-    block.read(element.body, luminaires, fields, sampler, subsurface);
+    block.read(element.body, luminaires, fields, sampler, index, subsurface);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);

@@ -18,7 +18,7 @@ public:
         std::iota(items_.begin(), items_.end(), 0u);
     }
 
-    /// As Bvh::traverse, with one leaf for everything.
+    /// As WideTree::traverse, with one leaf for everything.
     template <class Visit>
     bool traverse(const Ray&, Interval range, Visit&& visit) const {
         return !items_.empty() && visit(std::span<const std::uint32_t>(items_), range);

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/short_list.h"
 #include "base/single.h"
+#include "index/cell_split.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,25 +17,33 @@ namespace {
 /// Boxes with more items than this have their parts built side by side.
 constexpr std::size_t fork_limit = 16384;
 /// Below so many levels items are halved, whatever it costs: the levels that are left do for all.
-constexpr int careful_depth = Bvh::depth_limit - 12;
+constexpr int careful_depth = WideTree::depth_limit - 12;
 /// Boxes that are smaller than this share of their frame's begin a new one.
 constexpr double least_reach = 0x1p-10;
 
-/// A box and its items, which are side by side.
+/// Cells are divided until they have so many times as many items as there are, all together.
+constexpr double most_references = 8;
+/// And until they have this number altogether.
+constexpr double references_limit = WideTree::item_limit / 2;
+
+/// A box and its items.
 struct Part {
-    enum class Kind { unknown, leaf, divided, halved };
+    enum class Kind { unknown, leaf, cut, divided, halved };
 
-    Box box;
-    std::size_t first = 0, count = 0;
+    Box box = {};
+    std::span<Fragment> items = {};
+    std::vector<Fragment> own = {};      ///< of a cell: where the items are
+    double allowance = most_references;  ///< of a cell: the factor that is left of it
     Kind kind = Kind::unknown;
-    Split split = {};  ///< of what is divided
+    Split split = {};      ///< of what is divided
+    CellSplit plane = {};  ///< of what is cut
     Prospect prospect = {};
-    BvhChild child = BvhChild::leaf(0);  ///< what it becomes
-    std::uint32_t node = 0;              ///< of what is no leaf
+    TreeChild child = TreeChild::leaf(0);  ///< what it becomes
+    std::uint32_t node = 0;                ///< of what is no leaf
 
-    bool inner() const { return kind == Kind::divided || kind == Kind::halved; }
+    bool inner() const { return kind != Kind::unknown && kind != Kind::leaf; }
 };
-using Parts = ShortList<Part, BvhNode::width>;
+using Parts = ShortList<Part, TreeNode::width>;
 
 /// Puts the parts in the order in which rays that ask for anything in their way visit them, the
 /// last one first: where a step stops them likeliest (Ize and Hansen, "RTSAH Traversal Order for
@@ -57,9 +66,9 @@ Prospect put_in_order(Parts& parts, const Box& box) {
 }
 
 /// The node of some parts, without children.
-BvhNode node_around(const Parts& parts, const Vec3& origin) {
+TreeNode node_around(const Parts& parts, const Vec3& origin) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    BvhNode node;
+    TreeNode node;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<int>(axis);
         node.low[axis].fill(infinity);
@@ -72,8 +81,21 @@ BvhNode node_around(const Parts& parts, const Vec3& origin) {
     return node;
 }
 
-BvhFrame frame_around(const Box& box, std::uint32_t root) {
+TreeFrame frame_around(const Box& box, std::uint32_t root) {
     return {box.centre(), 0.5 * max_component(box.size()), root};
+}
+
+/// A part with its items, to be built; what is left has its place and its box.
+Part taken(Part& part) {
+    Part result;
+    result.box = part.box;
+    result.items = part.items;
+    result.own = std::move(part.own);
+    result.allowance = part.allowance;
+    result.kind = part.kind;
+    result.split = part.split;
+    result.plane = part.plane;
+    return result;
 }
 
 /// So much of everything comes before what has been built apart.
@@ -81,99 +103,121 @@ struct Offset {
     std::uint32_t nodes, frames;
     std::size_t leaves;  ///< in words
 
-    BvhChild of(BvhChild child) const {
-        if (child.is_frame()) return BvhChild::frame(child.frame() + frames);
-        if (child.is_node()) return BvhChild::node(child.node() + nodes);
-        return BvhChild::leaf(child.leaf() + leaves);
+    TreeChild of(TreeChild child) const {
+        if (child.is_frame()) return TreeChild::frame(child.frame() + frames);
+        if (child.is_node()) return TreeChild::node(child.node() + nodes);
+        return TreeChild::leaf(child.leaf() + leaves);
     }
-    BvhNode of(BvhNode node) const {
-        for (BvhChild& child : node.children) child = of(child);
+    TreeNode of(TreeNode node) const {
+        for (TreeChild& child : node.children) child = of(child);
         return node;
     }
 };
 
 class NodeBuilder {
 public:
-    NodeBuilder(const NodeTask& task, std::span<Fragment> fragments, bool cut)
-        : task_(task), fragments_(fragments), cut_(cut) {}
+    NodeBuilder(const NodeTask& task, bool cut) : task_(task), cut_(cut) {}
 
     /// What is in a box, which begins so many levels deep.
-    BuiltNodes build(const Box&, const BvhFrame&, int depth);
+    BuiltNodes build(Part, const TreeFrame&, int depth);
 
 private:
-    std::span<Fragment> fragments(const Part& part) const {
-        return fragments_.subspan(part.first, part.count);
-    }
+    bool by_cells() const { return task_.costs.by == Division::cells; }
     void decide(Part&, int depth) const;
-    std::pair<Part, Part> halves(const Part&) const;
-    Parts parts_of(const Part&, int depth) const;
+    std::pair<Part, Part> halves(Part&) const;
+    std::pair<Part, Part> sides(const Part&) const;
+    Parts parts_of(Part, int depth) const;
     void finish_leaf(Part&);
-    Prospect build(std::uint32_t node, const Part&, const BvhFrame&, int depth);
-    void build_apart(std::span<Part>, const BvhFrame&, int depth);
+    Prospect build(std::uint32_t node, Part, const TreeFrame&, int depth);
+    void build_apart(std::span<Part>, const TreeFrame&, int depth);
     void adopt(const Part&, const BuiltNodes&);
     /// The frame of a part with a node.
-    const BvhFrame& frame_of(const Part&, const BvhFrame& outer) const;
+    const TreeFrame& frame_of(const Part&, const TreeFrame& outer) const;
 
     const NodeTask& task_;
-    std::vector<Fragment> pieces_;   ///< the fragments, if they are cut
-    std::span<Fragment> fragments_;  ///< those of a part are side by side
-    bool cut_;                       ///< the fragments are pieces already
+    bool cut_;  ///< the items are pieces already
     BuiltNodes made_;
 };
 
-BuiltNodes NodeBuilder::build(const Box& box, const BvhFrame& frame, int depth) {
-    if (task_.part && !cut_ && fragments_.size() <= fork_limit) {
-        pieces_ = pieces_of(fragments_, box, task_.part, task_.slack);
-        if (!pieces_.empty()) {
-            fragments_ = pieces_;
-            cut_ = true;
-        }
+BuiltNodes NodeBuilder::build(Part whole, const TreeFrame& frame, int depth) {
+    if (!by_cells() && task_.part && !cut_ && whole.items.size() <= fork_limit) {
+        whole.own = pieces_of(whole.items, whole.box, task_.part, task_.slack);
+        cut_ = !whole.own.empty();
+        if (cut_) whole.items = whole.own;
     }
     made_.nodes.emplace_back();
     made_.frames.push_back(frame);
     made_.leaves.push_back(0);
-    made_.prospect = build(0, Part{box, 0, fragments_.size()}, frame, depth);
+    made_.prospect = build(0, std::move(whole), frame, depth);
     return std::move(made_);
 }
 
 /// Finds out what becomes of the part.
 void NodeBuilder::decide(Part& part, int depth) const {
-    const bool fits = part.count <= leaf_limit;
+    const bool fits = part.items.size() <= leaf_limit;
     part.kind = fits ? Part::Kind::leaf : Part::Kind::halved;
-    if (part.count <= 1 || depth >= careful_depth) return;
-    part.split = find_split(fragments(part), part.box, task_.costs, !fits);
+    if (part.items.size() <= 1 || depth >= careful_depth) return;
+    if (by_cells()) {
+        if (part.allowance > 1)
+            part.plane = find_cell_split(part.items, part.box, task_.costs, task_.slack);
+        if (part.plane.found()) part.kind = Part::Kind::cut;
+        if (fits || part.plane.found()) return;
+    }
+    part.split = find_split(part.items, part.box, task_.costs, !fits);
     if (part.split.found()) part.kind = Part::Kind::divided;
 }
 
-std::pair<Part, Part> NodeBuilder::halves(const Part& part) const {
-    const std::span<Fragment> all = fragments(part);
+/// Both are where the whole was.
+std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
+    const std::span<Fragment> all = part.items;
     Part below, above;
+    std::size_t count = all.size() / 2;
     if (part.kind == Part::Kind::divided) {
         const auto second = std::ranges::partition(
             all, [&](const Fragment& f) { return part.split.puts_below(f.box); });
-        below.count = all.size() - second.size();
+        count = all.size() - second.size();
         below.box = part.split.below;
         above.box = part.split.above;
     } else {
-        below.count = all.size() / 2;
-        for (const Fragment& f : all.first(below.count)) below.box = join(below.box, f.box);
-        for (const Fragment& f : all.subspan(below.count)) above.box = join(above.box, f.box);
+        for (const Fragment& f : all.first(count)) below.box = join(below.box, f.box);
+        for (const Fragment& f : all.subspan(count)) above.box = join(above.box, f.box);
     }
-    below.first = part.first;
-    above.first = part.first + below.count;
-    above.count = part.count - below.count;
-    return {below, above};
+    below.items = all.first(count);
+    above.items = all.subspan(count);
+    below.allowance = above.allowance = part.allowance;
+    if (part.own.empty()) return {std::move(below), std::move(above)};
+    above.own.assign(above.items.begin(), above.items.end());
+    above.items = above.own;
+    below.own = std::move(part.own);
+    return {std::move(below), std::move(above)};
+}
+
+/// Of the plane that cuts a cell.
+std::pair<Part, Part> NodeBuilder::sides(const Part& part) const {
+    CellSides sides = divide(part.items, part.plane, task_.part, task_.slack);
+    const auto references = sides.below.fragments.size() + sides.above.fragments.size();
+    const auto part_of = [&](CellSide& side) {
+        Part made;
+        made.box = side.box;
+        made.own = std::move(side.fragments);
+        made.items = made.own;
+        made.allowance = part.allowance * static_cast<double>(part.items.size()) /
+                         static_cast<double>(references);
+        return made;
+    };
+    return {part_of(sides.below), part_of(sides.above)};
 }
 
 /// What becomes of a part that is divided: its halves, of which the largest one is divided as long
 /// as there is room.
-Parts NodeBuilder::parts_of(const Part& whole, int depth) const {
-    Parts parts{whole};
+Parts NodeBuilder::parts_of(Part whole, int depth) const {
+    Parts parts;
+    parts.push_back(std::move(whole));
     for (;;) {
         Part* largest = nullptr;
         // Boxes may all be the same; and where parts are halved, only their number is sure to fall.
         const auto size = [&](const Part& part) {
-            return std::pair(depth < careful_depth ? area(part.box) : 0, part.count);
+            return std::pair(depth < careful_depth ? area(part.box) : 0, part.items.size());
         };
         for (Part& part : parts)
             if (part.kind != Part::Kind::leaf && (!largest || size(part) > size(*largest)))
@@ -183,10 +227,15 @@ Parts NodeBuilder::parts_of(const Part& whole, int depth) const {
             decide(*largest, depth);
             continue;
         }
-        if (parts.size() == BvhNode::width) break;
-        const auto [below, above] = halves(*largest);
-        *largest = below;
-        parts.push_back(above);
+        if (parts.size() == TreeNode::width) break;
+        auto [below, above] = largest->kind == Part::Kind::cut ? sides(*largest) : halves(*largest);
+        // What passes through neither side is in none.
+        const bool any_below = !below.items.empty();
+        *largest = std::move(any_below ? below : above);
+        if (largest->items.empty())
+            parts.erase(parts.begin() + (largest - parts.data()));
+        else if (any_below && !above.items.empty())
+            parts.push_back(std::move(above));
     }
     for (Part& part : parts)
         if (part.kind == Part::Kind::unknown) decide(part, depth);
@@ -195,22 +244,23 @@ Parts NodeBuilder::parts_of(const Part& whole, int depth) const {
 
 /// Those who read leaves count on the order of items. Pieces of one item are one again.
 void NodeBuilder::finish_leaf(Part& part) {
-    std::span<Fragment> held = fragments(part);
+    std::span<Fragment> held = part.items;
     const double whole = area(part.box);
     double passing = 1;
     for (const Fragment& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
     std::ranges::sort(held, {}, &Fragment::item);
     held = held.first(held.size() - std::ranges::unique(held, {}, &Fragment::item).size());
-    part.child = BvhChild::leaf(made_.leaves.size());
+    part.child = TreeChild::leaf(made_.leaves.size());
     made_.leaves.push_back(static_cast<std::uint32_t>(held.size()));
     for (const Fragment& f : held) made_.leaves.push_back(f.item);
     part.prospect = {1 - passing,
                      1 + 2 * std::ceil(static_cast<double>(held.size()) / task_.costs.group)};
 }
 
-Prospect NodeBuilder::build(std::uint32_t node, const Part& whole, const BvhFrame& frame,
-                            int depth) {
-    Parts parts = parts_of(whole, depth);
+Prospect NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& frame, int depth) {
+    const Box box = whole.box;
+    const bool many = whole.items.size() > fork_limit;
+    Parts parts = parts_of(std::move(whole), depth);
     // Parts that are nodes come first, as long as these are numbered.
     std::ranges::stable_partition(parts, &Part::inner);
     const auto count = static_cast<std::size_t>(std::ranges::count_if(parts, &Part::inner));
@@ -219,40 +269,41 @@ Prospect NodeBuilder::build(std::uint32_t node, const Part& whole, const BvhFram
 
     for (Part& part : inner) {
         const auto place = static_cast<std::uint32_t>(made_.nodes.size());
-        part.child = BvhChild::node(place);
+        part.child = TreeChild::node(place);
         part.node = place;
         made_.nodes.emplace_back();
-        if (BvhFrame own = frame_around(part.box, place); own.reach < least_reach * frame.reach) {
-            part.child = BvhChild::frame(static_cast<std::uint32_t>(made_.frames.size()));
+        if (TreeFrame own = frame_around(part.box, place); own.reach < least_reach * frame.reach) {
+            part.child = TreeChild::frame(static_cast<std::uint32_t>(made_.frames.size()));
             made_.frames.push_back(own);
         }
     }
-    if (whole.count > fork_limit)
+    if (many)
         build_apart(inner, frame, depth + 1);
     else
         for (Part& part : inner)
-            part.prospect = build(part.node, part, BvhFrame(frame_of(part, frame)), depth + 1);
-    const Prospect result = put_in_order(parts, whole.box);
-    BvhNode made = node_around(parts, frame.origin);
+            part.prospect =
+                build(part.node, taken(part), TreeFrame(frame_of(part, frame)), depth + 1);
+    const Prospect result = put_in_order(parts, box);
+    TreeNode made = node_around(parts, frame.origin);
     for (std::size_t slot = 0; slot < parts.size(); ++slot) made.children[slot] = parts[slot].child;
     made_.nodes[node] = made;
     return result;
 }
 
-const BvhFrame& NodeBuilder::frame_of(const Part& part, const BvhFrame& outer) const {
+const TreeFrame& NodeBuilder::frame_of(const Part& part, const TreeFrame& outer) const {
     return part.child.is_frame() ? made_.frames[part.child.frame()] : outer;
 }
 
 /// Builds parts side by side, with the same result as one after the other: each apart, then
 /// appended in order.
-void NodeBuilder::build_apart(std::span<Part> parts, const BvhFrame& frame, int depth) {
+void NodeBuilder::build_apart(std::span<Part> parts, const TreeFrame& frame, int depth) {
     std::vector<BuiltNodes> built(parts.size());
     const std::function<void(std::size_t, std::size_t)> build_some = [&](std::size_t begin,
                                                                          std::size_t end) {
         if (end - begin == 1) {
-            const Part& part = parts[begin];
-            built[begin] = NodeBuilder(task_, fragments(part), cut_)
-                               .build(part.box, frame_of(part, frame), depth);
+            Part& part = parts[begin];
+            built[begin] =
+                NodeBuilder(task_, cut_).build(taken(part), frame_of(part, frame), depth);
         }
         if (end - begin < 2) return;
         const std::size_t middle = (begin + end) / 2;
@@ -288,5 +339,10 @@ double chance_to_stop(double item_area, double box_area) {
 }
 
 BuiltNodes build_nodes(const NodeTask& task, std::span<Fragment> fragments, const Box& box) {
-    return NodeBuilder(task, fragments, false).build(box, frame_around(box, 0), 0);
+    Part whole;
+    whole.box = box;
+    whole.items = fragments;
+    whole.allowance =
+        std::min(most_references, references_limit / static_cast<double>(fragments.size()));
+    return NodeBuilder(task, false).build(std::move(whole), frame_around(box, 0), 0);
 }

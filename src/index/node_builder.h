@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builds the nodes of a hierarchy of boxes, from the top down. Called by build_bvh.
+// Builds the nodes of a tree, from the top down. Called by build_tree.
 #pragma once
 
 #include "index/pieces.h"
 
 /// What nodes are built by.
 struct NodeTask {
-    BvhSettings costs;
+    TreeSettings costs;
     ItemPart part;     ///< empty: items are built in whole
     double slack = 0;  ///< of pieces, see pieces_of
     int threads = 1;
@@ -25,11 +25,11 @@ double chance_to_stop(double item_area, double box_area);
 /// Leaves have no more items than this.
 inline constexpr std::size_t leaf_limit = 8;
 
-/// A hierarchy, or a part of it that does not know what is before it.
+/// A tree, or a part of it that does not know what is before it.
 struct BuiltNodes {
-    std::vector<BvhNode> nodes;    ///< the first is around all; those of one parent side by side
-    std::vector<BvhFrame> frames;  ///< the first is that of the first node
-    std::vector<std::uint32_t> leaves;  ///< see Bvh; the first one has no items
+    std::vector<TreeNode> nodes;    ///< the first is around all; those of one parent side by side
+    std::vector<TreeFrame> frames;  ///< the first is that of the first node
+    std::vector<std::uint32_t> leaves;  ///< see WideTree; the first one has no items
     Prospect prospect;
 };
 

@@ -3,12 +3,11 @@
 
 #include "base/every_machine.h"
 #include "base/infinity.h"
-#include "base/lanes.h"
+#include "index/extent.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace {
@@ -16,31 +15,6 @@ namespace {
 constexpr int most_bins = 16;
 /// Fewer items are put into half as many bins.
 constexpr std::size_t few = 32;
-
-using Four [[gnu::vector_size(4 * sizeof(double))]] = double;
-using Two [[gnu::vector_size(2 * sizeof(double))]] = double;
-
-/// A box with its lower ends negated, so that joining takes the greater of all numbers: four lanes
-/// and two, in the order in which boxes are stored.
-struct Extent {
-    Four four = Four{} - infinity;  ///< the lower ends, the upper one of x
-    Two two = Two{} - infinity;     ///< the upper ends of y and z
-
-    [[gnu::always_inline]] static Extent of(const Box& box) {
-        constexpr Four signs = {-1, -1, -1, 1};
-        Extent extent;
-        static_assert(sizeof box == sizeof extent.four + sizeof extent.two);
-        std::memcpy(&extent.four, &box, sizeof extent.four);
-        std::memcpy(&extent.two, &box.high.y, sizeof extent.two);
-        extent.four *= signs;
-        return extent;
-    }
-    [[gnu::always_inline]] void join(const Extent& other) {
-        four = greatest_of(other.four, four);
-        two = greatest_of(other.two, two);
-    }
-    Box box() const { return {{-four[0], -four[1], -four[2]}, {four[3], two[0], two[1]}}; }
-};
 
 struct Bin {
     Extent extent;
@@ -60,7 +34,7 @@ struct Bin {
 
 }  // namespace
 
-double cost_of_items(double items, const BvhSettings& costs) {
+double cost_of_items(double items, const TreeSettings& costs) {
     const double groups = items / costs.group;
     // std::ceil is a call on machines of the oldest kind.
     double whole = static_cast<std::int32_t>(groups);
@@ -69,7 +43,7 @@ double cost_of_items(double items, const BvhSettings& costs) {
 }
 
 CANDELABRA_EVERY_MACHINE Split find_split(std::span<const Fragment> fragments, const Box& box,
-                                          const BvhSettings& costs, bool forced) {
+                                          const TreeSettings& costs, bool forced) {
     // Two boxes take a node at least.
     const auto items = static_cast<double>(fragments.size());
     const double together = cost_of_items(items, costs) - costs.node_cost;

@@ -5,7 +5,7 @@
 // items.
 #pragma once
 
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ struct Fragment {
 
 /// What items cost that are tested in groups: the last ones take the time of a full group, but not
 /// its memory. Half way between both was fastest.
-double cost_of_items(double items, const BvhSettings&);
+double cost_of_items(double items, const TreeSettings&);
 
 /// A way to divide items.
 struct Split {
@@ -36,4 +36,4 @@ struct Split {
 
 /// The best division of items within a box, or none when it is better not to divide them.
 /// `forced`: the best one even then, and none only when all centres are in one place.
-Split find_split(std::span<const Fragment>, const Box&, const BvhSettings&, bool forced);
+Split find_split(std::span<const Fragment>, const Box&, const TreeSettings&, bool forced);

@@ -5,26 +5,25 @@
 
 #include <algorithm>
 
-BvhStatistics statistics(const Bvh& tree) {
-    BvhStatistics result;
+TreeStatistics statistics(const WideTree& tree) {
+    TreeStatistics result;
     result.bytes = tree.memory_bytes();
     result.nodes = tree.nodes().size();
     result.frames = tree.frames().size();
-    const BvhSettings& costs = tree.settings();
+    const TreeSettings& costs = tree.settings();
     // A box without area is met with certainty by a ray that meets the bounds: they have none
     // either.
     const double whole = area(tree.bounds());
     const auto chance = [&](const Box& box) {
         return whole > 0 ? std::min(1.0, area(box) / whole) : 1;
     };
-    std::size_t items = 0;
     if (result.nodes > 0) result.cost = costs.node_cost;
-    tree.for_each_node([&](std::uint32_t number, const BvhFrame& frame, int level) {
-        const BvhNode& node = tree.nodes()[number];
+    tree.for_each_node([&](std::uint32_t number, const TreeFrame& frame, int level) {
+        const TreeNode& node = tree.nodes()[number];
         result.max_depth = std::max(result.max_depth, level);
-        for (std::size_t slot = 0; slot < BvhNode::width; ++slot) {
+        for (std::size_t slot = 0; slot < TreeNode::width; ++slot) {
             if (!node.used(slot)) continue;
-            const BvhChild child = node.children[slot];
+            const TreeChild child = node.children[slot];
             const double met = chance(node.box(slot, frame.origin));
             if (!child.is_leaf()) {
                 result.cost += met * costs.node_cost;
@@ -32,13 +31,13 @@ BvhStatistics statistics(const Bvh& tree) {
             }
             const std::size_t count = tree.items(child).size();
             ++result.leaves;
-            items += count;
+            result.references += count;
             result.max_items_per_leaf = std::max(result.max_items_per_leaf, count);
             result.cost += met * cost_of_items(static_cast<double>(count), costs);
         }
     });
     if (result.leaves > 0)
         result.mean_items_per_leaf =
-            static_cast<double>(items) / static_cast<double>(result.leaves);
+            static_cast<double>(result.references) / static_cast<double>(result.leaves);
     return result;
 }

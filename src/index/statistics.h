@@ -2,19 +2,20 @@
 // What a built index looks like, as values: for --stats, reports, tests and benchmarks.
 #pragma once
 
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 
 #include <cstddef>
 
-struct BvhStatistics {
+struct TreeStatistics {
     std::size_t nodes = 0;
-    std::size_t frames = 0;  ///< see BvhFrame
+    std::size_t frames = 0;  ///< see TreeFrame
     std::size_t leaves = 0;
     int max_depth = 0;  ///< levels of nodes
     std::size_t max_items_per_leaf = 0;
+    std::size_t references = 0;  ///< items of all leaves
     double mean_items_per_leaf = 0;
     double cost = 0;  ///< expected cost of a ray that meets the bounds, in the settings' unit
     std::size_t bytes = 0;
 };
 
-BvhStatistics statistics(const Bvh&);
+TreeStatistics statistics(const WideTree&);

@@ -45,6 +45,11 @@ constexpr auto groups = std::array{
               "How luminaires are chosen at each point: global_settings { light_sampler { name ... "
               "} }, or --light-sampler.",
               Kinds<LightSampler>::infos, "light_sampler"},
+    ItemGroup{
+        "Indexes",
+        "What finds the surfaces that a ray may meet: global_settings { index { name ... } }, "
+        "or --index. Pictures are the same by all.",
+        Kinds<RayIndex>::infos, "index"},
 };
 
 }  // namespace

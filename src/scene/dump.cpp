@@ -43,6 +43,9 @@ std::string settings_text(const Scene& scene) {
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
         text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");
+    const std::string index = item_text(settings.index);
+    if (index != item_text(GlobalSettings().index))
+        text += message(text.empty() ? "" : " ", "index { ", index, " }");
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 

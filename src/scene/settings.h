@@ -2,6 +2,7 @@
 // Settings of the scene (global_settings) and of the run (command line).
 #pragma once
 
+#include "index/settings.h"
 #include "lighting/settings.h"
 #include "surface/subsurface.h"
 #include "vocabulary/item_info.h"
@@ -23,6 +24,7 @@ struct GlobalSettings {
     SubsurfaceSettings subsurface;    ///< from the block of that name
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads
+    RayIndex index;     ///< the same
 
     static const ItemInfo vocabulary;
 };
@@ -47,6 +49,7 @@ struct RenderSettings {
     int seed = 0;
     int threads = 0;                            ///< 0: one per core
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
+    std::optional<RayIndex> index;              ///< the same
 
     static const ItemInfo vocabulary;
 };

@@ -150,7 +150,7 @@ std::string problem(const BicubicPatch& patch) {
     return patch.points.size() == 16 ? "" : "a `bicubic_patch` needs 16 points";
 }
 
-BuiltBicubicPatch build(const BicubicPatch& patch) {
+BuiltBicubicPatch build(const BicubicPatch& patch, const RayIndex& index) {
     Points points;
     for (std::size_t i = 0; i < 16; ++i) points[i / 4][i % 4] = patch.points[i];
     BuiltBicubicPatch result;
@@ -161,7 +161,7 @@ BuiltBicubicPatch build(const BicubicPatch& patch) {
             Box& box = boxes[i / facets_of_part];
             box = join(box, corner);
         }
-    result.index = PartIndex(std::move(boxes));
+    result.index = PartIndex(std::move(boxes), index);
     return result;
 }
 

@@ -36,7 +36,7 @@ struct BuiltBicubicPatch {
 std::string problem(const BicubicPatch&);
 /// Halves the patch in each direction as often as its steps say, or until its points lie so flat as
 /// its flatness says.
-BuiltBicubicPatch build(const BicubicPatch&);
+BuiltBicubicPatch build(const BicubicPatch&, const RayIndex& = {});
 
 Box bounds(const BuiltBicubicPatch&);
 void crossings(const BuiltBicubicPatch&, const Ray&, Crossings&);

@@ -262,7 +262,7 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
 
 }  // namespace
 
-BuiltBlob build(const Blob& blob) {
+BuiltBlob build(const Blob& blob, const RayIndex& index) {
     BuiltBlob result;
     result.threshold = blob.threshold;
     const auto add = [&](const Source& field) {
@@ -287,7 +287,7 @@ BuiltBlob build(const Blob& blob) {
     }
     std::vector<Box> boxes;
     for (const Source& field : result.sources) boxes.push_back(bounds(field));
-    result.index = PartIndex(std::move(boxes));
+    result.index = PartIndex(std::move(boxes), index);
     return result;
 }
 

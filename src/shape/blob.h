@@ -67,7 +67,7 @@ struct BuiltBlob {
     PartIndex index;
 };
 
-BuiltBlob build(const Blob&);
+BuiltBlob build(const Blob&, const RayIndex& = {});
 /// What is wrong beyond the ranges of single fields (no component), as a sentence; empty when
 /// nothing is.
 std::string problem(const Blob&);

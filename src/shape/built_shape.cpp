@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/built_shape.h"
 
-BuiltShape built(const Shape& shape) {
+BuiltShape built(const Shape& shape, const RayIndex& index) {
     return std::visit(
-        [](const auto& stored) -> BuiltShape {
+        [&](const auto& stored) -> BuiltShape {
             using Stored = std::remove_cvref_t<decltype(stored)>;
-            if constexpr (Prepared<ContentOf<Stored>>)
+            if constexpr (requires { build(shape_detail::content(stored), index); })
+                return Shared(build(shape_detail::content(stored), index));
+            else if constexpr (Prepared<ContentOf<Stored>>)
                 return Shared(build(shape_detail::content(stored)));
             else
                 return stored;

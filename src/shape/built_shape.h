@@ -3,6 +3,7 @@
 // that of Shape; what takes work to make ready is built once and shared by its copies.
 #pragma once
 
+#include "index/settings.h"
 #include "shape/shape.h"
 
 #include <concepts>
@@ -66,8 +67,8 @@ struct BuiltOf<std::variant<T...>> {
 /// Shapes as rays ask them: computed from Shape.
 using BuiltShape = typename shape_detail::BuiltOf<Shape>::type;
 
-/// The shape made ready. Precondition: problem() is empty.
-BuiltShape built(const Shape& shape);
+/// The shape made ready, its parts found by an index. Precondition: problem() is empty.
+BuiltShape built(const Shape& shape, const RayIndex& = {});
 
 /// Smallest known box around the shape; infinite for planes.
 Box bounds(const BuiltShape& shape);

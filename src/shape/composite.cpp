@@ -3,20 +3,14 @@
 
 #include "base/infinity.h"
 #include "base/short_list.h"
-#include "index/bvh_builder.h"
+#include "index/asked.h"
+#include "index/tree_builder.h"
 #include "shape/moved.h"
 #include "shape/part_index.h"
 #include "shape/slabs.h"
 #include "shape/stick.h"
 
 namespace {
-
-/// Of what is asked one by one.
-Bvh index_of(std::span<const Box> boxes, const ItemPart& part) {
-    return build_bvh(
-        static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, part,
-        {.group = 1}, boxes.size() > many_parts ? 0 : 1);
-}
 
 /// Bounds of what the leaf has in a cell; `own` is around all of that, in its own coordinates.
 Box part_in(const CompositeLeaf& leaf, const Box& own, const Box& cell) {
@@ -127,6 +121,13 @@ PartRef CompositeBuilder::add(Combination how, std::vector<PartRef> parts,
     return {static_cast<std::uint32_t>(made_.nodes_.size() - 1), false};
 }
 
+/// Of what is asked one by one.
+WideTree CompositeBuilder::tree_of(std::span<const Box> boxes, const ItemPart& part) const {
+    return build_tree(
+        static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; }, part,
+        tree_settings(index_, 1), boxes.size() > many_parts ? 0 : 1);
+}
+
 Composite::Region CompositeBuilder::region_of(const PartRef& part) const {
     return part.leaf ? leaf_regions_[part.index] : node_regions_[part.index];
 }
@@ -150,7 +151,7 @@ void CompositeBuilder::settle(std::uint32_t index) {
         all_finite = all_finite && (part.region.box.empty() || finite(part.region.box));
     }
     if (node.boxed.size() <= few_parts || !all_finite) return;
-    node.index = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
+    node.index = tree_of(boxes, [&](std::uint32_t i, const Box& cell) {
         const PartRef& ref = node.boxed[i].ref;
         if (!ref.leaf) return cell;
         const CompositeLeaf& leaf = made_.leaves_[ref.index];
@@ -209,7 +210,7 @@ Composite CompositeBuilder::finish(PartRef root) {
         boxes[i] = Box();
     }
     if (boxes.size() > few_parts)
-        made_.tree_ = index_of(boxes, [&](std::uint32_t i, const Box& cell) {
+        made_.tree_ = tree_of(boxes, [&](std::uint32_t i, const Box& cell) {
             const CompositeLeaf& leaf = made_.leaves_[i];
             return part_in(leaf, ::bounds(leaf.shape), cell);
         });
@@ -332,8 +333,10 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
         if (nearest) left.max = nearest->t;
     };
     for (const std::uint32_t leaf : apart_) ask(leaf);
+    Asked asked;
     tree_.traverse(ray, left, [&](std::span<const std::uint32_t> items, Interval& rest) {
-        for (const std::uint32_t leaf : items) ask(leaf);
+        for (const std::uint32_t leaf : items)
+            if (!asked.before(leaf)) ask(leaf);
         rest.max = left.max;
         return false;
     });

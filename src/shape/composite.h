@@ -9,7 +9,8 @@
 #include "base/function_ref.h"
 #include "base/handle.h"
 #include "base/transform.h"
-#include "index/bvh.h"
+#include "index/pieces.h"
+#include "index/settings.h"
 #include "shape/built_shape.h"
 
 #include <cstdint>
@@ -84,7 +85,7 @@ private:
         std::uint32_t limit = nothing;  ///< in limits_: rays that miss it see nothing of this node
         /// Parts that decide the answer also outside of their boxes, then the others.
         std::vector<Part> always, boxed;
-        Bvh index;  ///< over the boxes of `boxed`; without nodes when they are few
+        WideTree index;  ///< over the boxes of `boxed`; without nodes when they are few
         /// Half spaces that all of the node lies in, with unit normals: what each ray is cut to
         /// before any part is asked.
         std::vector<Plane> cuts;
@@ -116,13 +117,16 @@ private:
     PartRef root_;
     bool limited_ = false;
     std::vector<std::uint32_t> apart_;  ///< leaves with surface without end; all when they are few
-    Bvh tree_;                          ///< over the others
+    WideTree tree_;                     ///< over the others
     Box bounds_, inside_bounds_;
 };
 
 /// Makes a composite from the leaves up.
 class CompositeBuilder {
 public:
+    /// Many parts are found by the index.
+    explicit CompositeBuilder(const RayIndex& index = {}) : index_(index) {}
+
     PartRef add(CompositeLeaf);
     /// Rays that miss `limit` see nothing of the node; null: none.
     PartRef add(Combination, std::vector<PartRef> parts, Handle<Composite> limit = nullptr);
@@ -135,6 +139,9 @@ private:
     void settle_all(std::uint32_t node);
     void show(const PartRef&, const Box& within);
 
+    WideTree tree_of(std::span<const Box>, const ItemPart&) const;
+
+    RayIndex index_;
     Composite made_;
     std::vector<std::vector<PartRef>> parts_;  ///< of the nodes
     std::vector<Composite::Region> leaf_regions_, node_regions_;

@@ -135,7 +135,7 @@ struct PackRay::Here {
     float slack;        ///< of points along the ray, by the rounding of doubles
     float reach;        ///< largest coordinate in the leaf
 
-    [[gnu::always_inline]] Here(const PackRay& ray, const BvhLeaf& leaf, const Interval& range) {
+    [[gnu::always_inline]] Here(const PackRay& ray, const TreeLeaf& leaf, const Interval& range) {
         using FourDoubles [[gnu::vector_size(4 * sizeof(double))]] = double;
         Four anchor;  // and the reach
         std::memcpy(&anchor, leaf.pack, sizeof anchor);
@@ -246,7 +246,7 @@ template <bool sure>
 }
 
 template <bool sure>
-[[gnu::always_inline]] inline PackRay::Answer PackRay::look_at(const BvhLeaf& leaf,
+[[gnu::always_inline]] inline PackRay::Answer PackRay::look_at(const TreeLeaf& leaf,
                                                                const Interval& range) const {
     const Here here(*this, leaf, range);
     const std::uint32_t spheres = leaf.pack[4], triangles = leaf.pack[5];
@@ -265,12 +265,12 @@ template <bool sure>
     return answer;
 }
 
-CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near(const BvhLeaf& leaf,
+CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near(const TreeLeaf& leaf,
                                                      const Interval& range) const {
     return look_at<false>(leaf, range).near;
 }
 
-CANDELABRA_EVERY_MACHINE PackRay::Answer PackRay::near_or_sure(const BvhLeaf& leaf,
+CANDELABRA_EVERY_MACHINE PackRay::Answer PackRay::near_or_sure(const TreeLeaf& leaf,
                                                                const Interval& range) const {
     return look_at<true>(leaf, range);
 }

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/lanes.h"
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,7 +24,7 @@ struct PackedKinds {
     std::function<Box(std::uint32_t item)> box;  ///< around any other item
 };
 
-/// Packs of leaves, whose items are in ascending order; see Bvh::pack.
+/// Packs of leaves, whose items are in ascending order; see WideTree::pack.
 LeafPacks leaf_packs(PackedKinds);
 
 /// Numbers of words at the beginning of a pack: the point that coordinates are measured from and
@@ -43,7 +43,7 @@ public:
     /// Calls ask(item) -> bool for each item of the leaf that the ray may meet in the range, and
     /// for all of a tree without packs; stops and returns true when ask does.
     template <class Ask>
-    bool candidates(const BvhLeaf& leaf, const Interval& range, Ask ask) {
+    bool candidates(const TreeLeaf& leaf, const Interval& range, Ask ask) {
         if (asks_all(leaf)) return std::ranges::any_of(leaf.items, ask);
         return any(near(leaf, range), leaf, ask);
     }
@@ -52,7 +52,7 @@ public:
     /// triangle counts: true without asking for items that are met beyond doubt. Where a ray ends
     /// is seldom in doubt, so this spares most rays a look at the items themselves.
     template <class Ask>
-    bool blocked(const BvhLeaf& leaf, const Interval& range, Ask ask) {
+    bool blocked(const TreeLeaf& leaf, const Interval& range, Ask ask) {
         if (asks_all(leaf)) return std::ranges::any_of(leaf.items, ask);
         const Answer answer = near_or_sure(leaf, range);
         return answer.sure != 0 || any(answer.near, leaf, ask);
@@ -68,7 +68,7 @@ private:
 
     /// To look at few boxes takes longer than to ask.
     static constexpr std::size_t few_boxes = 2;
-    bool asks_all(const BvhLeaf& leaf) {
+    bool asks_all(const TreeLeaf& leaf) {
         if (!leaf.pack || (leaf.items.size() <= few_boxes && leaf.pack[4] + leaf.pack[5] == 0))
             return true;
         if (length_ == 0) prepare();
@@ -76,7 +76,7 @@ private:
         return false;
     }
     template <class Ask>
-    static bool any(std::uint32_t lanes, const BvhLeaf& leaf, Ask& ask) {
+    static bool any(std::uint32_t lanes, const TreeLeaf& leaf, Ask& ask) {
         for (; lanes != 0; lanes &= lanes - 1)
             if (ask(leaf.items[static_cast<std::size_t>(std::countr_zero(lanes))])) return true;
         return false;
@@ -84,10 +84,10 @@ private:
 
     void prepare();
     void prepare_for_triangles();
-    std::uint32_t near(const BvhLeaf&, const Interval&) const;
-    Answer near_or_sure(const BvhLeaf&, const Interval&) const;
+    std::uint32_t near(const TreeLeaf&, const Interval&) const;
+    Answer near_or_sure(const TreeLeaf&, const Interval&) const;
     template <bool sure>
-    Answer look_at(const BvhLeaf&, const Interval&) const;
+    Answer look_at(const TreeLeaf&, const Interval&) const;
     template <bool sure>
     Answer look_at_spheres(const Here&, const std::uint32_t* rows, std::uint32_t count) const;
     Answer look_at_triangles(const Here&, const std::uint32_t* rows, std::uint32_t count) const;

@@ -141,14 +141,15 @@ std::array<Vec2, 3> face_uvs(const Mesh& mesh, std::size_t i) {
     return result;
 }
 
-BuiltMesh build(const Mesh& mesh) {
+BuiltMesh build(const Mesh& mesh, const RayIndex& index) {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         Box box;
         for (std::size_t k = 0; k < 3; ++k) box = join(box, corner(mesh, i, k));
         boxes.push_back(box);
     }
-    return {make_handle<Mesh>(mesh), PartIndex(std::move(boxes)), make_handle<MeshArea>(mesh)};
+    return {make_handle<Mesh>(mesh), PartIndex(std::move(boxes), index),
+            make_handle<MeshArea>(mesh)};
 }
 
 Box bounds(const BuiltMesh& built) { return built.index.bounds(); }

@@ -51,7 +51,7 @@ struct BuiltMesh {
     PartIndex index;  ///< of the faces
     Handle<MeshArea> area;
 };
-BuiltMesh build(const Mesh&);
+BuiltMesh build(const Mesh&, const RayIndex& = {});
 
 Box bounds(const BuiltMesh&);
 void crossings(const BuiltMesh&, const Ray&, Crossings&);

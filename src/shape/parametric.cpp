@@ -143,7 +143,7 @@ std::string problem(const Parametric& surface) {
                : "a `parametric` needs a range of u and of v";
 }
 
-BuiltParametric build(const Parametric& surface) {
+BuiltParametric build(const Parametric& surface, const RayIndex& index) {
     BuiltParametric result;
     result.functions = {surface.x, surface.y, surface.z};
     result.first = surface.first;
@@ -163,7 +163,7 @@ BuiltParametric build(const Parametric& surface) {
         }
     std::vector<Box> boxes;
     for (const ParametricPiece& piece : result.pieces) boxes.push_back(box_of(piece));
-    result.index = PartIndex(std::move(boxes));
+    result.index = PartIndex(std::move(boxes), index);
     return result;
 }
 

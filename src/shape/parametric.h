@@ -43,7 +43,7 @@ struct BuiltParametric {
 /// What is wrong beyond the ranges of single fields (functions of other arguments), as a sentence;
 /// empty when nothing is.
 std::string problem(const Parametric&);
-BuiltParametric build(const Parametric&);
+BuiltParametric build(const Parametric&, const RayIndex& = {});
 
 Box bounds(const BuiltParametric&);
 void crossings(const BuiltParametric&, const Ray&, Crossings&);

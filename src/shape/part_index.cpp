@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/part_index.h"
 
-#include "index/bvh_builder.h"
+#include "index/tree_builder.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ private:
 
 }  // namespace
 
-PartIndex::PartIndex(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+PartIndex::PartIndex(std::vector<Box> boxes, const RayIndex& index) : boxes_(std::move(boxes)) {
     for (const Box& box : boxes_) bounds_ = join(bounds_, box);
     const double size = bounds_.empty() ? 0
                                         : std::fmax(max_abs_component(bounds_.low),
@@ -42,7 +42,7 @@ PartIndex::PartIndex(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
         if (!box.empty()) box = {box.low - 1e-12 * size, box.high + 1e-12 * size};
     // Parts are asked one by one.
     if (boxes_.size() > few_parts)
-        tree_ = build_bvh(boxes_, {.group = 1}, boxes_.size() > many_parts ? 0 : 1);
+        tree_ = build_tree(boxes_, tree_settings(index, 1), boxes_.size() > many_parts ? 0 : 1);
 }
 
 ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& range) const {
@@ -61,5 +61,6 @@ ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& ra
         return false;
     });
     std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }

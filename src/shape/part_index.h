@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/short_list.h"
-#include "index/bvh.h"
+#include "index/settings.h"
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ class PartIndex {
 public:
     PartIndex() = default;
     /// Parts whose boxes are not finite() are near every ray.
-    explicit PartIndex(std::vector<Box> boxes);
+    explicit PartIndex(std::vector<Box> boxes, const RayIndex& = {});
 
     /// Around all parts.
     const Box& bounds() const { return bounds_; }
@@ -86,6 +86,6 @@ private:
     }
 
     std::vector<Box> boxes_;  ///< a little larger than given, so that rounding loses nothing
-    Bvh tree_;                ///< empty when the parts are few
+    WideTree tree_;           ///< empty when the parts are few
     Box bounds_;
 };

@@ -37,3 +37,26 @@ bool inside(const Sphere& sphere, const Vec3& point) {
 }
 
 std::string vanishes(const Sphere& sphere) { return sphere.radius == 0 ? "its radius is 0" : ""; }
+
+Box clipped_bounds(const Sphere& sphere, const Box& cell) {
+    const double radius = std::abs(sphere.radius), radius2 = radius * radius;
+    const Vec3 low = cell.low - sphere.centre, high = cell.high - sphere.centre;
+    // Squares of the distances from the centre, along each axis.
+    const Vec3 gap = glm::max(glm::max(low, -high), Vec3(0)), far = glm::max(-low, high);
+    const Vec3 near2 = gap * gap, far2 = far * far;
+    const double slack = 0x1p-48 * radius * (radius + max_abs_component(sphere.centre));
+    const double nearest = near2.x + near2.y + near2.z, farthest = far2.x + far2.y + far2.z;
+    if (nearest > radius2 + slack || farthest < radius2 - slack) return {};
+    Box part = cell;
+    for (int axis = 0; axis < 3; ++axis) {
+        // How far from the centre the surface may be at most, and must be at least.
+        const double most2 = radius2 - (nearest - near2[axis]) + slack;
+        const double least2 = radius2 - (farthest - far2[axis]) - slack;
+        const double most = most2 > 0 ? std::sqrt(most2) : 0;
+        const double least = least2 > 0 ? std::sqrt(least2) : 0;
+        const bool above = low[axis] > -least, below = high[axis] < least;
+        part.low[axis] = std::max(part.low[axis], sphere.centre[axis] + (above ? least : -most));
+        part.high[axis] = std::min(part.high[axis], sphere.centre[axis] + (below ? -least : most));
+    }
+    return part;
+}

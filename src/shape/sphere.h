@@ -19,6 +19,8 @@ void crossings(const Sphere&, const Ray&, Crossings&);
 bool inside(const Sphere&, const Vec3&);
 /// See shape.h.
 std::string vanishes(const Sphere&);
+/// Bounds of the part of the surface in the cell; empty when it does not pass through it.
+Box clipped_bounds(const Sphere&, const Box& cell);
 
 /// The first crossing in the range, or range.max when there is none. Stable for far and for tiny
 /// spheres: the discriminant comes from the distance of the closest approach (Haines et al., Ray

@@ -159,7 +159,7 @@ void meet(const Piece& p, const Ray& ray, std::vector<SweepStretch>& found) {
 
 }  // namespace
 
-BuiltSphereSweep build(const SphereSweep& sweep) {
+BuiltSphereSweep build(const SphereSweep& sweep, const RayIndex& index) {
     BuiltSphereSweep result;
     std::vector<Box> boxes;
     const std::size_t count = used(sweep.spline);
@@ -168,7 +168,7 @@ BuiltSphereSweep build(const SphereSweep& sweep) {
             piece(basis(sweep.spline), std::span(sweep.spheres).subspan(i, count)));
         boxes.push_back(bounds(result.pieces.back()));
     }
-    result.index = PartIndex(std::move(boxes));
+    result.index = PartIndex(std::move(boxes), index);
     return result;
 }
 

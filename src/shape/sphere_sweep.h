@@ -40,7 +40,7 @@ struct BuiltSphereSweep {
     PartIndex index;
 };
 
-BuiltSphereSweep build(const SphereSweep&);
+BuiltSphereSweep build(const SphereSweep&, const RayIndex& = {});
 /// What is wrong beyond the ranges of single fields (no kind of spline, too few spheres), as a
 /// sentence; empty when nothing is.
 std::string problem(const SphereSweep&);

@@ -27,7 +27,7 @@ Handle<Transform> combined(const Handle<Transform>& inner, const Handle<Transfor
 }
 
 Composite composite_of(const Object& object, ShapeStore& shapes) {
-    CompositeBuilder builder;
+    CompositeBuilder builder(shapes.index());
     NoVisitor nobody;
     const PartRef root = Assembler<NoVisitor>(builder, shapes, nobody).add(object, nullptr);
     return builder.finish(root);

@@ -92,7 +92,7 @@ private:
         }
         part = builder_.add(Combination::common, std::move(parts));
         if (confines.bounds.empty()) return part;
-        CompositeBuilder around;
+        CompositeBuilder around(shapes_.index());
         NoVisitor nobody;
         Assembler<NoVisitor> assembler(around, shapes_, nobody);
         std::vector<PartRef> bounds;

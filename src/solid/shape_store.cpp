@@ -35,10 +35,10 @@ BuiltBicubicPatch mirrored(BuiltBicubicPatch patch) {
 
 BuiltShape ShapeStore::built(const Shape& shape) {
     const void* content = shared_content(shape);
-    if (!content) return ::built(shape);
+    if (!content) return ::built(shape, index_);
     const auto found = known_.find(content);
     if (found != known_.end()) return found->second.built;
-    return known_.emplace(content, Known{shape, ::built(shape)}).first->second.built;
+    return known_.emplace(content, Known{shape, ::built(shape, index_)}).first->second.built;
 }
 
 BuiltShape ShapeStore::built(const Shape& shape, const Handle<Transform>& place) {

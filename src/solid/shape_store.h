@@ -10,6 +10,12 @@
 
 class ShapeStore {
 public:
+    ShapeStore() = default;
+    /// Parts of shapes are found by the index.
+    explicit ShapeStore(const RayIndex& index) : index_(index) {}
+
+    const RayIndex& index() const { return index_; }
+
     /// Precondition: problem(shape) is empty.
     BuiltShape built(const Shape&);
     /// For a place; null: none. Landscapes and patches are made for the place where they are.
@@ -21,6 +27,7 @@ private:
         Shape shape;
         BuiltShape built;
     };
+    RayIndex index_;
     std::unordered_map<const void*, Known> known_;
     struct Placed {
         Handle<Transform> place;

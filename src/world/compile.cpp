@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
-#include "index/bvh_builder.h"
+#include "index/tree_builder.h"
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
 #include "shape/moved.h"
@@ -26,7 +26,11 @@ Box bounds_in_tree(const World& world, std::uint32_t item) {
 }
 
 Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
-    if (item < world.spheres.size() || item >= world.leaves_begin()) return cell;
+    if (item < world.spheres.size()) {
+        const SpherePrimitive& s = world.spheres[item];
+        return clipped_bounds(Sphere{s.centre, s.radius}, cell);
+    }
+    if (item >= world.leaves_begin()) return cell;
     const std::size_t face = item - world.spheres.size();
     if (face < world.triangles.size()) {
         const TrianglePrimitive& t = world.triangles[face];
@@ -37,11 +41,11 @@ Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
                           cell);
 }
 
-void build_tree(World& world, int threads) {
-    world.tree = build_bvh(
+void build_index(World& world, int threads) {
+    world.tree = build_tree(
         item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
-        [&](std::uint32_t item, const Box& cell) { return part_in_tree(world, item, cell); }, {},
-        threads);
+        [&](std::uint32_t item, const Box& cell) { return part_in_tree(world, item, cell); },
+        tree_settings(world.settings.index), threads);
     const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
     const auto faces = static_cast<std::uint32_t>(world.triangles.size());
     const PackedKinds kinds{
@@ -107,6 +111,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     World world;
     world.quality = options.quality;
     world.settings = scene.settings;
+    if (options.index) world.settings.index = *options.index;
     world.language_version = scene.language_version;
     world.camera = projection(scene.camera);
     world.camera_normal = scene.camera_normal;
@@ -147,7 +152,7 @@ ClearSolids find_clear_solids(const World& world) {
             around.push_back(box);
         }
     }
-    clear.index = PartIndex(std::move(around));
+    clear.index = PartIndex(std::move(around), world.settings.index);
     return clear;
 }
 
@@ -187,7 +192,7 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
     note_planes(world);
-    build_tree(world, options.threads);
+    build_index(world, options.threads);
     if (world.notes_solids() && world.camera.parallel)
         world.clear_solids = find_clear_solids(world);
     note_luminaires(world);

@@ -11,6 +11,7 @@
 struct CompileOptions {
     int threads = 0;                            ///< 0: one per core; nothing depends on it
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
+    std::optional<RayIndex> index;              ///< the same
     int quality = 9;                            ///< see RenderSettings
     int width = 320, height = 240;   ///< of the picture; how fine light is looked at depends on it
     bool remembers_objects = false;  ///< World::object_of is wanted

@@ -54,7 +54,7 @@ private:
     }
 
     CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
-        CompositeBuilder builder;
+        CompositeBuilder builder(world_.settings.index);
         const PartRef part = builder.add({placed.shape, placed.transform});
         return composite(make_handle<Composite>(builder.finish(part)), part.index, look);
     }

@@ -53,7 +53,8 @@ public:
           statements_(world),
           all_(what == Flatten::everything),
           only_lights_count_(!all_ && !scene.lights.empty() && !world.settings.ambient_luminaires),
-          materials_(world) {}
+          materials_(world),
+          shapes_(world.settings.index) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known. `whole`: though it is taken apart, it is one for those who see it, as
@@ -337,7 +338,7 @@ private:
 
     void add_composite(const Object& object, const Inherited& outer) {
         const auto first = static_cast<PrimitiveIndex>(leaf_materials_.size());
-        CompositeBuilder builder;
+        CompositeBuilder builder(world_.settings.index);
         LeafVisitor visitor{*this, {outer}, object.interior ? 0 : outer.shared_interior};
         const PartRef root =
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
@@ -373,7 +374,6 @@ private:
 
     World& world_;
     Diagnostics& diagnostics_;
-    ShapeStore shapes_;
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;
     std::vector<Span> leaf_spans_;
@@ -386,6 +386,7 @@ private:
     bool all_;
     bool only_lights_count_;  ///< materials of what does not glow are not asked for
     Materials materials_;
+    ShapeStore shapes_;
 };
 
 }  // namespace

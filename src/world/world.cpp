@@ -2,6 +2,7 @@
 // The questions that rays ask of a world.
 #include "world/world.h"
 
+#include "index/asked.h"
 #include "shape/leaf_pack.h"
 #include "shape/uv.h"
 #include "world/precedence.h"
@@ -139,14 +140,16 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     }
     for (const std::uint32_t item : endless) ask(item);
     met = 0;
+    Asked asked;
     const auto ask_in_tree = [&](std::uint32_t item) {
+        if (item >= first_shape && asked.before(item)) return false;
         const double before = best.t;
         ask(item);
         finite = finite || best.t < before;
         return false;
     };
     PackRay packed(ray);
-    tree.traverse(ray, {tolerance, best.t}, [&](const BvhLeaf& leaf, Interval& left) {
+    tree.traverse(ray, {tolerance, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
         packed.candidates(leaf, left, ask_in_tree);
         left.max = best.t;
         return false;
@@ -272,10 +275,14 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     }
     if (std::ranges::any_of(endless, blocks)) return Vec3(0);
     PackRay packed(ray);
+    Asked asked;
+    const auto blocks_in_tree = [&](std::uint32_t item) {
+        return !(item >= spheres.size() + triangles.size() && asked.before(item)) && blocks(item);
+    };
     const bool blocked =
-        tree.traverse_likely(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
-            return any_clear ? packed.candidates(leaf, whole, blocks)
-                             : packed.blocked(leaf, whole, blocks);
+        tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
+            return any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
+                             : packed.blocked(leaf, whole, blocks_in_tree);
         });
     if (blocked) return Vec3(0);
 

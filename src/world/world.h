@@ -6,7 +6,7 @@
 #include "backdrop/sky_light.h"
 #include "base/short_list.h"
 #include "camera/camera.h"
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 #include "lighting/sampler.h"
 #include "scene/scene.h"
 #include "shape/part_index.h"
@@ -255,7 +255,7 @@ public:
     std::vector<std::uint32_t> endless;      ///< the others
     std::vector<std::uint32_t> material_of;  ///< per primitive
     std::vector<Material> materials;
-    Bvh tree;
+    WideTree tree;
     ClearSolids clear_solids;  ///< empty unless the camera is parallel
 
     std::vector<Luminaire> luminaires;

@@ -103,7 +103,11 @@ TEST_CASE("statistics hold what the run was") {
     json = nlohmann::json::parse(shell.out);
     CHECK(json["light_sampler"] == "light_octree");
     CHECK(json["light_octree"]["bytes"] > 0);
-    CHECK(json["bvh"]["bytes"] > 0);
+    CHECK(json["kdtree"]["bytes"] > 0);
+    CHECK(shell.render({"-V", "-F", "--index", "bounding_boxes", "--stats", "-"}) == 0);
+    json = nlohmann::json::parse(shell.out);
+    CHECK(json["index"] == "bounding_boxes");
+    CHECK(json["bounding_boxes"]["bytes"] > 0);
 }
 
 TEST_CASE("names and clock from the command line reach the scene") {

@@ -108,7 +108,7 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
         {{"+MB3", "-MB", "Bounding=on", "Bounding_Threshold=3", "+BM2", "Bounding_Method=1", "+UR",
           "Remove_Bounds=on", "-SU", "Split_Unions=off", "+UL", "Light_Buffer=on", "+UV",
           "Vista_Buffer=off"},
-         "is ignored: objects are always found through a hierarchy of boxes"},
+         "is ignored: objects are always found through an index; see --index"},
         {{"+HR", "High_Reproducibility=on"}},
         {{"+RFa.rad", "+RFI", "+RFO", "Radiosity_File_Name=a", "Radiosity_From_File=on",
           "Radiosity_To_File=on"},

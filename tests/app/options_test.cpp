@@ -119,6 +119,8 @@ TEST_CASE("our own options, with a blank or an equals sign") {
     CHECK(options_of({"--stats", "a b.json"}).stats_file == "a b.json");
     CHECK(std::holds_alternative<ConstantAlpha>(
         *options_of({"--light-sampler", "constant_alpha"}).render.light_sampler));
+    CHECK(std::holds_alternative<BoundingBoxes>(
+        *options_of({"--index=bounding_boxes"}).render.index));
     CHECK(options_of({"--check"}).task == Task::check);
     CHECK(options_of({"--check=syntax"}).task == Task::check_syntax);
     CHECK(options_of({"--dump", "tokens"}).task == Task::dump_tokens);
@@ -186,7 +188,7 @@ TEST_CASE("POV-Ray's switches that change nothing are taken in silence") {
 
 TEST_CASE("POV-Ray's switches that leave the picture as it is are ignored with a warning") {
     CHECK(complaint({"+MB1"}, Severity::warning) ==
-          "`+MB1` is ignored: objects are always found through a hierarchy of boxes");
+          "`+MB1` is ignored: objects are always found through an index; see --index");
     for (const char* word : {"+BS16", "+MB1", "-UR", "+SP8", "Bounding=on"}) {
         CAPTURE(word);
         CHECK(complaint({word}, Severity::warning).find("is ignored") != std::string::npos);
@@ -229,6 +231,8 @@ TEST_CASE("every wrong argument has one message") {
          "`--light-sampler=ligth_octree`: there is no light sampler `ligth_octree` | did you mean "
          "`light_octree`? there are every_light, constant_alpha, linear_alpha, light_bvh, "
          "light_octree"},
+        {{"--index", "octree"},
+         "`--index`: there is no index `octree` | there are kd_tree, bounding_boxes"},
         {{"--dump", "film"}, "`--dump`: there is no stage `film` | tokens, tree, scene or world"},
         {{"--check=all"}, "`--check=all`: only --check and --check=syntax are offered"},
         {{"Declare=Depth"},

@@ -12,7 +12,11 @@ TEST_CASE("the statistics hold everything under its name") {
     run.objects = 7;
     run.luminaires = 5;
     run.rays = {200, 300, 400};
-    run.bvh.bytes = 1000;
+    run.index = "kd_tree";
+    run.tree.bytes = 1000;
+    run.tree.leaves = 30;
+    run.tree.max_depth = 2;
+    run.tree.references = 90;
     run.light_octree_bytes = 2000;
     run.peak_memory_bytes = 3000;
     run.light_sampler = "light_octree";
@@ -31,7 +35,12 @@ TEST_CASE("the statistics hold everything under its name") {
     CHECK(json["objects"] == 7);
     CHECK(json["luminaires"] == 5);
     CHECK(json["rays"] == nlohmann::json({{"camera", 200}, {"shadow", 300}, {"scattered", 400}}));
-    CHECK(json["bvh"]["bytes"] == 1000);
+    CHECK(json["index"] == "kd_tree");
+    CHECK(json["kdtree"]["bytes"] == 1000);
+    CHECK(json["kdtree"]["cells"] == 30);
+    CHECK(json["kdtree"]["depth"] == 2);
+    CHECK(json["kdtree"]["references"] == 90);
+    CHECK_FALSE(json.contains("bounding_boxes"));
     CHECK(json["light_octree"]["bytes"] == 2000);
     CHECK(json["peak_memory_bytes"] == 3000);
     CHECK(json["light_sampler"] == "light_octree");

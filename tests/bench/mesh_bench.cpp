@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the hierarchy of boxes on a mesh of a million triangles, a bumpy ball, against Embree 3
-// where its headers are there: build time, then million rays a second. Run by hand: mesh_bench
-// [steps], which makes 4 steps^2 triangles, or mesh_bench needles [count], long thin triangles in
-// all directions; GROUP_COST in the environment replaces the setting. Rays: through a camera's
-// pixels, cosine-distributed from what they hit, and from there to points of a light above (any
-// hit). One thread everywhere.
-#include "index/bvh_builder.h"
+// Speed of both indexes on a mesh of a million triangles, a bumpy ball, beside Embree 3 where its
+// headers are there: build time, then million rays a second. Run by hand: mesh_bench [steps], which
+// makes 4 steps^2 triangles, or mesh_bench needles [count], long thin triangles in all directions;
+// NODE_COST, GROUP_COST and REFERENCE_COST in the environment replace the defaults of the kd-tree.
+// Rays: through a camera's pixels, cosine-distributed from what they hit, and from there to points
+// of a light above (any hit). One thread everywhere.
+#include "index/tree_builder.h"
 #include "rays.h"
 #include "shape/leaf_pack.h"
 #include "shape/triangle.h"
@@ -73,9 +73,9 @@ struct Found {
     std::uint32_t face = 0;
 };
 
-Bvh tree_of(const Surface& mesh, const BvhSettings& settings) {
+WideTree tree_of(const Surface& mesh, const TreeSettings& settings) {
     const auto count = static_cast<std::uint32_t>(mesh.flat.size());
-    Bvh tree = build_bvh(
+    WideTree tree = build_tree(
         count, [&](std::uint32_t i) { return bounds(mesh.flat[i]); },
         [&](std::uint32_t i, const Box& cell) { return clipped_bounds(mesh.flat[i], cell); },
         settings, 1);
@@ -87,11 +87,11 @@ Bvh tree_of(const Surface& mesh, const BvhSettings& settings) {
     return tree;
 }
 
-Found first_hit(const Bvh& tree, const Surface& mesh, const Ray& ray) {
+Found first_hit(const WideTree& tree, const Surface& mesh, const Ray& ray) {
     Found found;
     std::optional<ShearedRay> sheared;
     PackRay packed(ray);
-    tree.traverse(ray, {0, far_away}, [&](const BvhLeaf& leaf, Interval& range) {
+    tree.traverse(ray, {0, far_away}, [&](const TreeLeaf& leaf, Interval& range) {
         return packed.candidates(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             if (!sheared) sheared.emplace(ray);
@@ -103,10 +103,10 @@ Found first_hit(const Bvh& tree, const Surface& mesh, const Ray& ray) {
     return found;
 }
 
-bool blocked(const Bvh& tree, const Surface& mesh, const Ray& ray, double distance) {
+bool blocked(const WideTree& tree, const Surface& mesh, const Ray& ray, double distance) {
     std::optional<ShearedRay> sheared;
     PackRay packed(ray);
-    return tree.traverse_likely(ray, {0, distance}, [&](const BvhLeaf& leaf, Interval& range) {
+    return tree.traverse_likely(ray, {0, distance}, [&](const TreeLeaf& leaf, Interval& range) {
         return packed.blocked(leaf, range, [&](std::uint32_t item) {
             const Triangle& f = mesh.flat[item];
             if (!sheared) sheared.emplace(ray);
@@ -115,7 +115,7 @@ bool blocked(const Bvh& tree, const Surface& mesh, const Ray& ray, double distan
     });
 }
 
-Rays make_rays(const Bvh& tree, const Surface& mesh, int width) {
+Rays make_rays(const WideTree& tree, const Surface& mesh, int width) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     Rays rays;
@@ -141,11 +141,6 @@ Rays make_rays(const Bvh& tree, const Surface& mesh, int width) {
     return rays;
 }
 
-void print_speed(const char* what, const Speed& ours, const Speed& theirs) {
-    std::printf("%-6s M/s %8.3f   Embree %8.3f   ratio %6.2f\n", what, 1e-6 * ours.rays_per_second,
-                1e-6 * theirs.rays_per_second, ours.rays_per_second / theirs.rays_per_second);
-}
-
 #ifdef WITH_EMBREE
 void fill(RTCGeometry geometry, const Surface& mesh) {
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -169,35 +164,36 @@ int main(int argc, char** argv) {
         return argc > place ? static_cast<unsigned>(std::atoi(argv[place])) : otherwise;
     };
     const Surface mesh = thin ? needles(number(2, 10000)) : bumpy_ball(number(1, 500));
-    BvhSettings settings;
-    read_setting("GROUP_COST", settings.group_cost);
-    double start = seconds();
-    const Bvh tree = tree_of(mesh, settings);
-    const double build = seconds() - start;
-    std::printf("%zu triangles, %.1f bytes each, built in %.2f s\n", mesh.faces.size(),
-                static_cast<double>(tree.memory_bytes()) / static_cast<double>(mesh.faces.size()),
-                build);
-    const Rays rays = make_rays(tree, mesh, thin ? 128 : 512);
-    const auto meets = [&](const Segment& s) { return first_hit(tree, mesh, s.ray).t < far_away; };
-    const auto blocks = [&](const Segment& s) { return blocked(tree, mesh, s.ray, s.length); };
+    const auto trees = build_both([&](const auto& settings) { return tree_of(mesh, settings); });
+    std::printf("%zu triangles\n", mesh.faces.size());
+    print_trees(trees, mesh.faces.size());
+    print_head();
+    const auto [kd, boxes] = std::tie(trees[0].tree, trees[1].tree);
+    const Rays rays = make_rays(kd, mesh, thin ? 128 : 512);
+    const auto meets = [&](const WideTree& tree) {
+        return [&](const Segment& s) { return first_hit(tree, mesh, s.ray).t < far_away; };
+    };
+    const auto blocks = [&](const WideTree& tree) {
+        return [&](const Segment& s) { return blocked(tree, mesh, s.ray, s.length); };
+    };
 #ifdef WITH_EMBREE
-    start = seconds();
+    const double start = seconds();
     const Embree embree(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_SCENE_FLAG_ROBUST,  // watertight, as ours
                         [&](RTCGeometry geometry) { fill(geometry, mesh); });
-    std::printf("Embree: built in %.2f s\n", seconds() - start);
+    print_row("build s", trees[0].build_time, trees[1].build_time, seconds() - start);
     const auto embree_meets = [&](const Segment& s) { return embree.meets(s); };
-    const auto versus = [&](const char* what, const auto& segments, auto ours, auto theirs) {
-        const auto [mine, other] = compare(segments, ours, theirs);
-        print_speed(what, mine, other);
-        const auto [my_once, other_once] = compare_once(segments, ours, theirs);
-        print_speed("  once", my_once, other_once);
+    const auto embree_blocks = [&](const Segment& s) { return embree.blocks(s); };
+    const auto print = [&](const char* what, const auto& segments, auto... by) {
+        print_speeds(what, compare(segments, by...));
+        print_speeds("  once", compare_once(segments, by...));
     };
-    versus("camera", rays.camera, meets, embree_meets);
-    versus("bounce", rays.bounce, meets, embree_meets);
-    versus("shadow", rays.shadow, blocks, [&](const Segment& s) { return embree.blocks(s); });
+    print("camera M/s", rays.camera, meets(kd), meets(boxes), embree_meets);
+    print("bounce M/s", rays.bounce, meets(kd), meets(boxes), embree_meets);
+    print("shadow M/s", rays.shadow, blocks(kd), blocks(boxes), embree_blocks);
 #else
-    print_speed("camera", measure(rays.camera, 1, meets), {});
-    print_speed("bounce", measure(rays.bounce, 1, meets), {});
-    print_speed("shadow", measure(rays.shadow, 1, blocks), {});
+    print_row("build s", trees[0].build_time, trees[1].build_time, 0);
+    print_speeds("camera M/s", compare(rays.camera, meets(kd), meets(boxes)));
+    print_speeds("bounce M/s", compare(rays.bounce, meets(kd), meets(boxes)));
+    print_speeds("shadow M/s", compare(rays.shadow, blocks(kd), blocks(boxes)));
 #endif
 }

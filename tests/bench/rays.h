@@ -4,6 +4,8 @@
 #pragma once
 
 #include "base/ray.h"
+#include "index/settings.h"
+#include "index/statistics.h"
 
 #if __has_include(<embree3/rtcore.h>) && !defined(NO_EMBREE)
 #define WITH_EMBREE 1
@@ -11,8 +13,11 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <vector>
@@ -43,61 +48,49 @@ struct Speed {
     double found = 0;  ///< fraction of the rays
 };
 
-/// The best of several passes: the machine may be shared.
-template <class Shoot>
-Speed measure(const std::vector<Segment>& rays, std::size_t step, Shoot shoot) {
-    Speed best;
-    for (int pass = 0; pass < (step > 1 ? 1 : 5); ++pass) {
-        std::size_t found = 0;
-        const double start = seconds();
-        for (std::size_t i = 0; i < rays.size(); i += step) found += shoot(rays[i]);
-        const double count = static_cast<double>((rays.size() + step - 1) / step);
-        best.rays_per_second = std::max(best.rays_per_second, count / (seconds() - start));
-        best.found = static_cast<double>(found) / count;
-    }
-    return best;
-}
-
-/// Shoots the rays by both in turns, a few hundred each, and adds up the best times: what else the
-/// machine does meanwhile slows both. Caches and branch predictors know these rays.
-template <class Ours, class Theirs>
-std::pair<Speed, Speed> compare(const std::vector<Segment>& rays, Ours ours, Theirs theirs) {
-    constexpr std::size_t piece = 500;
+/// Shoots the rays by all in turns, a few hundred each, and adds up the best times: what else the
+/// machine does meanwhile slows all. Caches and branch predictors know these rays.
+template <class... Shoot>
+std::array<Speed, sizeof...(Shoot)> compare(const std::vector<Segment>& rays, Shoot... shoot) {
+    constexpr std::size_t piece = 500, sides = sizeof...(Shoot);
     constexpr int passes = 16;
     struct Side {
-        double time = 0;
+        double time = far_away;
         std::size_t found = 0;
-    } mine, other;
+    };
+    std::array<Side, sides> sum;
+    sum.fill({0});
     for (std::size_t first = 0; first < rays.size(); first += piece) {
         const std::size_t end = std::min(rays.size(), first + piece);
-        const auto shoot = [&](auto& by) {
+        const auto pass = [&](auto& by, Side& best) {
             const double start = seconds();
             std::size_t found = 0;
             for (std::size_t i = first; i < end; ++i) found += by(rays[i]);
-            return Side{seconds() - start, found};
+            best = {std::min(best.time, seconds() - start), found};
         };
-        Side best{far_away}, best_other{far_away};
-        for (int pass = 0; pass < passes; ++pass) {
-            const Side a = shoot(ours), b = shoot(theirs);
-            best = {std::min(best.time, a.time), a.found};
-            best_other = {std::min(best_other.time, b.time), b.found};
+        std::array<Side, sides> best;
+        for (int i = 0; i < passes; ++i) {
+            std::size_t side = 0;
+            (pass(shoot, best[side++]), ...);
         }
-        mine = {mine.time + best.time, mine.found + best.found};
-        other = {other.time + best_other.time, other.found + best_other.found};
+        for (std::size_t side = 0; side < sides; ++side) {
+            sum[side].time += best[side].time;
+            sum[side].found += best[side].found;
+        }
     }
-    const auto speed = [&](const Side& side) {
-        const double count = static_cast<double>(rays.size());
-        return Speed{count / side.time, static_cast<double>(side.found) / count};
-    };
-    return {speed(mine), speed(other)};
+    const double count = static_cast<double>(rays.size());
+    std::array<Speed, sides> speeds;
+    for (std::size_t side = 0; side < sides; ++side)
+        speeds[side] = {count / sum[side].time, static_cast<double>(sum[side].found) / count};
+    return speeds;
 }
 
-/// Shoots all rays by both in turns, so that caches and branch predictors know none of them when
+/// Shoots all rays by all in turns, so that caches and branch predictors know none of them when
 /// they come again, and takes the best times.
-template <class Ours, class Theirs>
-std::pair<Speed, Speed> compare_once(const std::vector<Segment>& rays, Ours ours, Theirs theirs) {
+template <class... Shoot>
+std::array<Speed, sizeof...(Shoot)> compare_once(const std::vector<Segment>& rays, Shoot... shoot) {
     constexpr int passes = 7;
-    const auto shoot = [&](auto& by, Speed& best) {
+    const auto pass = [&](auto& by, Speed& best) {
         std::size_t found = 0;
         const double start = seconds();
         for (const Segment& ray : rays) found += by(ray);
@@ -105,12 +98,66 @@ std::pair<Speed, Speed> compare_once(const std::vector<Segment>& rays, Ours ours
         best = {std::max(best.rays_per_second, count / (seconds() - start)),
                 static_cast<double>(found) / count};
     };
-    Speed mine, other;
-    for (int pass = 0; pass < passes; ++pass) {
-        shoot(ours, mine);
-        shoot(theirs, other);
+    std::array<Speed, sizeof...(Shoot)> speeds;
+    for (int i = 0; i < passes; ++i) {
+        std::size_t side = 0;
+        (pass(shoot, speeds[side++]), ...);
     }
-    return {mine, other};
+    return speeds;
+}
+
+/// A table of both indexes beside each other, and Embree where it is there.
+inline void print_head() {
+    std::printf("%-12s %10s %14s %10s %10s %10s %10s\n", "", "kd_tree", "bounding_boxes", "Embree",
+                "kd/Embree", "bb/Embree", "kd/bb");
+}
+inline void print_row(const char* what, double kd, double boxes, double embree) {
+    std::printf("%-12s %10.3f %14.3f %10.3f %10.2f %10.2f %10.2f\n", what, kd, boxes, embree,
+                kd / embree, boxes / embree, kd / boxes);
+}
+template <std::size_t sides>
+void print_speeds(const char* what, const std::array<Speed, sides>& speeds) {
+    const double embree = sides > 2 ? speeds[sides - 1].rays_per_second : 0;
+    print_row(what, 1e-6 * speeds[0].rays_per_second, 1e-6 * speeds[1].rays_per_second,
+              1e-6 * embree);
+    for (const Speed& s : speeds)
+        if (std::abs(s.found - speeds[0].found) > 1e-3)
+            std::printf("  of these rays %.4f hit, of the others %.4f\n", s.found, speeds[0].found);
+}
+
+/// What the table's columns are of.
+struct Measured {
+    WideTree tree;
+    double build_time;
+};
+
+/// Both indexes, each built by build(settings) -> WideTree. Costs in the environment replace those
+/// of the kd-tree.
+template <class Build>
+std::array<Measured, 2> build_both(Build build) {
+    KdTree kd;
+    read_setting("NODE_COST", kd.node_cost);
+    read_setting("GROUP_COST", kd.group_cost);
+    read_setting("REFERENCE_COST", kd.reference_cost);
+    const auto timed = [&](const RayIndex& index) {
+        const double start = seconds();
+        WideTree tree = build(tree_settings(index));
+        return Measured{std::move(tree), seconds() - start};
+    };
+    return {timed(kd), timed(BoundingBoxes())};
+}
+
+inline void print_trees(const std::array<Measured, 2>& trees, std::size_t items) {
+    for (const auto& [tree, time] : trees) {
+        const TreeStatistics s = statistics(tree);
+        std::printf(
+            "%s: %.1f bytes an item, %.2f references an item, %zu nodes, %zu leaves, depth %d, "
+            "%.2f items a leaf, cost %.2f\n",
+            tree.settings().by == Division::cells ? "kd_tree" : "bounding_boxes",
+            static_cast<double>(s.bytes) / static_cast<double>(items),
+            static_cast<double>(s.references) / static_cast<double>(items), s.nodes, s.leaves,
+            s.max_depth, s.mean_items_per_leaf, s.cost);
+    }
 }
 
 #ifdef WITH_EMBREE

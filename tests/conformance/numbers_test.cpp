@@ -3,7 +3,7 @@
 // axes and edges, flat boxes, huge planes beside tiny meshes. The world is held against itself
 // without a tree, and surfaces neither shadow themselves nor leak. [.long] does the same with
 // millions of rays.
-#include "index/bvh_builder.h"
+#include "index/tree_builder.h"
 #include "support/draw.h"
 #include "support/scripts.h"
 
@@ -17,7 +17,7 @@ World without_tree(const std::string& script) {
     std::vector<Box> boxes(world.leaves_begin() + world.composites.size(),
                            Box{Vec3(-1e9), Vec3(1e9)});
     for (const std::uint32_t item : world.unbounded) boxes[item] = Box();
-    world.tree = build_bvh(boxes, {}, 1);
+    world.tree = build_tree(boxes, {}, 1);
     return world;
 }
 

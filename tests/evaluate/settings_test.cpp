@@ -41,6 +41,20 @@ TEST_CASE("each light sampler can be chosen", "[evaluate]") {
     }
 }
 
+TEST_CASE("each index can be chosen", "[evaluate]") {
+    for (std::size_t kind = 0; kind < Kinds<RayIndex>::count; ++kind) {
+        const std::string name(Kinds<RayIndex>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { index { " + name + " } }")
+                  .scene.settings.index.index() == kind);
+    }
+    const Script done = run(
+        "#version 3.7; global_settings { index { kd_tree { node_cost 2 } } light_sampler { "
+        "light_bvh } }");
+    REQUIRE(done.text.empty());
+    CHECK(std::get<KdTree>(done.scene.settings.index).node_cost == 2);
+    CHECK(std::holds_alternative<LightBvh>(done.scene.settings.light_sampler));
+}
+
 TEST_CASE("a background is one colour, the last one", "[evaluate]") {
     const Script done =
         run("#version 3.7; background { rgb 1 } background { color rgb <1, 2, 3> }");
@@ -67,6 +81,10 @@ TEST_CASE("wrong settings are told of once", "[evaluate]") {
           "error duplicate: `light_sampler` has one strategy, and this is a second");
     CHECK(complaint("global_settings { light_sampler { light_octree { threshold -1 } } }") ==
           "error out-of-range: `threshold` of `light_octree` must be above 0, but it is -1");
+    CHECK(complaint("global_settings { index { } }") ==
+          "error missing: `index` needs the name of a structure");
+    CHECK(complaint("global_settings { index { kd_tree bounding_boxes } }") ==
+          "error duplicate: `index` has one structure, and this is a second");
     CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
 }
 

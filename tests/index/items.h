@@ -3,8 +3,12 @@
 #pragma once
 
 #include "base/ray.h"
-#include "index/bvh_builder.h"
+#include "index/settings.h"
+#include "index/tree_builder.h"
+#include "shape/sphere.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -94,7 +98,7 @@ bool any_hit(const Index& index, const std::vector<Item>& items, const Ray& ray,
         }
         return false;
     };
-    if constexpr (std::is_same_v<Index, Bvh>)
+    if constexpr (std::is_same_v<Index, WideTree>)
         return index.traverse_likely(ray, whole, visit);
     else
         return index.traverse(ray, whole, visit);
@@ -106,20 +110,45 @@ inline std::vector<Box> boxes_of(const std::vector<Item>& items) {
     return boxes;
 }
 
-inline Bvh tree_of(const std::vector<Item>& items, const BvhSettings& settings = {},
-                   int threads = 1) {
-    return build_bvh(boxes_of(items), settings, threads);
+/// What of the item's surface is in a cell; of a box, what of it.
+inline Box part_of(const Item& item, const Box& cell) {
+    return item.radius > 0 ? clipped_bounds(Sphere{item.centre(), item.radius}, cell)
+                           : clip(item.box, cell);
 }
 
-/// In the order of the leaves; not those that are asked before all others.
-inline std::vector<std::uint32_t> items_of(const Bvh& tree) {
+/// Balls are cut where cells are; boxes of a hierarchy have them in whole.
+inline WideTree tree_of(const std::vector<Item>& items, const TreeSettings& settings = {},
+                        int threads = 1) {
+    const auto part = [&](std::uint32_t item, const Box& cell) {
+        return part_of(items[item], cell);
+    };
+    return build_tree(
+        static_cast<std::uint32_t>(items.size()),
+        [&](std::uint32_t item) { return items[item].box; },
+        settings.by == Division::cells ? ItemPart(part) : ItemPart(), settings, threads);
+}
+
+/// Both ways to divide items, with the usual costs.
+inline const std::array both_divisions = {tree_settings(KdTree()), tree_settings(BoundingBoxes())};
+
+/// In the order of the leaves, each as often as it is there; not those that are asked before all
+/// others.
+inline std::vector<std::uint32_t> items_of(const WideTree& tree) {
     std::vector<std::uint32_t> items;
-    for (const BvhNode& node : tree.nodes())
-        for (std::size_t slot = 0; slot < BvhNode::width; ++slot) {
+    for (const TreeNode& node : tree.nodes())
+        for (std::size_t slot = 0; slot < TreeNode::width; ++slot) {
             if (!node.used(slot) || !node.children[slot].is_leaf()) continue;
             const auto leaf = tree.items(node.children[slot]);
             items.insert(items.end(), leaf.begin(), leaf.end());
         }
+    return items;
+}
+
+/// The same, each once, in order.
+inline std::vector<std::uint32_t> different_items_of(const WideTree& tree) {
+    std::vector<std::uint32_t> items = items_of(tree);
+    std::ranges::sort(items);
+    items.erase(std::unique(items.begin(), items.end()), items.end());
     return items;
 }
 

@@ -27,13 +27,13 @@ BuiltNodes nodes_of(const std::vector<Row>& rows, const NodeTask& task = {}) {
     return build_nodes(task, fragments, around);
 }
 
-std::size_t used(const BvhNode& node) {
+std::size_t used(const TreeNode& node) {
     std::size_t count = 0;
-    while (count < BvhNode::width && node.used(count)) ++count;
+    while (count < TreeNode::width && node.used(count)) ++count;
     return count;
 }
 
-std::span<const std::uint32_t> items_of(const BuiltNodes& built, BvhChild leaf) {
+std::span<const std::uint32_t> items_of(const BuiltNodes& built, TreeChild leaf) {
     const std::size_t place = leaf.leaf();
     return std::span(built.leaves).subspan(place + 1, built.leaves[place]);
 }
@@ -41,7 +41,7 @@ std::span<const std::uint32_t> items_of(const BuiltNodes& built, BvhChild leaf) 
 /// Of all leaves.
 std::vector<std::uint32_t> items_of(const BuiltNodes& built) {
     std::vector<std::uint32_t> items;
-    for (const BvhNode& node : built.nodes)
+    for (const TreeNode& node : built.nodes)
         for (std::size_t slot = 0; slot < used(node); ++slot) {
             if (!node.children[slot].is_leaf()) continue;
             const auto leaf = items_of(built, node.children[slot]);
@@ -56,7 +56,7 @@ TEST_CASE("a single item is a leaf below the only node", "[index]") {
     const BuiltNodes built = nodes_of({{Vec3(1, 2, 3), 0.5, 1}});
     REQUIRE(built.nodes.size() == 1);
     CHECK(used(built.nodes[0]) == 1);
-    CHECK(built.nodes[0].children[0] == BvhChild::leaf(1));
+    CHECK(built.nodes[0].children[0] == TreeChild::leaf(1));
     CHECK(items_of(built) == std::vector<std::uint32_t>{0});
     CHECK(built.frames.size() == 1);
     CHECK(built.prospect.chance == Approx(0.5));
@@ -96,9 +96,9 @@ TEST_CASE("children of parts that are built apart lead to the same items", "[ind
             for (int k = 0; k < 30; ++k) rows.push_back({Vec3(i, j, k), 0.3, 1});
     const BuiltNodes built = nodes_of(rows);
     std::size_t leaves = 0;
-    for (const BvhNode& node : built.nodes)
+    for (const TreeNode& node : built.nodes)
         for (std::size_t slot = 0; slot < used(node); ++slot) {
-            const BvhChild child = node.children[slot];
+            const TreeChild child = node.children[slot];
             if (!child.is_leaf()) {
                 REQUIRE(child.is_node());
                 CHECK(child.node() < built.nodes.size());

@@ -62,8 +62,8 @@ double area_of(std::span<const Fragment> fragments) {
     return sum;
 }
 
-Bvh tree_of(const std::vector<Stick>& sticks, int threads = 0) {
-    return build_bvh(
+WideTree tree_of(const std::vector<Stick>& sticks, int threads = 0) {
+    return build_tree(
         static_cast<std::uint32_t>(sticks.size()), [&](std::uint32_t i) { return sticks[i].box(); },
         [&](std::uint32_t i, const Box& cell) { return part_of(sticks[i], cell); }, {}, threads);
 }
@@ -116,11 +116,11 @@ TEST_CASE("items stay whole where rays meet few of them, or where they fill thei
 
 TEST_CASE("rays find items that the hierarchy has in pieces", "[index]") {
     const std::vector<Stick> all = sticks(20000, 1, 7);
-    const Bvh tree = tree_of(all);
+    const WideTree tree = tree_of(all);
     std::vector<std::uint32_t> held;
-    tree.for_each_node([&](std::uint32_t number, const BvhFrame&, int) {
-        const BvhNode& node = tree.nodes()[number];
-        for (std::size_t slot = 0; slot < BvhNode::width; ++slot) {
+    tree.for_each_node([&](std::uint32_t number, const TreeFrame&, int) {
+        const TreeNode& node = tree.nodes()[number];
+        for (std::size_t slot = 0; slot < TreeNode::width; ++slot) {
             if (!node.used(slot) || !node.children[slot].is_leaf()) continue;
             const auto items = tree.items(node.children[slot]);
             CHECK(std::ranges::adjacent_find(items, std::greater_equal()) == items.end());
@@ -145,7 +145,7 @@ TEST_CASE("rays find items that the hierarchy has in pieces", "[index]") {
 
 TEST_CASE("pieces are the same for any number of threads", "[index]") {
     const std::vector<Stick> all = sticks(40000, 1, 9);
-    const Bvh one = tree_of(all, 1), four = tree_of(all, 4);
+    const WideTree one = tree_of(all, 1), four = tree_of(all, 4);
     CHECK(std::ranges::equal(one.nodes(), four.nodes()));
     CHECK(std::ranges::equal(one.frames(), four.frames()));
 }

@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr BvhSettings costs{.node_cost = 1, .group_cost = 4, .group = 1};
+constexpr TreeSettings costs{.node_cost = 1, .group_cost = 4, .group = 1};
 
 std::vector<Fragment> fragments_of(const std::vector<Item>& items) {
     std::vector<Fragment> fragments;
@@ -94,7 +94,7 @@ TEST_CASE("the boxes of a split's sides hold what it puts there, and no more", "
 
 TEST_CASE("items stay together where dividing them costs more", "[index]") {
     const std::vector<Fragment> fragments = fragments_of(row(4));
-    constexpr BvhSettings dear{.node_cost = 1000, .group_cost = 1, .group = 1};
+    constexpr TreeSettings dear{.node_cost = 1000, .group_cost = 1, .group = 1};
     CHECK_FALSE(find_split(fragments, around(fragments), dear, false).found());
     CHECK(find_split(fragments, around(fragments), dear, true).found());
 }
@@ -110,7 +110,7 @@ TEST_CASE("items in one place are not divided", "[index]") {
 
 TEST_CASE("the last items of a group cost half of what a full one does, and their share",
           "[index]") {
-    constexpr BvhSettings eight{.group_cost = 2, .group = 8};
+    constexpr TreeSettings eight{.group_cost = 2, .group = 8};
     CHECK(cost_of_items(0, eight) == 0);
     CHECK(cost_of_items(8, eight) == 2);
     CHECK(cost_of_items(1, eight) == Approx(2 * 0.5 * (1 / 8.0 + 1)));

@@ -6,18 +6,18 @@
 #include <catch2/catch.hpp>
 
 TEST_CASE("an empty hierarchy has nothing to count", "[index]") {
-    const BvhStatistics s = statistics(Bvh());
+    const TreeStatistics s = statistics(WideTree());
     CHECK(s.nodes == 0);
     CHECK(s.leaves == 0);
     CHECK(s.cost == 0);
     CHECK(s.mean_items_per_leaf == 0);
-    CHECK(s.bytes == sizeof(Bvh));
+    CHECK(s.bytes == sizeof(WideTree));
 }
 
 TEST_CASE("a hierarchy of one leaf", "[index]") {
-    const Bvh tree =
-        build_bvh(std::vector<Box>(5, Box{Vec3(0), Vec3(1)}), {.node_cost = 2, .group_cost = 3});
-    const BvhStatistics s = statistics(tree);
+    const WideTree tree =
+        build_tree(std::vector<Box>(5, Box{Vec3(0), Vec3(1)}), {.node_cost = 2, .group_cost = 3});
+    const TreeStatistics s = statistics(tree);
     CHECK(s.nodes == 1);
     CHECK(s.frames == 1);
     CHECK(s.leaves == 1);
@@ -30,20 +30,20 @@ TEST_CASE("a hierarchy of one leaf", "[index]") {
 TEST_CASE("the counts of a hierarchy agree with each other", "[index]") {
     for (const ItemScene& scene : scenes()) {
         CAPTURE(scene.name);
-        const Bvh tree = tree_of(scene.items);
-        const BvhStatistics s = statistics(tree);
+        const WideTree tree = tree_of(scene.items);
+        const TreeStatistics s = statistics(tree);
         CHECK(s.nodes == tree.nodes().size());
         CHECK(s.frames == tree.frames().size());
         CHECK(s.mean_items_per_leaf * static_cast<double>(s.leaves) ==
               Approx(static_cast<double>(scene.items.size())));
         CHECK(s.mean_items_per_leaf <= static_cast<double>(s.max_items_per_leaf));
-        CHECK(s.max_depth <= Bvh::depth_limit);
-        CHECK(s.bytes >= s.nodes * sizeof(BvhNode) + scene.items.size() * sizeof(std::uint32_t));
+        CHECK(s.max_depth <= WideTree::depth_limit);
+        CHECK(s.bytes >= s.nodes * sizeof(TreeNode) + scene.items.size() * sizeof(std::uint32_t));
     }
 }
 
 TEST_CASE("division pays: a ray through many items expects to test few", "[index]") {
-    const BvhStatistics s = statistics(tree_of(random_balls(10000, 0.005, 0.02, 1)));
+    const TreeStatistics s = statistics(tree_of(random_balls(10000, 0.005, 0.02, 1)));
     CHECK(s.cost < 40);
     CHECK(s.max_depth >= 4);
     CHECK(s.mean_items_per_leaf > 3);

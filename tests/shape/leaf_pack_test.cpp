@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/leaf_pack.h"
 
-#include "index/bvh_builder.h"
+#include "index/tree_builder.h"
 #include "shape/sphere.h"
 #include "shape/triangle.h"
 #include "support/draw.h"
@@ -60,8 +60,8 @@ Things scattered(std::size_t count, const Vec3& centre, double size, Draw& draw)
 }
 
 /// All things, at most eight in a leaf; each leaf, as far as its box tells, may be anywhere.
-Bvh packed(const Things& things, const Box& around) {
-    Bvh tree = build_bvh(std::vector<Box>(things.size(), around), {}, 1);
+WideTree packed(const Things& things, const Box& around) {
+    WideTree tree = build_tree(std::vector<Box>(things.size(), around), {}, 1);
     tree.pack(leaf_packs(things.kinds()), 1);
     return tree;
 }
@@ -71,11 +71,11 @@ struct Candidates {
     std::size_t count = 0;
 };
 
-Candidates candidates(const Bvh& tree, const Things& things, const Ray& ray,
+Candidates candidates(const WideTree& tree, const Things& things, const Ray& ray,
                       const Interval& range) {
     Candidates found{std::vector<bool>(things.size())};
     PackRay packed(ray);
-    tree.traverse(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
+    tree.traverse(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
         return packed.candidates(leaf, whole, [&](std::uint32_t item) {
             found.asked[item] = true;
             ++found.count;
@@ -91,10 +91,10 @@ struct Blocked {
     std::size_t asked = 0;
 };
 
-Blocked blocked(const Bvh& tree, const Things& things, const Ray& ray, const Interval& range) {
+Blocked blocked(const WideTree& tree, const Things& things, const Ray& ray, const Interval& range) {
     Blocked found;
     PackRay packed(ray);
-    found.blocked = tree.traverse(ray, range, [&](const BvhLeaf& leaf, const Interval& whole) {
+    found.blocked = tree.traverse(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
         return packed.blocked(leaf, whole, [&](std::uint32_t item) {
             ++found.asked;
             return things.meet(item, ray, range) < range.max;
@@ -133,7 +133,7 @@ void rule_out_nothing(std::size_t rays) {
     for (const auto& [centre, size] : places) {
         CAPTURE(size);
         const Things things = scattered(21, centre, size, draw);
-        const Bvh tree = packed(things, {centre - Vec3(size), centre + Vec3(size)});
+        const WideTree tree = packed(things, {centre - Vec3(size), centre + Vec3(size)});
         std::size_t lost = 0, met = 0, wrong = 0;
         for (std::size_t i = 0; i < rays; ++i) {
             const Ray ray = aimed(things, centre, size, draw);
@@ -180,8 +180,8 @@ TEST_CASE("tiny spheres far apart are met from far away", "[shape]") {
             const Sphere& s = things.spheres[i];
             return Box{s.centre - Vec3(s.radius), s.centre + Vec3(s.radius)};
         };
-        Bvh tree =
-            build_bvh(static_cast<std::uint32_t>(things.size()), box, ItemPart(), BvhSettings(), 1);
+        WideTree tree = build_tree(static_cast<std::uint32_t>(things.size()), box, ItemPart(),
+                                   TreeSettings(), 1);
         tree.pack(leaf_packs(things.kinds()), 1);
         std::size_t met = 0, lost = 0;
         for (int i = 0; i < 30000; ++i) {
@@ -216,7 +216,7 @@ TEST_CASE("packs leave little in doubt", "[shape]") {
         for (const Sphere& s : things.spheres)
             things.boxes.insert(things.boxes.end(), 2,
                                 {s.centre - Vec3(0.1), s.centre + Vec3(0.1)});
-        const Bvh tree = packed(things, around), round_tree = packed(round, around);
+        const WideTree tree = packed(things, around), round_tree = packed(round, around);
         std::size_t asked = 0, met = 0, doubtful = 0;
         for (int i = 0; i < 2000; ++i) {
             const Vec3 from = centre + 3.0 * draw.direction();
@@ -248,18 +248,18 @@ TEST_CASE("of few boxes, and by a ray without a direction, all are asked", "[sha
     const Ray nowhere{Vec3(0), Vec3(0)};
     PackRay still(nowhere);
     std::size_t asked = 0;
-    packed(things, around).traverse(ray, {}, [&](const BvhLeaf& leaf, const Interval& range) {
+    packed(things, around).traverse(ray, {}, [&](const TreeLeaf& leaf, const Interval& range) {
         return still.candidates(leaf, range, [&](std::uint32_t) { return ++asked == 5; });
     });
     CHECK(asked == 5);
 }
 
 TEST_CASE("without packs everything is asked", "[shape]") {
-    const Bvh tree = build_bvh(std::vector<Box>(3, Box{Vec3(-1), Vec3(1)}));
+    const WideTree tree = build_tree(std::vector<Box>(3, Box{Vec3(-1), Vec3(1)}));
     const Ray ray{Vec3(-5, 0, 0), Vec3(1, 0, 0)};
     std::size_t asked = 0;
     PackRay packed(ray);
-    tree.traverse(ray, {}, [&](const BvhLeaf& leaf, const Interval& range) {
+    tree.traverse(ray, {}, [&](const TreeLeaf& leaf, const Interval& range) {
         return packed.candidates(leaf, range, [&](std::uint32_t) { return ++asked, false; });
     });
     CHECK(asked == 3);

@@ -71,3 +71,36 @@ TEST_CASE("the first crossing keeps to its range", "[shape]") {
     CHECK(first(0, 3) == 3);
     CHECK(first(5, 5.5) == 5.5);
 }
+
+TEST_CASE("the part of a sphere in a cell is bounded as closely as can be", "[shape]") {
+    const Sphere sphere{Vec3(1, 2, 3), 5};
+    const Box around = bounds(sphere);
+    CHECK(clipped_bounds(sphere, around).low == around.low);
+    CHECK(clipped_bounds(sphere, around).high == around.high);
+    // Through the middle of a side, beside it, and inside of it.
+    const Box cap = clipped_bounds(sphere, {Vec3(4, -9, -9), Vec3(9, 9, 9)});
+    CHECK(cap.low.x == 4);
+    CHECK(cap.high.x == Approx(6));
+    CHECK(cap.low.y == Approx(-2));
+    CHECK(cap.high.z == Approx(7));
+    const Box pole = clipped_bounds(sphere, {Vec3(1, 2, 4), Vec3(4, 2, 12)});
+    CHECK(pole.low.z == Approx(7));
+    CHECK(pole.high.z == Approx(8));
+    CHECK(clipped_bounds(sphere, {Vec3(0, 1, 2), Vec3(2, 3, 4)}).empty());
+    CHECK(clipped_bounds(sphere, {Vec3(5, 6, 7), Vec3(6, 7, 8)}).empty());
+    CHECK(clipped_bounds({sphere.centre, -sphere.radius}, around).high == around.high);
+}
+
+TEST_CASE("no point of a sphere is outside of its part in the cell", "[shape]") {
+    Draw draw(31);
+    for (int i = 0; i < 20000; ++i) {
+        const double scale = std::pow(10, draw.between(-6, 6));
+        const Sphere sphere{draw.point(scale), scale * draw.between(0.01, 1)};
+        const Vec3 point = sphere.centre + sphere.radius * draw.direction();
+        const Vec3 size = 0.3 * scale * (draw.point() + Vec3(1));
+        const Vec3 low = point - size * (0.5 * (draw.point() + Vec3(1)));
+        const Box part = clipped_bounds(sphere, {low, low + size});
+        const Vec3 slack(4e-15 * scale);
+        CHECK(contains({part.low - slack, part.high + slack}, point));
+    }
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 
 #include "index/brute.h"
 #include "index/statistics.h"
@@ -20,7 +20,7 @@ double size_of(const Item& item, const Box& bounds) {
     return size > 0 ? size : max_component(bounds.size());
 }
 
-Ray random_ray(Random& random, const std::vector<Item>&, const Bvh& tree) {
+Ray random_ray(Random& random, const std::vector<Item>&, const WideTree& tree) {
     const Vec3 size = tree.bounds().size();
     const Vec3 origin = point_in(random, {tree.bounds().low - size, tree.bounds().high + size});
     return {origin, stretched(random, unit(point_in(random, tree.bounds()) - origin))};
@@ -28,7 +28,7 @@ Ray random_ray(Random& random, const std::vector<Item>&, const Bvh& tree) {
 
 /// Touches an item, as nearly as doubles allow: a ball's tangent, or a line through a box's corner
 /// or edge.
-Ray grazing_ray(Random& random, const std::vector<Item>& items, const Bvh& tree) {
+Ray grazing_ray(Random& random, const std::vector<Item>& items, const WideTree& tree) {
     const Item& item = items[random() % items.size()];
     const Vec3 normal = direction(random);
     const Vec3 along = unit(cross(normal, direction(random)));
@@ -46,11 +46,11 @@ Ray grazing_ray(Random& random, const std::vector<Item>& items, const Bvh& tree)
 
 /// Runs along an axis, with other coordinates that are those of items or of the nodes' boxes, and
 /// zeros of both signs.
-Ray axis_ray(Random& random, const std::vector<Item>& items, const Bvh& tree) {
+Ray axis_ray(Random& random, const std::vector<Item>& items, const WideTree& tree) {
     const Item& item = items[random() % items.size()];
     Ray ray{point_in(random, item.box), Vec3(0)};
     for (int axis = 0; axis < 3; ++axis) {
-        const BvhNode& node = tree.nodes()[random() % tree.nodes().size()];
+        const TreeNode& node = tree.nodes()[random() % tree.nodes().size()];
         const auto choice = random() % 5;
         if (choice == 0) ray.origin[axis] = item.box.low[axis];
         if (choice == 1) ray.origin[axis] = item.box.high[axis];
@@ -68,7 +68,7 @@ Ray axis_ray(Random& random, const std::vector<Item>& items, const Bvh& tree) {
 }
 
 /// Starts in an item's box or on its surface.
-Ray inner_ray(Random& random, const std::vector<Item>& items, const Bvh&) {
+Ray inner_ray(Random& random, const std::vector<Item>& items, const WideTree&) {
     const Item& item = items[random() % items.size()];
     const Vec3 on_surface = item.centre() + item.radius * direction(random);
     const Vec3 origin = random() % 2 && item.radius > 0 ? on_surface : point_in(random, item.box);
@@ -77,7 +77,7 @@ Ray inner_ray(Random& random, const std::vector<Item>& items, const Bvh&) {
 
 struct RayKind {
     const char* name;
-    Ray (*make)(Random&, const std::vector<Item>&, const Bvh&);
+    Ray (*make)(Random&, const std::vector<Item>&, const WideTree&);
 };
 
 constexpr RayKind ray_kinds[] = {{"random", random_ray},
@@ -86,7 +86,8 @@ constexpr RayKind ray_kinds[] = {{"random", random_ray},
                                  {"from inside", inner_ray}};
 
 /// The rays, of `count`, for which the two indices disagree on the first or on any hit.
-int disagreements(const Bvh& tree, const std::vector<Item>& items, const RayKind& kind, int count) {
+int disagreements(const WideTree& tree, const std::vector<Item>& items, const RayKind& kind,
+                  int count) {
     const BruteForce brute(items.size());
     Random random(11);
     int result = 0;
@@ -108,30 +109,33 @@ constexpr auto never = [](std::span<const std::uint32_t>, Interval&) { return tr
 
 }  // namespace
 
-TEST_CASE("the hierarchy finds the hits that brute force finds", "[index]") {
-    for (const ItemScene& scene : scenes()) {
-        const Bvh tree = tree_of(scene.items);
-        for (const RayKind& kind : ray_kinds) {
-            CAPTURE(scene.name, kind.name);
-            CHECK(disagreements(tree, scene.items, kind, 4000) == 0);
+TEST_CASE("both indexes find the hits that brute force finds", "[index]") {
+    for (const TreeSettings& settings : both_divisions)
+        for (const ItemScene& scene : scenes()) {
+            const WideTree tree = tree_of(scene.items, settings);
+            for (const RayKind& kind : ray_kinds) {
+                CAPTURE(scene.name, kind.name);
+                CHECK(disagreements(tree, scene.items, kind, 4000) == 0);
+            }
         }
-    }
 }
 
 TEST_CASE("hits do not depend on the settings of the build", "[index]") {
     const std::vector<Item> items = random_balls(300, 0.02, 0.3, 12);
-    const BvhSettings cases[] = {
-        {.node_cost = 0}, {.node_cost = 100}, {.group_cost = 0}, {.group = 1}, {.group = 1000},
-    };
-    for (const BvhSettings& settings : cases) {
-        const Bvh tree = tree_of(items, settings);
-        for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, items, kind, 500) == 0);
-    }
+    const TreeSettings cases[] = {
+        {.node_cost = 0}, {.node_cost = 100},       {.group_cost = 0},    {.group = 1},
+        {.group = 1000},  {.reference_cost = 1000}, {.reference_cost = 0}};
+    for (TreeSettings settings : cases)
+        for (const Division by : {Division::boxes, Division::cells}) {
+            settings.by = by;
+            const WideTree tree = tree_of(items, settings);
+            for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, items, kind, 500) == 0);
+        }
 }
 
-TEST_CASE("a packed hierarchy finds the same, and gives leaves what was kept for them", "[index]") {
+TEST_CASE("a packed tree finds the same, and gives leaves what was kept for them", "[index]") {
     const std::vector<Item> items = random_balls(3000, 0.005, 0.3, 22);
-    Bvh tree = tree_of(items);
+    WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
     std::vector<std::uint32_t> before = items_of(tree);
     REQUIRE(!tree.foremost().empty());
     tree.pack({[](std::span<const std::uint32_t> leaf) { return leaf.size(); },
@@ -140,7 +144,7 @@ TEST_CASE("a packed hierarchy finds the same, and gives leaves what was kept for
                }});
     CHECK(items_of(tree) == before);
     for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, items, kind, 500) == 0);
-    tree.traverse({Vec3(-3, 0.1, 0.2), Vec3(1, 0, 0)}, {}, [&](const BvhLeaf& leaf, Interval&) {
+    tree.traverse({Vec3(-3, 0.1, 0.2), Vec3(1, 0, 0)}, {}, [&](const TreeLeaf& leaf, Interval&) {
         for (std::size_t i = 0; i < leaf.items.size(); ++i)
             CHECK(leaf.pack[i] == leaf.items[i] + 7);
         return false;
@@ -149,14 +153,15 @@ TEST_CASE("a packed hierarchy finds the same, and gives leaves what was kept for
 
 TEST_CASE("an empty hierarchy visits nothing", "[index]") {
     const std::vector<Box> only_empty(3);
-    for (const Bvh& tree : {Bvh(), build_bvh(std::span<const Box>()), build_bvh(only_empty)}) {
+    for (const WideTree& tree :
+         {WideTree(), build_tree(std::span<const Box>()), build_tree(only_empty)}) {
         CHECK(tree.bounds().empty());
         CHECK_FALSE(tree.traverse({Vec3(0), Vec3(0, 0, 1)}, {}, never));
     }
 }
 
 TEST_CASE("rays that cannot meet anything visit nothing", "[index]") {
-    const Bvh tree = build_bvh(std::vector<Box>{{Vec3(0), Vec3(1)}});
+    const WideTree tree = build_tree(std::vector<Box>{{Vec3(0), Vec3(1)}});
     struct Case {
         Ray ray;
         Interval range;
@@ -176,7 +181,7 @@ TEST_CASE("rays that cannot meet anything visit nothing", "[index]") {
 TEST_CASE("leaves are visited front to back until the hit, or until told to stop", "[index]") {
     std::vector<Item> row;
     for (int i = 0; i < 1000; ++i) row.push_back(ball(Vec3(i, 0, 0), 0.3));
-    const Bvh tree = tree_of(row);
+    const WideTree tree = tree_of(row, GENERATE(from_range(both_divisions)));
     const Ray ray{Vec3(1000, 0.1, 0), Vec3(-2, 0, 0)};
 
     int leaves = 0;
@@ -213,9 +218,9 @@ TEST_CASE("items in a row of growing distances stay within the limit of depth", 
         const double place = std::pow(1.05, i - 1400);
         row.push_back(ball(Vec3(place, 0, 0), 1e-3 * place));
     }
-    const Bvh tree = tree_of(row);
+    const WideTree tree = tree_of(row, GENERATE(from_range(both_divisions)));
     CHECK(items_of(tree).size() == row.size());
-    CHECK(statistics(tree).max_depth <= Bvh::depth_limit);
+    CHECK(statistics(tree).max_depth <= WideTree::depth_limit);
     CHECK(tree.frames().size() > 5);
     for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, row, kind, 1000) == 0);
 }
@@ -225,9 +230,9 @@ TEST_CASE("small things far from the middle have frames of their own", "[index]"
     std::vector<Item> items = moved(random_balls(500, 0.01, 0.1, 31), 1e-7, Vec3(1, 2, 3));
     for (const Item& item : moved(random_balls(500, 0.01, 0.1, 32), 1e-7, Vec3(-3, 1, -2)))
         items.push_back(item);
-    const Bvh tree = tree_of(items);
+    const WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
     CHECK(tree.frames().size() > 2);
-    CHECK(tree.frames().size() <= 1 + BvhNode::width);
+    CHECK(tree.frames().size() <= 1 + TreeNode::width);
     for (const RayKind& kind : ray_kinds) CHECK(disagreements(tree, items, kind, 1000) == 0);
     // Seen from the other cloud, and passed through, few of them are near a ray.
     Random random(33);
@@ -248,7 +253,7 @@ TEST_CASE("rays that ask for anything in their way pass the same leaves, the lik
     // Crumbs between the origin and a wall.
     std::vector<Item> items = random_balls(400, 0.001, 0.01, 21);
     items.push_back({{Vec3(2, -1, -1), Vec3(2.1, 1, 1)}});
-    const Bvh tree = tree_of(items);
+    const WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
     const Ray ray{Vec3(-2, 0.1, 0.2), Vec3(1, 0, 0)};
     std::vector<std::uint32_t> near, likely;
     const auto note = [](std::vector<std::uint32_t>& found) {
@@ -263,9 +268,10 @@ TEST_CASE("rays that ask for anything in their way pass the same leaves, the lik
     const auto wall = std::ranges::find(likely, 400u);
     CHECK(wall - likely.begin() < 8);
     // What was asked first may be asked again in its place.
-    std::ranges::sort(near);
-    std::ranges::sort(likely);
-    const auto again = std::ranges::unique(likely);
-    likely.erase(again.begin(), again.end());
+    for (std::vector<std::uint32_t>* found : {&near, &likely}) {
+        std::ranges::sort(*found);
+        const auto again = std::ranges::unique(*found);
+        found->erase(again.begin(), again.end());
+    }
     CHECK(near == likely);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "index/bvh_builder.h"
+#include "index/tree_builder.h"
 
 #include "base/page_advice.h"
 #include "base/parallel.h"
@@ -13,17 +13,17 @@ namespace {
 
 /// Who builds of so many items together keeps memory that is worth giving back.
 constexpr std::uint32_t many_items = 16384;
-/// More items are not cut: the pieces could be more than a hierarchy can hold.
+/// More items are not cut into pieces: these could be more than a hierarchy of boxes can hold.
 constexpr std::uint32_t most_to_cut = 1u << 23;
 
 }  // namespace
 
-/// Makes what only the hierarchy's owner may.
-class BvhBuilder {
+/// Makes what only the tree's owner may.
+class TreeBuilder {
 public:
-    static Bvh make(std::span<Fragment> fragments, std::vector<std::uint32_t> endless,
-                    const Box& bounds, const NodeTask& task) {
-        Bvh made;
+    static WideTree make(std::span<Fragment> fragments, std::vector<std::uint32_t> endless,
+                         const Box& bounds, const NodeTask& task) {
+        WideTree made;
         made.settings_ = task.costs;
         made.endless_ = std::move(endless);
         if (fragments.empty()) return made;
@@ -40,7 +40,7 @@ public:
 
 private:
     /// Items that stop so many rays that asking them first spares more steps than it takes.
-    static void choose_foremost(Bvh& made, std::span<const Fragment> fragments, double steps) {
+    static void choose_foremost(WideTree& made, std::span<const Fragment> fragments, double steps) {
         constexpr std::size_t most_leaves = 4;
         // A group in a row of others takes less than one alone.
         constexpr double cost = 0.5;
@@ -60,7 +60,7 @@ private:
             double chance = 0;
             for (const Fragment* f : items) chance += chance_to_stop(area(f->box), whole);
             if (chance * steps < cost) return;
-            made.foremost_.push_back(BvhChild::leaf(made.leaves_.size()));
+            made.foremost_.push_back(TreeChild::leaf(made.leaves_.size()));
             made.leaves_.push_back(static_cast<std::uint32_t>(items.size()));
             const auto first = static_cast<std::ptrdiff_t>(made.leaves_.size());
             for (const Fragment* f : items) made.leaves_.push_back(f->item);
@@ -69,9 +69,9 @@ private:
     }
 };
 
-Bvh build_bvh(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_of,
-              const BvhSettings& settings, int threads) {
-    assert(items < Bvh::item_limit);
+WideTree build_tree(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_of,
+                    const TreeSettings& settings, int threads) {
+    assert(items < WideTree::item_limit);
     std::vector<Fragment> fragments;
     std::vector<std::uint32_t> endless;
     fragments.reserve(items);
@@ -92,9 +92,9 @@ Bvh build_bvh(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_o
     const auto enlarge = [&](Box& box) { box = {box.low - Vec3(slack), box.high + Vec3(slack)}; };
     for (Fragment& f : fragments) enlarge(f.box);
     enlarge(bounds);
-    const bool cut = part_of && items <= most_to_cut;
-    Bvh made = BvhBuilder::make(fragments, std::move(endless), bounds,
-                                {settings, cut ? part_of : ItemPart(), slack, threads});
+    const bool cut = settings.by == Division::cells || items <= most_to_cut;
+    WideTree made = TreeBuilder::make(fragments, std::move(endless), bounds,
+                                      {settings, cut ? part_of : ItemPart(), slack, threads});
     if (items > many_items) give_back_freed();
     return made;
 }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the hierarchy of boxes on Haines' sphereflake pair, against brute force and, where its
-// headers are there, Embree 3: build time, then million rays a second. Run by hand: bvh_bench
-// [depth ...]. The last column is the ratio to the opponent. Rays: through a camera's pixels,
+// Speed of both indexes on Haines' sphereflake pair, beside Embree 3 where its headers are there:
+// build time, then million rays a second. Run by hand: flake_bench [depth ...], or flake_bench
+// growth, which is the time for a ray among more and more spheres. Rays: through a camera's pixels,
 // cosine-distributed from what they hit, and from there to luminaires (any hit). One thread
-// everywhere. NODE_COST and GROUP_COST in the environment replace the settings' defaults.
-#include "index/brute.h"
-#include "index/bvh_builder.h"
-#include "index/statistics.h"
+// everywhere. NODE_COST, GROUP_COST and REFERENCE_COST in the environment replace the defaults of
+// the kd-tree.
+#include "index/tree_builder.h"
 #include "rays.h"
 #include "shape/leaf_pack.h"
+#include "shape/sphere.h"
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <random>
-#include <type_traits>
 
 namespace {
 
@@ -74,36 +74,11 @@ struct Hit {
     std::uint32_t item = 0;
 };
 
-/// Calls ask(item) -> bool for the balls that the ray may meet in a leaf.
-template <class Ask>
-bool ask_leaf(PackRay& packed, const BvhLeaf& leaf, const Interval& range, Ask ask) {
-    return packed.candidates(leaf, range, ask);
-}
-template <class Ask>
-bool ask_leaf(PackRay&, std::span<const std::uint32_t> items, const Interval&, Ask ask) {
-    return std::ranges::any_of(items, ask);
-}
-
-template <class Ask>
-bool ask_any(PackRay& packed, const BvhLeaf& leaf, const Interval& range, Ask ask) {
-    return packed.blocked(leaf, range, ask);
-}
-template <class Ask>
-bool ask_any(PackRay&, std::span<const std::uint32_t> items, const Interval&, Ask ask) {
-    return std::ranges::any_of(items, ask);
-}
-
-/// What the index calls its leaves.
-template <class Index>
-using LeafOf =
-    std::conditional_t<std::is_same_v<Index, Bvh>, const BvhLeaf&, std::span<const std::uint32_t>>;
-
-template <class Index>
-Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray) {
+Hit first_hit(const WideTree& tree, const std::vector<Ball>& balls, const Ray& ray) {
     Hit hit;
     PackRay packed(ray);
-    index.traverse(ray, {0, far_away}, [&](LeafOf<Index> leaf, Interval& range) {
-        return ask_leaf(packed, leaf, range, [&](std::uint32_t item) {
+    tree.traverse(ray, {0, far_away}, [&](const TreeLeaf& leaf, Interval& range) {
+        return packed.candidates(leaf, range, [&](std::uint32_t item) {
             const double t = meet(balls[item], ray, range);
             if (t < range.max) {
                 range.max = t;
@@ -115,18 +90,14 @@ Hit first_hit(const Index& index, const std::vector<Ball>& balls, const Ray& ray
     return hit;
 }
 
-template <class Index>
-bool blocked(const Index& index, const std::vector<Ball>& balls, const Ray& ray, double distance) {
+bool blocked(const WideTree& tree, const std::vector<Ball>& balls, const Ray& ray,
+             double distance) {
     PackRay packed(ray);
-    const auto visit = [&](LeafOf<Index> leaf, Interval& range) {
-        return ask_any(packed, leaf, range, [&](std::uint32_t item) {
+    return tree.traverse_likely(ray, {0, distance}, [&](const TreeLeaf& leaf, Interval& range) {
+        return packed.blocked(leaf, range, [&](std::uint32_t item) {
             return meet(balls[item], ray, range) < range.max;
         });
-    };
-    if constexpr (std::is_same_v<Index, Bvh>)
-        return index.traverse_likely(ray, {0, distance}, visit);
-    else
-        return index.traverse(ray, {0, distance}, visit);
+    });
 }
 
 Vec3 sphere_point(std::mt19937_64& random) {
@@ -137,7 +108,7 @@ Vec3 sphere_point(std::mt19937_64& random) {
     return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-Rays make_rays(const Bvh& tree, const std::vector<Ball>& balls, int width) {
+Rays make_rays(const WideTree& tree, const std::vector<Ball>& balls, int width) {
     std::mt19937_64 random(1);
     std::uniform_int_distribution<std::size_t> any_luminaire(balls.size() / 2, balls.size() - 1);
     Rays rays;
@@ -167,13 +138,6 @@ Rays make_rays(const Bvh& tree, const std::vector<Ball>& balls, int width) {
     return rays;
 }
 
-void print_speed(const char* what, const char* opponent, const Speed& ours, const Speed& theirs) {
-    std::printf("%-12s %12.3f (%5.2f %% hit) %-12s %12.4f (%5.2f %% hit) %10.2f\n", what,
-                ours.rays_per_second * 1e-6, ours.found * 100, opponent,
-                theirs.rays_per_second * 1e-6, theirs.found * 100,
-                ours.rays_per_second / theirs.rays_per_second);
-}
-
 #ifdef WITH_EMBREE
 void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -185,10 +149,14 @@ void fill(RTCGeometry geometry, const std::vector<Ball>& balls) {
 }
 #endif
 
-Bvh tree_of(const std::vector<Ball>& balls, const BvhSettings& settings) {
+WideTree tree_of(const std::vector<Ball>& balls, const TreeSettings& settings) {
     const auto count = static_cast<std::uint32_t>(balls.size());
-    Bvh tree = build_bvh(
-        count, [&](std::uint32_t i) { return bounds(balls[i]); }, {}, settings, 1);
+    WideTree tree = build_tree(
+        count, [&](std::uint32_t i) { return bounds(balls[i]); },
+        [&](std::uint32_t i, const Box& cell) {
+            return clipped_bounds(Sphere{balls[i].centre, balls[i].radius}, cell);
+        },
+        settings, 1);
     const auto ball = [&](std::uint32_t i) {
         return PackedKinds::Ball{balls[i].centre, balls[i].radius};
     };
@@ -196,68 +164,90 @@ Bvh tree_of(const std::vector<Ball>& balls, const BvhSettings& settings) {
     return tree;
 }
 
-void run(int depth) {
-    const std::vector<Ball> balls = flakes(depth);
-    BvhSettings settings;
-    read_setting("NODE_COST", settings.node_cost);
-    read_setting("GROUP_COST", settings.group_cost);
-
-    const double start = seconds();
-    const Bvh tree = tree_of(balls, settings);
-    const double build_time = seconds() - start;
-    const BvhStatistics s = statistics(tree);
-    std::printf(
-        "\nsphereflake pair, depth %d: %zu spheres, %.1f bytes a sphere, %zu nodes, %zu leaves, "
-        "depth %d,\n%.2f items a leaf (at most %zu), %zu asked before all others, cost %.2f\n",
-        depth, balls.size(), static_cast<double>(s.bytes) / static_cast<double>(balls.size()),
-        s.nodes, s.leaves, s.max_depth, s.mean_items_per_leaf, s.max_items_per_leaf,
-        8 * tree.foremost().size(), s.cost);
-    std::printf("%-12s %12s %13s %-12s %12s %13s %10s\n", "case", "hierarchy", "", "opponent",
-                "its", "", "ratio");
-
-    const Rays rays = make_rays(tree, balls, 512);
-    const auto meets = [&](const auto& index) {
-        return [&](const Segment& r) { return first_hit(index, balls, r.ray).t < far_away; };
+void shoot(const std::array<Measured, 2>& trees, const std::vector<Ball>& balls) {
+    const Rays rays = make_rays(trees[0].tree, balls, 512);
+    const auto meets = [&](const WideTree& tree) {
+        return [&](const Segment& r) { return first_hit(tree, balls, r.ray).t < far_away; };
     };
-    const auto blocks = [&](const auto& index) {
-        return [&](const Segment& r) { return blocked(index, balls, r.ray, r.length); };
+    const auto blocks = [&](const WideTree& tree) {
+        return [&](const Segment& r) { return blocked(tree, balls, r.ray, r.length); };
     };
-    if (balls.size() < 100000) {
-        const BruteForce brute(balls.size());
-        const std::size_t step = 1 + balls.size() / 100;
-        print_speed("camera M/s", "brute force", measure(rays.camera, 1, meets(tree)),
-                    measure(rays.camera, step, meets(brute)));
-        print_speed("bounce M/s", "brute force", measure(rays.bounce, 1, meets(tree)),
-                    measure(rays.bounce, step, meets(brute)));
-        print_speed("shadow M/s", "brute force", measure(rays.shadow, 1, blocks(tree)),
-                    measure(rays.shadow, step, blocks(brute)));
-    }
+    const auto [kd, boxes] = std::tie(trees[0].tree, trees[1].tree);
 #ifdef WITH_EMBREE
-    const double embree_start = seconds();
+    const double start = seconds();
     const Embree embree(RTC_GEOMETRY_TYPE_SPHERE_POINT, RTC_SCENE_FLAG_NONE,
                         [&](RTCGeometry geometry) { fill(geometry, balls); });
-    const double embree_time = seconds() - embree_start;
-    std::printf("%-12s %12.3f %13s %-12s %12.3f %13s %10.2f\n", "build s", build_time, "", "Embree",
-                embree_time, "", build_time / embree_time);
+    print_row("build s", trees[0].build_time, trees[1].build_time, seconds() - start);
     const auto embree_meets = [&](const Segment& r) { return embree.meets(r); };
     const auto embree_blocks = [&](const Segment& r) { return embree.blocks(r); };
-    const auto versus = [&](const char* what, const auto& segments, auto ours, auto theirs) {
-        const auto [mine, other] = compare(segments, ours, theirs);
-        print_speed(what, "Embree", mine, other);
-        const auto [my_once, other_once] = compare_once(segments, ours, theirs);
-        print_speed("  once", "Embree", my_once, other_once);
+    const auto print = [&](const char* what, const auto& segments, auto... by) {
+        print_speeds(what, compare(segments, by...));
+        print_speeds("  once", compare_once(segments, by...));
     };
-    versus("camera M/s", rays.camera, meets(tree), embree_meets);
-    versus("bounce M/s", rays.bounce, meets(tree), embree_meets);
-    versus("shadow M/s", rays.shadow, blocks(tree), embree_blocks);
+    print("camera M/s", rays.camera, meets(kd), meets(boxes), embree_meets);
+    print("bounce M/s", rays.bounce, meets(kd), meets(boxes), embree_meets);
+    print("shadow M/s", rays.shadow, blocks(kd), blocks(boxes), embree_blocks);
 #else
-    std::printf("%-12s %12.3f\n", "build s", build_time);
+    print_row("build s", trees[0].build_time, trees[1].build_time, 0);
+    print_speeds("camera M/s", compare(rays.camera, meets(kd), meets(boxes)));
+    print_speeds("bounce M/s", compare(rays.bounce, meets(kd), meets(boxes)));
+    print_speeds("shadow M/s", compare(rays.shadow, blocks(kd), blocks(boxes)));
 #endif
+}
+
+void run(int depth) {
+    const std::vector<Ball> balls = flakes(depth);
+    const auto trees = build_both([&](const auto& settings) { return tree_of(balls, settings); });
+    std::printf("\nsphereflake pair, depth %d: %zu spheres\n", depth, balls.size());
+    print_trees(trees, balls.size());
+    print_head();
+    shoot(trees, balls);
+}
+
+/// Balls all over a cube, with as much surface altogether whatever their number.
+std::vector<Ball> cloud(std::size_t count) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const double radius = 0.5 / std::sqrt(static_cast<double>(count));
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = uniform(random), y = uniform(random);
+        balls.push_back({Vec3(x, y, uniform(random)), radius});
+    }
+    return balls;
+}
+
+/// Of rays through a cube of spheres, microseconds each, and over the logarithm of their number.
+void grow() {
+    std::printf("%9s %12s %16s %12s %16s\n", "spheres", "kd_tree us", "over log2 n", "boxes us",
+                "over log2 n");
+    for (const std::size_t count : {1000, 10'000, 100'000, 1'000'000}) {
+        const std::vector<Ball> balls = cloud(count);
+        const auto trees =
+            build_both([&](const auto& settings) { return tree_of(balls, settings); });
+        std::mt19937_64 random(6);
+        std::vector<Segment> rays;
+        for (int i = 0; i < 200'000; ++i) {
+            const Vec3 from = 3.0 * sphere_point(random), to = sphere_point(random);
+            rays.push_back({{from, unit(to - from)}});
+        }
+        const auto meets = [&](const WideTree& tree) {
+            return [&](const Segment& r) { return first_hit(tree, balls, r.ray).t < far_away; };
+        };
+        const auto speeds = compare_once(rays, meets(trees[0].tree), meets(trees[1].tree));
+        const double levels = std::log2(static_cast<double>(count));
+        const double kd = 1e6 / speeds[0].rays_per_second, bb = 1e6 / speeds[1].rays_per_second;
+        std::printf("%9zu %12.3f %16.4f %12.3f %16.4f\n", count, kd, kd / levels, bb, bb / levels);
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "growth") == 0) {
+        grow();
+        return 0;
+    }
     if (argc == 1) {
         for (const int depth : {4, 5, 6}) run(depth);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "index/bvh.h"
+#include "index/wide_tree.h"
 
 #include "base/every_machine.h"
 #include "base/lanes.h"
@@ -30,7 +30,7 @@ float above(double x) {
 /// so that its numbers are those of coordinates.
 class Probe {
 public:
-    [[gnu::always_inline]] Probe(const BvhFrame& frame, const Ray& ray, const Interval& range) {
+    [[gnu::always_inline]] Probe(const TreeFrame& frame, const Ray& ray, const Interval& range) {
         const Vec3& d = ray.direction;
         const Vec3 size = glm::abs(d);
         unit_ = size.x > size.y ? size.x : size.y;
@@ -71,9 +71,9 @@ public:
             far_[at] = lanes_of(far[axis]);
             sooner_[at] = lanes_of(sooner[axis]);
             later_[at] = lanes_of(later[axis]);
-            const std::size_t row = at * sizeof(BvhNode::Row);
-            first_[at] = offsetof(BvhNode, low) + row;
-            last_[at] = offsetof(BvhNode, high) + row;
+            const std::size_t row = at * sizeof(TreeNode::Row);
+            first_[at] = offsetof(TreeNode, low) + row;
+            last_[at] = offsetof(TreeNode, high) + row;
             if (std::signbit(d[axis])) std::swap(first_[at], last_[at]);
         }
         least_ = below(least);
@@ -88,7 +88,7 @@ public:
 
     /// The slots whose boxes the ray meets, a bit each, and where it enters all of them. For what
     /// is not a number no box is ruled out.
-    [[gnu::always_inline]] std::uint32_t meet(const BvhNode& node, Lanes& entry) const {
+    [[gnu::always_inline]] std::uint32_t meet(const TreeNode& node, Lanes& entry) const {
         const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
         std::array<Lanes, 3> in, out;
 #pragma GCC unroll 3
@@ -124,12 +124,12 @@ private:
 /// What is still to be visited.
 struct Pending {
     float entry;
-    BvhChild child;
+    TreeChild child;
 };
 
 /// Of the children in some slots the one to visit first; the others are put on a stack.
 template <bool likely_first>
-[[gnu::always_inline]] inline Pending take_first(const BvhNode& node, std::uint32_t slots,
+[[gnu::always_inline]] inline Pending take_first(const TreeNode& node, std::uint32_t slots,
                                                  const Lanes& entry, Pending*& top) {
     const auto take_lowest = [&] {
         const int slot = std::countr_zero(slots);
@@ -156,27 +156,27 @@ template <bool likely_first>
 }  // namespace
 
 template <bool likely_first>
-[[gnu::always_inline]] inline bool Bvh::walk_any(const BvhFrame& frame, const Ray& ray,
-                                                 Interval& range, Visit visit) const {
+[[gnu::always_inline]] inline bool WideTree::walk_any(const TreeFrame& frame, const Ray& ray,
+                                                      Interval& range, Visit visit) const {
     Probe probe(frame, ray, range);
-    std::array<Pending, (BvhNode::width - 1) * depth_limit + 1> stack;
+    std::array<Pending, (TreeNode::width - 1) * depth_limit + 1> stack;
     Pending* top = stack.data();
     const auto* const nodes = reinterpret_cast<const std::byte*>(nodes_.data());
-    Pending here{probe.begin(), BvhChild::node(frame.root)};
+    Pending here{probe.begin(), TreeChild::node(frame.root)};
     for (;;) {
         if (here.child.is_node()) {
-            const auto& node = *reinterpret_cast<const BvhNode*>(nodes + here.child.node_place());
+            const auto& node = *reinterpret_cast<const TreeNode*>(nodes + here.child.node_place());
             Lanes entry;
             if (const std::uint32_t slots = probe.meet(node, entry)) {
                 here = take_first<likely_first>(node, slots, entry, top);
                 continue;
             }
         } else if (here.child.is_leaf()) {
-            const BvhLeaf met = leaf(here.child, probe.parameter(here.entry));
+            const TreeLeaf met = leaf(here.child, probe.parameter(here.entry));
             if (!met.items.empty() && visit(met, range)) return true;
             if (!likely_first) probe.set_end(range);
         } else {
-            const BvhFrame& inner = frames_[here.child.frame()];
+            const TreeFrame& inner = frames_[here.child.frame()];
             if (likely_first ? walk_likely(inner, ray, range, visit)
                              : walk(inner, ray, range, visit))
                 return true;
@@ -189,17 +189,17 @@ template <bool likely_first>
     }
 }
 
-CANDELABRA_EVERY_MACHINE bool Bvh::walk(const BvhFrame& frame, const Ray& ray, Interval& range,
-                                        Visit visit) const {
+CANDELABRA_EVERY_MACHINE bool WideTree::walk(const TreeFrame& frame, const Ray& ray,
+                                             Interval& range, Visit visit) const {
     return walk_any<false>(frame, ray, range, visit);
 }
 
-CANDELABRA_EVERY_MACHINE bool Bvh::walk_likely(const BvhFrame& frame, const Ray& ray,
-                                               Interval& range, Visit visit) const {
+CANDELABRA_EVERY_MACHINE bool WideTree::walk_likely(const TreeFrame& frame, const Ray& ray,
+                                                    Interval& range, Visit visit) const {
     return walk_any<true>(frame, ray, range, visit);
 }
 
-bool Bvh::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
+bool WideTree::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
     if (foremost_.empty()) return false;
     // Where the ray is nearest to the middle of all; few rays wait for a division.
     double entry = 0;
@@ -209,28 +209,30 @@ bool Bvh::visit_foremost(const Ray& ray, Interval& range, Visit visit) const {
         if (!(std::abs(length2 - 1) < 0x1p-30)) entry /= length2;
     }
     return std::ranges::any_of(foremost_,
-                               [&](BvhChild child) { return visit(leaf(child, entry), range); });
+                               [&](TreeChild child) { return visit(leaf(child, entry), range); });
 }
 
-bool Bvh::visit_endless(Interval& range, Visit visit) const {
+bool WideTree::visit_endless(Interval& range, Visit visit) const {
     // As few at a time as a leaf has.
-    for (std::size_t first = 0; first < endless_.size(); first += BvhNode::width) {
-        const std::size_t count = std::min(BvhNode::width, endless_.size() - first);
+    for (std::size_t first = 0; first < endless_.size(); first += TreeNode::width) {
+        const std::size_t count = std::min(TreeNode::width, endless_.size() - first);
         if (visit({std::span(endless_).subspan(first, count), nullptr, range.min}, range))
             return true;
     }
     return false;
 }
 
-std::span<const std::uint32_t> Bvh::items(BvhChild child) const { return leaf(child, 0).items; }
+std::span<const std::uint32_t> WideTree::items(TreeChild child) const {
+    return leaf(child, 0).items;
+}
 
-std::size_t Bvh::memory_bytes() const {
-    return sizeof(*this) + frames_.capacity() * sizeof(BvhFrame) +
-           nodes_.capacity() * sizeof(BvhNode) +
+std::size_t WideTree::memory_bytes() const {
+    return sizeof(*this) + frames_.capacity() * sizeof(TreeFrame) +
+           nodes_.capacity() * sizeof(TreeNode) +
            (leaves_.capacity() + packs_.size() + endless_.capacity()) * sizeof(std::uint32_t);
 }
 
-void Bvh::pack(const LeafPacks& packs, int threads) {
+void WideTree::pack(const LeafPacks& packs, int threads) {
     struct Leaf {
         std::span<const std::uint32_t> items;
         Box box;
@@ -238,20 +240,20 @@ void Bvh::pack(const LeafPacks& packs, int threads) {
     };
     std::vector<Leaf> leaves;
     std::size_t words = 4;  // of leaves without items
-    const auto add = [&](BvhChild& child, const Box& box) {
+    const auto add = [&](TreeChild& child, const Box& box) {
         const auto list = items(child);
         leaves.push_back({list, box, words});
         const std::size_t size = 1 + list.size() + packs.size(list);
-        child = BvhChild::leaf(words / 4);
+        child = TreeChild::leaf(words / 4);
         words += (size + 3) / 4 * 4;
     };
-    for_each_node([&](std::uint32_t number, const BvhFrame& frame, int) {
-        BvhNode& node = nodes_[number];
-        for (std::size_t slot = 0; slot < BvhNode::width; ++slot)
+    for_each_node([&](std::uint32_t number, const TreeFrame& frame, int) {
+        TreeNode& node = nodes_[number];
+        for (std::size_t slot = 0; slot < TreeNode::width; ++slot)
             if (node.used(slot) && node.children[slot].is_leaf())
                 add(node.children[slot], node.box(slot, frame.origin));
     });
-    for (BvhChild& child : foremost_) add(child, bounds_);
+    for (TreeChild& child : foremost_) add(child, bounds_);
 
     // Those who read packs in lanes may read beyond the last one.
     words += 2 * lane_count;
@@ -272,12 +274,12 @@ void Bvh::pack(const LeafPacks& packs, int threads) {
     });
     packs_ = std::move(made);
     std::vector<std::uint32_t>().swap(leaves_);
-    use_huge_pages(nodes_.data(), nodes_.size() * sizeof(BvhNode));
+    use_huge_pages(nodes_.data(), nodes_.size() * sizeof(TreeNode));
     use_huge_pages(packs_.data(), packs_.size() * sizeof(std::uint32_t));
 }
 
-void Bvh::for_each_node(
-    FunctionRef<void(std::uint32_t number, const BvhFrame&, int depth)> use) const {
+void WideTree::for_each_node(
+    FunctionRef<void(std::uint32_t number, const TreeFrame&, int depth)> use) const {
     struct Place {
         std::uint32_t node, frame;
         int depth;
@@ -288,9 +290,9 @@ void Bvh::for_each_node(
         const Place place = todo.back();
         todo.pop_back();
         use(place.node, frames_[place.frame], place.depth);
-        const BvhNode& node = nodes_[place.node];
-        for (std::size_t slot = BvhNode::width; slot-- > 0;) {
-            const BvhChild child = node.children[slot];
+        const TreeNode& node = nodes_[place.node];
+        for (std::size_t slot = TreeNode::width; slot-- > 0;) {
+            const TreeChild child = node.children[slot];
             if (!node.used(slot) || child.is_leaf()) continue;
             const std::uint32_t frame = child.is_frame() ? child.frame() : place.frame;
             const std::uint32_t next = child.is_frame() ? frames_[frame].root : child.node();
