@@ -7,6 +7,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace {
@@ -68,6 +70,15 @@ int cubic_to(const FT_Vector* control1, const FT_Vector* control2, const FT_Vect
     return 0;
 }
 
+/// Whether the bytes begin as TrueType, OpenType or PostScript fonts do. FreeType would try readers
+/// of many other formats, and unpack files that are packed.
+bool is_outline_font(std::string_view font) {
+    using namespace std::string_view_literals;
+    static constexpr auto starts = std::to_array<std::string_view>(
+        {"\0\1\0\0"sv, "true", "ttcf", "OTTO", "typ1", "%!PS-AdobeFont", "%!FontType", "\x80\1"});
+    return std::ranges::any_of(starts, [&](auto start) { return font.starts_with(start); });
+}
+
 /// Fonts of symbols have their characters at other places.
 FT_UInt glyph_of(FT_Face face, char32_t code) {
     constexpr char32_t symbols = 0xF000;
@@ -79,6 +90,7 @@ FT_UInt glyph_of(FT_Face face, char32_t code) {
 
 TextOutlines text_outlines(std::string_view font, std::string_view text, const Vec2& offset) {
     TextOutlines result;
+    if (!is_outline_font(font)) return {{}, "it is no font that FreeType reads"};
     FT_Library opened = nullptr;
     if (FT_Init_FreeType(&opened) != 0) return {{}, "FreeType does not start"};
     const Library library(opened, FT_Done_FreeType);

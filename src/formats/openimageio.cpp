@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "formats/claim.h"
 #include "formats/formats.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
 
 namespace {
 
@@ -26,34 +30,89 @@ void split(const std::vector<float>& all, std::size_t stored, std::size_t alpha,
     }
 }
 
-std::string read(const std::string& path, std::int64_t most_pixels, StoredPicture& picture) {
-    OIIO::ImageSpec as_stored;
-    as_stored.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(path, &as_stored);
-    if (!input) return OIIO::geterror();
-    const OIIO::ImageSpec& spec = input->spec();
+/// An empty text of a reader that failed would count as success.
+std::string said(std::string problem) {
+    return problem.empty() ? "it is damaged or ends too early" : problem;
+}
+
+/// An open file, or why there is none.
+struct Opened {
+    std::unique_ptr<OIIO::ImageInput> input;
+    std::string problem;
+};
+
+/// Bytes of the pixels as the file's rules count them, before they are packed: a pixel of a table
+/// has a number only. Tiles reach over the edge.
+double stored_bytes(const OIIO::ImageSpec& spec) {
+    constexpr int by_table = 3;
+    const bool numbers = spec.get_int_attribute("tiff:PhotometricInterpretation") == by_table;
+    const int whole = static_cast<int>(8 * spec.format.size());
+    const double bits = std::min(spec.get_int_attribute("oiio:BitsPerSample", whole), whole);
+    return static_cast<double>(std::max(spec.width, spec.tile_width)) *
+           std::max(spec.height, spec.tile_height) * (numbers ? 1 : spec.nchannels) * bits / 8;
+}
+
+/// What is wrong with what a reader says of the file.
+std::string problem_of(const OIIO::ImageSpec& spec, std::string_view format,
+                       std::int64_t most_pixels, std::size_t file_bytes) {
     if (spec.width < 1 || spec.height < 1 || std::int64_t{spec.width} * spec.height > most_pixels)
         return "it says that it has " + number(spec.width) + " by " + number(spec.height) +
                " pixels";
-    picture.width = spec.width;
-    picture.height = spec.height;
-    picture.channels = spec.nchannels < 3 ? 1 : 3;
-    picture.bits = static_cast<int>(8 * spec.format.size());
-    picture.linear =
+    if (spec.depth > 1 || spec.deep) return "it has more than one layer of pixels";
+    constexpr int most_channels = 1024;
+    if (spec.nchannels < 1 || spec.nchannels > most_channels)
+        return "it says that it has " + number(spec.nchannels) + " channels";
+    const std::string compression = spec.get_string_attribute("compression");
+    if (compression.starts_with("ccitt"))  // a row takes a bit at least
+        return too_large(spec.height, 8, file_bytes);
+    return too_large(stored_bytes(spec), most_growth(format, compression), file_bytes);
+}
+
+/// By the reader of the file's own format, and no other.
+Opened open(const std::string& path, std::int64_t most_pixels, const OIIO::ImageSpec& wishes,
+            std::string_view only = {}) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {nullptr, "the file cannot be opened"};
+    const std::string bytes(std::istreambuf_iterator<char>(file), {});
+    const Claim claim = claim_of(bytes);
+    if (!only.empty() && claim.format != only) return {nullptr, "it is no OpenEXR file"};
+    if (!claim.problem.empty()) return {nullptr, claim.problem};
+    Opened opened{OIIO::ImageInput::create(std::string(claim.format)), {}};
+    OIIO::ImageSpec spec;
+    if (!opened.input) return {nullptr, said(OIIO::geterror())};
+    if (!opened.input->open(path, spec, wishes)) return {nullptr, said(opened.input->geterror())};
+    opened.problem = problem_of(opened.input->spec(), claim.format, most_pixels, bytes.size());
+    return opened;
+}
+
+std::string read(const std::string& path, std::int64_t most_pixels, StoredPicture& picture) {
+    OIIO::ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    const Opened opened = open(path, most_pixels, as_stored);
+    if (!opened.problem.empty()) return opened.problem;
+    const OIIO::ImageSpec& spec = opened.input->spec();
+    StoredPicture made;
+    made.width = spec.width;
+    made.height = spec.height;
+    made.channels = spec.nchannels < 3 ? 1 : 3;
+    made.bits = static_cast<int>(8 * spec.format.size());
+    made.linear =
         spec.format.is_floating_point() || spec.get_string_attribute("oiio:ColorSpace") == "Linear";
-    picture.gamma = spec.get_float_attribute("oiio:Gamma", 0);
-    picture.format = input->format_name();
+    made.gamma = spec.get_float_attribute("oiio:Gamma", 0);
+    made.format = opened.input->format_name();
     const int stored = std::min(spec.nchannels, 4);
     std::vector<float> all(static_cast<std::size_t>(spec.width) *
                            static_cast<std::size_t>(spec.height) *
                            static_cast<std::size_t>(stored));
-    if (!input->read_image(0, 0, 0, stored, TypeDesc::FLOAT, all.data())) return input->geterror();
+    if (!opened.input->read_image(0, 0, 0, stored, TypeDesc::FLOAT, all.data()))
+        return said(opened.input->geterror());
     const bool has_alpha = stored == 2 || stored == 4;
-    if (stored == picture.channels)
-        picture.values = std::move(all);
+    if (stored == made.channels)
+        made.values = std::move(all);
     else
         split(all, static_cast<std::size_t>(stored),
-              static_cast<std::size_t>(has_alpha ? stored - 1 : stored), picture);
+              static_cast<std::size_t>(has_alpha ? stored - 1 : stored), made);
+    picture = std::move(made);
     return {};
 }
 
@@ -104,14 +163,10 @@ std::string write(const RawPicture& picture, std::string& bytes) {
 
 std::string read_layers(const std::string& path, std::int64_t most_pixels,
                         LayeredPicture& picture) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) return OIIO::geterror();
-    const OIIO::ImageSpec& spec = input->spec();
-    if (std::string_view(input->format_name()) != "openexr") return "it is no OpenEXR file";
+    const Opened opened = open(path, most_pixels, {}, "openexr");
+    if (!opened.problem.empty()) return opened.problem;
+    const OIIO::ImageSpec& spec = opened.input->spec();
     const std::int64_t pixels = std::int64_t{spec.width} * spec.height;
-    if (spec.width < 1 || spec.height < 1 || pixels > most_pixels)
-        return "it says that it has " + number(spec.width) + " by " + number(spec.height) +
-               " pixels";
     picture.width = spec.width;
     picture.height = spec.height;
     for (auto& [name, text] : picture.texts) text = spec.get_string_attribute(name);
@@ -121,8 +176,8 @@ std::string read_layers(const std::string& path, std::int64_t most_pixels,
     // All at once: asking for one channel unpacks the whole file, too.
     const auto count = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint32_t> side_by_side(static_cast<std::size_t>(pixels) * count);
-    if (!input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, side_by_side.data()))
-        return input->geterror();
+    if (!opened.input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, side_by_side.data()))
+        return said(opened.input->geterror());
     for (std::size_t c = 0; c < count; ++c) {
         const bool whole = spec.channelformat(static_cast<int>(c)) == TypeDesc::UINT32;
         ChannelPlane plane{spec.channelnames[c], whole, {}};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -68,7 +69,8 @@ ColourNumbers::ColourNumbers(const FileFacts& facts) : none_(facts.table.size())
 
 std::size_t ColourNumbers::operator()(std::span<const float> pixel, float alpha) const {
     const auto byte = [](float value) {
-        return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0F, 1.0F) + 0.5F);
+        // What is no number becomes 0.
+        return static_cast<std::uint8_t>(255 * std::fmin(1.0F, std::fmax(0.0F, value)) + 0.5F);
     };
     const std::array<std::uint8_t, 4> colour = {byte(pixel[0]), byte(pixel[pixel.size() / 2]),
                                                 byte(pixel.back()), byte(alpha)};

@@ -22,6 +22,19 @@ std::string bytes_of(const std::string& path) {
     return bytes;
 }
 
+/// What keeps the picture from being what its reader should give; empty when nothing does.
+std::string problem_of(const StoredPicture& stored) {
+    if (stored.width < 1 || stored.height < 1) return "it has no pixels";
+    if (std::int64_t{stored.width} * stored.height > most_pixels) return "it is too large";
+    if (stored.channels != 1 && stored.channels != 3) return "its channels cannot be told";
+    const std::size_t pixels =
+        static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height);
+    const auto fits = [&](std::size_t size) { return size == 0 || size == pixels; };
+    const bool whole = stored.values.size() == pixels * static_cast<std::size_t>(stored.channels) &&
+                       fits(stored.alpha.size()) && fits(stored.numbers.size());
+    return whole ? "" : "it is damaged: pixels of it are missing";
+}
+
 }  // namespace
 
 const Formats* picture_formats(Diagnostics& diagnostics, Span asked_at) {
@@ -43,11 +56,14 @@ std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& d
     const std::string bytes = bytes_of(path);
     if (is_png(bytes)) {
         problem = read_png(bytes, most_pixels, stored);
-    } else if (!read_tga(bytes, most_pixels, stored)) {
+    } else if (reads_tga(bytes)) {
+        if (!read_tga(bytes, most_pixels, stored)) problem = "it is damaged";
+    } else {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
         problem = formats->read(path, most_pixels, stored);
     }
+    if (problem.empty()) problem = problem_of(stored);
     if (problem.empty()) return stored;
     diagnostics.add(
         error(Fault::io, asked_at,

@@ -49,9 +49,9 @@ std::optional<Heights> read_heights(const std::string& path, double gamma, Diagn
         for (std::size_t x = 0; x < width; ++x) {
             const double height =
                 height_of(stored, facts.table.empty() ? nullptr : &number_of, row * width + x);
-            // 1/255 has no exact float.
-            result.values.push_back(
-                static_cast<std::uint16_t>(std::clamp(std::floor(height + 1e-2), 0.0, most)));
+            // 1/255 has no exact float. What is no number becomes 0.
+            result.values.push_back(static_cast<std::uint16_t>(
+                std::fmin(most, std::fmax(0, std::floor(height + 1e-2)))));
         }
     return result;
 }

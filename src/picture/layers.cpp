@@ -5,6 +5,20 @@
 #include "text/harmless.h"
 #include "text/message.h"
 
+#include <algorithm>
+
+namespace {
+
+bool is_whole(const LayeredPicture& picture) {
+    if (picture.width < 1 || picture.height < 1) return false;
+    const std::size_t pixels =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    return std::ranges::all_of(
+        picture.planes, [&](const ChannelPlane& plane) { return plane.bits.size() == pixels; });
+}
+
+}  // namespace
+
 std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& diagnostics) {
     const Formats* formats = picture_formats(diagnostics);
     if (!formats) return std::nullopt;
@@ -24,7 +38,8 @@ std::optional<LayeredPicture> read_layers(const std::string& path,
     if (!formats) return std::nullopt;
     LayeredPicture picture;
     for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
-    const std::string problem = formats->read_layers(path, most_pixels, picture);
+    std::string problem = formats->read_layers(path, most_pixels, picture);
+    if (problem.empty() && !is_whole(picture)) problem = "it is damaged: pixels of it are missing";
     if (problem.empty()) return picture;
     diagnostics.add(
         error(Fault::io, {}, message("cannot read `", harmless(path), "`: ", harmless(problem))));

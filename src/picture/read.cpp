@@ -72,7 +72,10 @@ void divide_by_alpha(StoredPicture& picture) {
 
 /// The numbers of all pixels' colours; none when a pixel has a colour that the table has not.
 std::vector<std::uint16_t> numbers_of(const StoredPicture& picture, const FileFacts& facts) {
-    if (!picture.numbers.empty()) return picture.numbers;
+    if (!picture.numbers.empty()) {
+        const std::size_t most = *std::ranges::max_element(picture.numbers);
+        return most < facts.table.size() ? picture.numbers : std::vector<std::uint16_t>();
+    }
     std::vector<std::uint16_t> numbers;
     const ColourNumbers number_of(facts);
     const auto channels = static_cast<std::size_t>(picture.channels);

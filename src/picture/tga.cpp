@@ -47,6 +47,9 @@ private:
 /// Where in the file the pixels are, one after the other; nothing where it ends too early.
 std::vector<std::size_t> places(const Head& file, std::size_t count, std::size_t end) {
     std::vector<std::size_t> result;
+    constexpr std::size_t most_in_packet = 128;
+    const std::size_t fitting = file.packed() ? most_in_packet * end : end;
+    if (count > fitting) return result;
     const std::size_t step = file.numbered() ? 1 : 2;
     std::size_t at = file.pixels_at();
     while (result.size() < count) {
@@ -77,18 +80,24 @@ std::vector<Rgba> tga_table(std::string_view bytes) {
     return table;
 }
 
+bool reads_tga(std::string_view bytes) {
+    const Head file(bytes);
+    return file.numbered() || file.short_colours();
+}
+
 bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture& picture) {
     const Head file(bytes);
     const std::size_t width = file.word(12), height = file.word(14);
-    if (!file.numbered() && !file.short_colours()) return false;
+    if (!reads_tga(bytes)) return false;
     if (static_cast<std::int64_t>(width * height) > most_pixels) return false;
     const std::vector<Rgba> table = tga_table(bytes);
     const std::vector<std::size_t> found = places(file, width * height, bytes.size());
     if (found.empty()) return false;
 
-    picture.width = static_cast<int>(width);
-    picture.height = static_cast<int>(height);
-    picture.format = "targa";
+    StoredPicture made;
+    made.width = static_cast<int>(width);
+    made.height = static_cast<int>(height);
+    made.format = "targa";
     for (std::size_t i = 0; i < found.size(); ++i) {
         const std::size_t x = i % width, y = i / width;
         const std::size_t at = found[(file.from_top() ? y : height - 1 - y) * width +
@@ -96,10 +105,11 @@ bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture& p
         const unsigned number = file.byte(at);
         if (file.numbered() && number >= table.size()) return false;
         const Rgba colour = file.numbered() ? table[number] : file.colour(at, file.bits());
-        if (file.numbered()) picture.numbers.push_back(static_cast<std::uint16_t>(number));
+        if (file.numbered()) made.numbers.push_back(static_cast<std::uint16_t>(number));
         for (std::size_t channel = 0; channel < 3; ++channel)
-            picture.values.push_back(static_cast<float>(colour[channel]) / 255);
-        picture.alpha.push_back(static_cast<float>(colour[3]) / 255);
+            made.values.push_back(static_cast<float>(colour[channel]) / 255);
+        made.alpha.push_back(static_cast<float>(colour[3]) / 255);
     }
+    picture = std::move(made);
     return true;
 }

@@ -19,6 +19,7 @@ struct PngWork {
     std::string problem;
     std::string_view input;  ///< what is not yet read
     std::string* output = nullptr;
+    std::size_t file_row = 0;  ///< bytes of a row as the file packs it
 };
 
 PngWork& work_of(png_structp png) { return *static_cast<PngWork*>(png_get_error_ptr(png)); }
@@ -54,6 +55,7 @@ bool read_head(PngWork& work) {
     if (setjmp(work.failed) != 0) return false;
     png_set_read_fn(work.png, &work, take_bytes);
     png_read_info(work.png, work.info);
+    work.file_row = png_get_rowbytes(work.png, work.info);
     if (numbers_colours(work))
         png_set_packing(work.png);
     else
@@ -111,12 +113,18 @@ std::string look_up(PngWork& work, std::span<const png_byte> numbers, StoredPict
 }
 
 std::string read(PngWork& work, std::int64_t most_pixels, StoredPicture& picture) {
+    const std::size_t file_bytes = work.input.size();
     if (!read_head(work)) return work.problem;
     const std::int64_t width = png_get_image_width(work.png, work.info),
                        height = png_get_image_height(work.png, work.info);
     if (width * height > most_pixels)
         return "it says that it has " + std::to_string(width) + " by " + std::to_string(height) +
                " pixels";
+    // Deflate makes 258 bytes of two bits at best.
+    constexpr std::size_t most_growth = 1032;
+    if (work.file_row * static_cast<std::size_t>(height) > most_growth * file_bytes)
+        return "it says that it is larger than what its " + std::to_string(file_bytes) +
+               " bytes can hold";
     const std::size_t stored = png_get_channels(work.png, work.info);
     const bool wide = png_get_bit_depth(work.png, work.info) == 16;
     picture.width = static_cast<int>(width);
@@ -202,8 +210,10 @@ std::string read_png(std::string_view bytes, std::int64_t most_pixels, StoredPic
     work.input = bytes;
     work.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &work, fail, ignore);
     work.info = png_create_info_struct(work.png);
-    std::string problem = read(work, most_pixels, picture);
+    StoredPicture made;
+    const std::string problem = read(work, most_pixels, made);
     png_destroy_read_struct(&work.png, &work.info, nullptr);
+    if (problem.empty()) picture = std::move(made);
     return problem;
 }
 

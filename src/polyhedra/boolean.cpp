@@ -47,6 +47,9 @@ bool combined(SolidOperation operation, ExactSurface& a, ExactSurface& b, ExactS
 
 std::string polyhedra::combine(std::span<const SolidOperation> steps,
                                std::span<const Polyhedron> solids, Polyhedron& made) {
+    for (std::size_t i = 0; i < solids.size(); ++i)
+        if (const std::string wrong = unfit(solids[i]); !wrong.empty())
+            return "surface " + std::to_string(i + 1) + " bounds no solid: " + wrong;
     std::vector<ExactSurface> stack;
     std::size_t taken = 0;
     for (const SolidOperation step : steps) {

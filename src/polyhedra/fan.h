@@ -4,6 +4,7 @@
 
 #include "polyhedra/polyhedra.h"
 
+#include <cmath>
 #include <limits>
 
 namespace polyhedra {
@@ -31,6 +32,17 @@ inline std::string wrong_place(std::span<const Polyhedron::Face> faces, std::siz
                 return "a face names " + std::string(what) +
                        (i < 0 ? "" : " " + std::to_string(i)) + " that is not there: there are " +
                        std::to_string(count) + ", counted from 0";
+    return {};
+}
+
+/// Says which of the points, or other lists of numbers, has one that is not finite, or an empty
+/// string.
+template <class List>
+std::string not_finite(const List& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const double number : points[i])
+            if (!std::isfinite(number))
+                return "a number of entry " + std::to_string(i) + " is not finite";
     return {};
 }
 

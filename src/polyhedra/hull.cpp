@@ -6,6 +6,8 @@
 #include <CGAL/convex_hull_3.h>
 
 std::string polyhedra::hull(std::span<const Polyhedron::Point> points, Polyhedron& made) {
+    const std::string wrong = not_finite(points);
+    if (!wrong.empty()) return wrong;
     std::vector<Kernel::Point_3> all;
     all.reserve(points.size());
     for (const auto& [x, y, z] : points) all.emplace_back(x, y, z);
@@ -22,6 +24,8 @@ std::string polyhedra::triangulate(std::span<const std::array<double, 2>> points
     using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
     using Triangulation =
         CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+    const std::string wrong = not_finite(points);
+    if (!wrong.empty()) return wrong;
     std::vector<std::pair<Kernel::Point_2, int>> all;
     all.reserve(points.size());
     for (const auto& [x, y] : points) all.emplace_back(Kernel::Point_2(x, y), all.size());

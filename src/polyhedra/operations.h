@@ -3,6 +3,7 @@
 // module's own files see it.
 #pragma once
 
+#include "polyhedra/fan.h"
 #include "polyhedra/polyhedra.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <map>
+#include <stdexcept>
 
 namespace polyhedra {
 
@@ -23,28 +25,42 @@ std::string combine(std::span<const SolidOperation>, std::span<const Polyhedron>
 std::string subdivide(const Polyhedron&, SubdivisionRule, int steps, Polyhedron&);
 std::string triangulate(std::span<const std::array<double, 2>>, std::vector<Polyhedron::Face>&);
 
+/// What keeps an operation from working on the polyhedron at all; empty when nothing does. CGAL
+/// trusts what it is given.
+inline std::string unfit(const Polyhedron& given) {
+    const std::string wrong = not_finite(given.points);
+    return wrong.empty() ? wrong_place(given.faces, given.points.size(), "a point") : wrong;
+}
+
 /// The faces as a surface whose neighbours know each other; where more than two faces meet in an
 /// edge, points are doubled so that they do. Points at one place become one, and faces that have
-/// two corners there are left out: so a closed surface stays closed.
+/// two corners there are left out: so a closed surface stays closed. Points of no face are left
+/// out. Precondition: the polyhedron is not unfit. Throws where faces cannot be made neighbours.
 template <class Mesh>
 Mesh surface(const Polyhedron& from) {
     using Point = typename Mesh::Point;
+    const auto at = [&](int corner) { return from.points[static_cast<std::size_t>(corner)]; };
+    std::vector<char> used(from.points.size());
+    std::vector<Polyhedron::Face> kept;
+    for (const auto& [a, b, c] : from.faces) {
+        if (at(a) == at(b) || at(b) == at(c) || at(c) == at(a)) continue;
+        kept.push_back({a, b, c});
+        for (const int corner : {a, b, c}) used[static_cast<std::size_t>(corner)] = 1;
+    }
     std::vector<Point> points;
-    std::map<Polyhedron::Point, std::size_t> known;
-    std::vector<std::size_t> places;
-    for (const Polyhedron::Point& p : from.points) {
-        const auto [found, added] = known.try_emplace(p, points.size());
-        if (added) points.emplace_back(p[0], p[1], p[2]);
-        places.push_back(found->second);
+    std::map<Polyhedron::Point, std::size_t> places;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const auto& p = from.points[i];
+        if (used[i] && places.try_emplace(p, points.size()).second)
+            points.emplace_back(p[0], p[1], p[2]);
     }
     std::vector<std::vector<std::size_t>> faces;
-    for (const Polyhedron::Face& face : from.faces) {
-        std::vector<std::size_t> at;
-        for (const int corner : face) at.push_back(places[static_cast<std::size_t>(corner)]);
-        if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0]) faces.push_back(std::move(at));
-    }
+    for (const auto& [a, b, c] : kept)
+        faces.push_back({places.at(at(a)), places.at(at(b)), places.at(at(c))});
     namespace processing = CGAL::Polygon_mesh_processing;
     processing::orient_polygon_soup(points, faces);
+    if (!processing::is_polygon_soup_a_polygon_mesh(faces))
+        throw std::runtime_error("its faces do not make a surface");
     Mesh made;
     processing::polygon_soup_to_polygon_mesh(points, faces, made);
     return made;

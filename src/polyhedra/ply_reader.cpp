@@ -2,6 +2,7 @@
 #include "polyhedra/ply_reader.h"
 
 #include "polyhedra/fan.h"
+#include "polyhedra/words.h"
 
 #include <algorithm>
 #include <bit>
@@ -76,15 +77,7 @@ struct Element {
 
 enum class Coding { text, low_first, high_first };
 
-constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view next_word(std::string_view& text) {
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    const std::size_t end = std::min(text.find_first_of(blanks), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(end);
-    return word;
-}
+using polyhedra::next_word;
 
 /// The numbers after the header, one after the other; each call is false when there is none.
 class Numbers {

@@ -5,6 +5,8 @@
 
 std::string polyhedra::subdivide(const Polyhedron& from, SubdivisionRule rule, int steps,
                                  Polyhedron& made) {
+    const std::string wrong = unfit(from);
+    if (!wrong.empty()) return wrong;
     Surface mesh = surface<Surface>(from);
     if (mesh.number_of_faces() == 0) return "the surface has no faces";
     const auto count = CGAL::parameters::number_of_iterations(static_cast<unsigned>(steps));
@@ -12,6 +14,8 @@ std::string polyhedra::subdivide(const Polyhedron& from, SubdivisionRule rule, i
         CGAL::Subdivision_method_3::Loop_subdivision(mesh, count);
     else
         CGAL::Subdivision_method_3::Sqrt3_subdivision(mesh, count);
-    made = polyhedron(mesh);
+    Polyhedron finer = polyhedron(mesh);
+    if (!not_finite(finer.points).empty()) return "its points lie too far out";
+    made = std::move(finer);
     return {};
 }

@@ -144,3 +144,21 @@ TEST_CASE("texels are coded as the scene wants them", "[picture]") {
     CHECK_FALSE(read_texels(folder.file("none.png"), {}, diagnostics));
     CHECK(diagnostics.failed());
 }
+
+TEST_CASE("nobody reads on what another reader has left", "[picture]") {
+    using namespace std::string_literals;
+    const Folder folder;
+    const std::pair<const char*, std::string> files[] = {
+        // The last pixel has a colour that the table has not.
+        {"a.tga", "\0\1\1\0\0\1\0\x18\0\0\0\0\2\0\2\0\x8\x20"s + "abc" + "\0\0\0\7"s},
+        {"short.ppm", "P6\n4 4\n255\nabc"},
+        {"a.dpx", "SDPX" + std::string(2048, '\0')}};
+    for (const auto& [name, bytes] : files) {
+        CAPTURE(name);
+        std::ofstream(folder.file(name), std::ios::binary) << bytes;
+        Diagnostics diagnostics;
+        CHECK_FALSE(read_picture(folder.file(name), diagnostics, {}));
+        CHECK_FALSE(read_texels(folder.file(name), {}, diagnostics, {}));
+        CHECK(diagnostics.failed());
+    }
+}

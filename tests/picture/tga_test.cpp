@@ -69,3 +69,17 @@ TEST_CASE("other Targa files, and damaged ones, are left to others", "[picture]"
     CHECK(is_tga("a/b.tga"));
     CHECK_FALSE(is_tga("a.png"));
 }
+
+TEST_CASE("a Targa file that is damaged leaves the picture as it was", "[picture]") {
+    StoredPicture picture;
+    const std::string bytes = head(1, 1, 24, 8, 0x20) + "abc" + "\0\0\0\1"s;
+    CHECK(reads_tga(bytes));
+    CHECK_FALSE(read_tga(bytes, 4, picture));
+    CHECK(picture.width == 0);
+    CHECK(picture.values.empty());
+    CHECK(picture.numbers.empty());
+    // Packed pixels are at most 128 times what the file has.
+    std::string wide = head(9, 1, 24, 8, 0x20) + "abc" + "\xff\0"s;
+    wide[13] = wide[15] = '\x3f';
+    CHECK_FALSE(read_tga(wide, 1 << 28, picture));
+}

@@ -84,3 +84,24 @@ TEST_CASE("numbers with a point are no PNG file", "[png]") {
     std::string bytes;
     CHECK(write_png({1, 1, 3, std::vector<float>{0, 0, 0}, "png", {}}, bytes) != "");
 }
+
+TEST_CASE("a PNG file that says it is large must have bytes enough", "[png]") {
+    const RawPicture small{2, 1, 3, std::vector<std::uint8_t>(6, 9), "png", {}};
+    std::string bytes;
+    REQUIRE(write_png(small, bytes) == "");
+    // 16384 pixels each way, with the checksum that goes with them.
+    std::string head("IHDR\0\0\x40\0\0\0\x40\0\x8\2\0\0\0", 17);
+    std::uint32_t sum = 0xffffffff;
+    for (const char c : head) {
+        sum ^= static_cast<unsigned char>(c);
+        for (int i = 0; i < 8; ++i) sum = sum >> 1 ^ (sum & 1 ? 0xedb88320 : 0);
+    }
+    for (int i = 3; i >= 0; --i) head += static_cast<char>(~sum >> (8 * i) & 0xff);
+    bytes.replace(12, head.size(), head);
+    StoredPicture picture;
+    CHECK(read_png(bytes, std::int64_t{1} << 28, picture) ==
+          "it says that it is larger than what its " + std::to_string(bytes.size()) +
+              " bytes can hold");
+    CHECK(picture.width == 0);
+    CHECK(picture.values.empty());
+}
