@@ -7,6 +7,7 @@
 #include "app/frame_commands.h"
 #include "app/help.h"
 #include "app/lsp.h"
+#include "app/memory_limit.h"
 #include "app/merge.h"
 #include "app/preview.h"
 #include "app/sandbox.h"
@@ -79,6 +80,8 @@ constexpr auto commands = std::to_array<Command>({
      "files that it would change; candelabra-fmt(1) says more.\n"},
     {"lsp",
      [](std::span<const std::string_view>, const Console& console) {
+         // Scenes have a smaller limit of their own (editor/checking.h).
+         if (const auto memory = physical_memory()) limit_memory(*memory / 2);
          return run_lsp(STDIN_FILENO, console);
      },
      "usage: candelabra lsp\n"

@@ -5,7 +5,6 @@
 #include "text/message.h"
 
 #include <array>
-#include <charconv>
 #include <filesystem>
 
 #include <poll.h>
@@ -38,24 +37,10 @@ constexpr int pause_milliseconds = 150;
 
 }  // namespace
 
-std::optional<std::string> MessageReader::take() {
-    constexpr std::string_view blank_line = "\r\n\r\n", length_name = "Content-Length: ";
-    const std::size_t head = waiting_.find(blank_line);
-    if (head == waiting_.npos) return std::nullopt;
-    const std::size_t at = waiting_.find(length_name);
-    std::size_t length = 0;
-    if (at < head)
-        std::from_chars(waiting_.data() + at + length_name.size(), waiting_.data() + head, length);
-    const std::size_t first = head + blank_line.size();
-    if (waiting_.size() - first < length) return std::nullopt;
-    std::string message = waiting_.substr(first, length);
-    waiting_.erase(0, first + length);
-    return message;
-}
-
-std::optional<std::string> MessageReader::next(int milliseconds) {
+std::optional<Framing::Message> MessageReader::next(int milliseconds) {
     while (true) {
-        if (auto message = take()) return message;
+        if (auto message = framing_.take()) return message;
+        if (!framing_.lost().empty()) ended_ = true;
         if (ended_) return std::nullopt;
         pollfd waits{descriptor_, POLLIN, 0};
         if (::poll(&waits, 1, milliseconds) == 0) return std::nullopt;
@@ -65,8 +50,13 @@ std::optional<std::string> MessageReader::next(int milliseconds) {
         if (count <= 0)
             ended_ = true;
         else
-            waiting_.append(buffer.data(), static_cast<std::size_t>(count));
+            framing_.add({buffer.data(), static_cast<std::size_t>(count)});
     }
+}
+
+std::string MessageReader::problem() const {
+    if (!framing_.lost().empty()) return framing_.lost();
+    return ended_ && framing_.inside() ? "the stream ends inside a message" : "";
 }
 
 int run_lsp(int descriptor, const Console& console) {
@@ -76,10 +66,17 @@ int run_lsp(int descriptor, const Console& console) {
     });
     MessageReader reader(descriptor);
     while (!server.ended() && !reader.ended()) {
-        if (const auto message = reader.next(server.behind() ? pause_milliseconds : -1))
-            server.receive(*message);
+        const auto message = reader.next(server.behind() ? pause_milliseconds : -1);
+        if (message && message->skipped)
+            server.receive_too_long();
+        else if (message)
+            server.receive(message->text);
         else if (server.behind())
             server.catch_up();
     }
-    return server.ended_well() ? exit_status::done : exit_status::usage;
+    if (server.ended()) return server.ended_well() ? exit_status::done : exit_status::usage;
+    if (reader.problem().empty()) return exit_status::usage;
+    console.err(message("error: the editor cannot be understood any more: ", reader.problem(),
+                        "\nhelp: the editor starts `candelabra lsp` again\n"));
+    return exit_status::scene;
 }

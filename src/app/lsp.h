@@ -3,28 +3,29 @@
 #pragma once
 
 #include "app/console.h"
+#include "editor/framing.h"
 
 #include <optional>
 #include <string>
 
-/// Messages of the Language Server Protocol as they come through a file descriptor, each behind a
-/// head that says how long it is.
+/// Messages of the Language Server Protocol as they come through a file descriptor.
 class MessageReader {
 public:
     explicit MessageReader(int descriptor) : descriptor_(descriptor) {}
 
     /// The next message; nothing when none came in so many milliseconds (below 0: ever) or none
     /// will come any more.
-    std::optional<std::string> next(int milliseconds);
+    std::optional<Framing::Message> next(int milliseconds);
     bool ended() const { return ended_; }
+    /// Why the stream has ended before it should; or empty.
+    std::string problem() const;
 
 private:
-    std::optional<std::string> take();
-
     int descriptor_;
-    std::string waiting_;
+    Framing framing_;
     bool ended_ = false;
 };
 
-/// Serves until the editor says goodbye or closes its end; gives the exit status.
+/// Serves until the editor says goodbye, closes its end, or sends what cannot be told apart into
+/// messages; gives the exit status.
 int run_lsp(int descriptor, const Console&);

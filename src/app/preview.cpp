@@ -31,6 +31,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The page for those who shall be able to change something.
+std::string with_token(const std::string& token) {
+    std::string page = preview_page;
+    return page.replace(page.find(token_place), token_place.size(), token);
+}
+
 /// What the page is shown; made by the renderer, read by the server.
 struct Posted {
     std::mutex mutex;
@@ -55,7 +61,9 @@ public:
     }
 
     int run() {
-        const WebServer server(*options_.preview_port,
+        const std::string token = new_token();
+        page_ = with_token(token);
+        const WebServer server(*options_.preview_port, token,
                                [this](const WebRequest& request) { return answer(request); });
         if (server.port() == 0)
             diagnostics_.add(
@@ -203,13 +211,17 @@ private:
     static WebAnswer no_such_page() { return {"text/plain", "no such page\n", 404}; }
 
     WebAnswer answer(const WebRequest& request) {
+        // Whoever leads somebody to an address must not change anything by it.
+        if (request.post != (request.path == "/turn"))
+            return {"text/plain", "/turn is for POST, all else for GET\n", 405};
         if (request.path == "/view.png") {
             std::string png = seen(request.parameter("name"));
             return png.empty() ? no_such_page() : WebAnswer{"image/png", std::move(png)};
         }
         if (request.path == "/pick") return {"text/plain; charset=utf-8", picked(request)};
         const std::lock_guard lock(shown_.mutex);
-        if (request.path == "/") return {"text/html; charset=utf-8", preview_page};
+        if (request.path == "/") return {"text/html; charset=utf-8", page_};
+        if (request.path == "/page.js") return {"text/javascript; charset=utf-8", preview_script};
         if (request.path == "/picture.png") return {"image/png", shown_.png};
         if (request.path == "/turn") return turn(request);
         if (request.path != "/status") return no_such_page();
@@ -276,6 +288,7 @@ private:
     const std::optional<Animation>& animation_;
     const Console& console_;
     Diagnostics& diagnostics_;
+    std::string page_;
     Posted shown_;
     Questions questions_;
     std::map<std::string, fs::file_time_type> times_;

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of the preview: plain HTML, CSS and JavaScript in one text. It asks /status twice a
 // second and takes a new /picture.png, or a layer as /view.png, when there is one; where one looks
-// (pan, zoom) is the page's own business, and so outlives every change of the scene. `#lights` in
-// its address opens the report of light, `#view=normal` a layer, `#pick=10,20` a pixel.
+// (pan, zoom) is the page's own business, and so outlives every change of the scene. What it
+// changes, it sends to /turn. `#lights` in its address opens the report of light, `#view=normal` a
+// layer, `#pick=10,20` a pixel.
 #pragma once
+
+#include <string_view>
+
+/// Is replaced by the token that the page needs to turn knobs (web/request.h).
+inline constexpr std::string_view token_place = "TOKEN-OF-THIS-RUN";
 
 inline constexpr char preview_page[] = R"page(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+<meta name="token" content="TOKEN-OF-THIS-RUN">
 <title>Candelabra</title>
 <style>
 body { margin: 0; background: #222; color: #ddd; font: 14px sans-serif; overflow: hidden; }
@@ -44,8 +51,13 @@ pre.panel:empty, pre.panel.closed { display: none; }
 <div id="line"><span id="status">waiting</span>
 <span id="tools"><select id="view" title="what is shown"></select>
 <button id="report" title="what each light gives and costs">lights</button></span></div>
-<script>
-"use strict";
+<script src="/page.js"></script>
+</body>
+</html>
+)page";
+
+/// The page's program, which lies at /page.js: scripts within the page are not run.
+inline constexpr char preview_script[] = R"page("use strict";
 const element = name => document.getElementById(name);
 const stage = element("stage"), picture = element("picture");
 const view = { x: 20, y: 20, zoom: 1 };
@@ -98,9 +110,12 @@ function showViews(views) {
   if (asked.has("pick")) wanted = asked.get("pick").split(",");
 }
 let known = "";
-function turn(knob, input, output) {
+const token = document.querySelector("meta[name=token]").content;
+async function turn(knob, input, output) {
   output.value = input.value;
-  fetch(`/turn?name=${encodeURIComponent(knob.name)}&value=${input.value}`);
+  const body = new URLSearchParams({ name: knob.name, value: input.value });
+  const answer = await fetch("/turn", { method: "POST", headers: { "X-Token": token }, body });
+  if (answer.status === 403) location.reload();  // the program has been started again
 }
 function showKnobs(knobs) {
   const form = JSON.stringify(knobs.map(({ value, ...form }) => form));
@@ -141,7 +156,4 @@ async function ask() {
 }
 place();
 ask();
-</script>
-</body>
-</html>
 )page";

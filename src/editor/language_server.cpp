@@ -3,68 +3,52 @@
 
 #include "editor/hover.h"
 #include "editor/layout.h"
-#include "editor/problems.h"
 #include "editor/renaming.h"
 #include "editor/suggestions.h"
 #include "editor/swatches.h"
 
+#include "text/message.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
+#include <new>
 
 namespace {
 
 struct Method {
     std::string_view name;
-    Json (LanguageServer::*answer)(const Json&);
+    Json (LanguageServer::*answer)(Parameters&);
+    bool question = false;  ///< nothing to be done when nobody waits for the answer
 };
 
 constexpr auto methods = std::array{
-    Method{"initialize", &LanguageServer::initialize},
-    Method{"shutdown", &LanguageServer::shutdown},
+    Method{"initialize", &LanguageServer::initialize, true},
+    Method{"shutdown", &LanguageServer::shutdown, true},
     Method{"exit", &LanguageServer::exit},
     Method{"textDocument/didOpen", &LanguageServer::did_open},
     Method{"textDocument/didChange", &LanguageServer::did_change},
     Method{"textDocument/didSave", &LanguageServer::did_save},
     Method{"textDocument/didClose", &LanguageServer::did_close},
-    Method{"textDocument/hover", &LanguageServer::hover},
-    Method{"textDocument/completion", &LanguageServer::completion},
-    Method{"textDocument/definition", &LanguageServer::definition},
-    Method{"textDocument/references", &LanguageServer::references},
-    Method{"textDocument/rename", &LanguageServer::rename},
-    Method{"textDocument/documentSymbol", &LanguageServer::symbols},
-    Method{"textDocument/documentColor", &LanguageServer::colours},
-    Method{"textDocument/colorPresentation", &LanguageServer::colour_texts},
-    Method{"textDocument/formatting", &LanguageServer::formatting},
+    Method{"textDocument/hover", &LanguageServer::hover, true},
+    Method{"textDocument/completion", &LanguageServer::completion, true},
+    Method{"textDocument/definition", &LanguageServer::definition, true},
+    Method{"textDocument/references", &LanguageServer::references, true},
+    Method{"textDocument/rename", &LanguageServer::rename, true},
+    Method{"textDocument/documentSymbol", &LanguageServer::symbols, true},
+    Method{"textDocument/documentColor", &LanguageServer::colours, true},
+    Method{"textDocument/colorPresentation", &LanguageServer::colour_texts, true},
+    Method{"textDocument/formatting", &LanguageServer::formatting, true},
 };
 
+// The errors of JSON-RPC and of the protocol.
+constexpr int parse_error = -32700;
+constexpr int invalid_request = -32600;
 constexpr int method_not_found = -32601;
-constexpr int invalid_message = -32600;
+constexpr int invalid_params = -32602;
+constexpr int internal_error = -32603;
+constexpr int not_initialized = -32002;
 constexpr int request_failed = -32803;
-
-/// A member of a member ... of an object; null when there is none.
-template <class... Names>
-Json within(const Json& object, const Names&... names) {
-    const Json* at = &object;
-    const auto descend = [&](const char* name) {
-        if (!at) return;
-        const auto found = at->is_object() ? at->find(name) : at->end();
-        at = at->is_object() && found != at->end() ? &*found : nullptr;
-    };
-    (descend(names), ...);
-    return at ? *at : Json();
-}
-
-std::string text(const Json& json) { return json.is_string() ? json.get<std::string>() : ""; }
-
-std::string document(const Json& parameters) {
-    return path_of(text(within(parameters, "textDocument", "uri")));
-}
-
-double channel(const Json& colour, const char* name) {
-    const Json value = within(colour, name);
-    return value.is_number() ? value.get<double>() : 0;
-}
 
 /// The protocol's numbers for what a suggestion is.
 int completion_kind(Suggestion::Kind kind) {
@@ -115,27 +99,69 @@ void LanguageServer::send(const Json& message) {
     send_(message.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
+void LanguageServer::refuse(const Json& id, int code, const std::string& why) {
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", why}}}});
+}
+
 void LanguageServer::receive(std::string_view message) {
-    const Json request = Json::parse(message, nullptr, false);
-    const std::string name = text(within(request, "method"));
-    const Json id = within(request, "id");
-    const auto refuse = [&](int code, const std::string& why) {
-        send({{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", code}, {"message", why}}}});
-    };
-    if (name.empty()) {
-        // An answer to something that was never asked, or noise.
-        if (!request.is_object()) refuse(invalid_message, "this is no message");
-        return;
+    Json id;
+    try {
+        if (nests_deeper(message, deepest))
+            return refuse(id, invalid_request,
+                          ::message("a message nests at most ", deepest, " deep"));
+        receive(Json::parse(message, nullptr, false), id);
+    } catch (const std::bad_alloc&) {
+        refuse(id, internal_error, "there is not enough memory for this");
     }
+}
+
+void LanguageServer::receive_too_long() {
+    refuse(nullptr, invalid_request, "the message is too long to be read");
+}
+
+int LanguageServer::untimely(std::string_view method) const {
+    if (method == "exit") return 0;
+    if (shut_down_ || (initialized_ && method == "initialize")) return invalid_request;
+    return initialized_ || method == "initialize" ? 0 : not_initialized;
+}
+
+void LanguageServer::receive(const Json& request, Json& id) {
+    if (request.is_discarded()) return refuse(id, parse_error, "the message is no JSON in UTF-8");
+    if (!request.is_object()) return refuse(id, invalid_request, "this is no message");
+    // An answer to something that was never asked.
+    if (request.contains("result") || request.contains("error")) return;
+    const bool waits = request.contains("id");
+    if (waits && !request["id"].is_string() && !request["id"].is_number_integer())
+        return refuse(id, invalid_request, "`id` must be a string or an integer");
+    if (waits) id = request["id"];
+    if (!request.contains("method") || !request["method"].is_string())
+        return refuse(id, invalid_request, "`method` must be a string");
+    const auto& name = request["method"].get_ref<const std::string&>();
     const auto* const method = std::ranges::find(methods, name, &Method::name);
     if (method == methods.end()) {
-        if (!id.is_null()) refuse(method_not_found, "there is no method " + name);
+        if (waits) refuse(id, method_not_found, message("there is no method ", name));
         return;
     }
+    if (const int code = untimely(name)) {
+        if (waits)
+            refuse(id, code,
+                   code == not_initialized ? "the first request must be `initialize`"
+                                           : message("it is too late for `", name, '`'));
+        return;
+    }
+    if (method->question && !waits) return;
     failure_.clear();
-    const Json result = (this->*method->answer)(within(request, "params"));
-    if (id.is_null()) return;
-    if (!failure_.empty()) return refuse(request_failed, failure_);
+    const Json none;
+    Parameters parameters(request.contains("params") ? request["params"] : none);
+    const Json result = (this->*method->answer)(parameters);
+    if (!waits && !parameters.problem().empty())
+        return send(
+            {{"jsonrpc", "2.0"},
+             {"method", "window/logMessage"},
+             {"params", {{"type", 1}, {"message", message(name, ": ", parameters.problem())}}}});
+    if (!waits) return;
+    if (!parameters.problem().empty()) return refuse(id, invalid_params, parameters.problem());
+    if (!failure_.empty()) return refuse(id, request_failed, failure_);
     send({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
 }
 
@@ -150,9 +176,7 @@ void LanguageServer::catch_up() {
     changed_.clear();
     std::map<std::string, std::vector<Json>> all;
     for (const std::string& path : workspace_.open_files()) {
-        Report result;
-        report(workspace_, path, scratch_, result);
-        for (auto& [shown_in, list] : problems(result, workspace_, path)) {
+        for (auto& [shown_in, list] : check(workspace_, path, scratch_, limits_)) {
             std::vector<Json>& there = all[shown_in];
             for (Json& each : list)
                 if (std::ranges::find(there, each) == there.end()) there.push_back(each);
@@ -161,7 +185,8 @@ void LanguageServer::catch_up() {
     for (const auto& [path, list] : all) publish(path, list);
 }
 
-Json LanguageServer::initialize(const Json&) {
+Json LanguageServer::initialize(Parameters&) {
+    initialized_ = true;
     return {{"capabilities",
              {{"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
               {"hoverProvider", true},
@@ -175,64 +200,78 @@ Json LanguageServer::initialize(const Json&) {
             {"serverInfo", {{"name", "candelabra"}}}};
 }
 
-Json LanguageServer::shutdown(const Json&) {
+Json LanguageServer::shutdown(Parameters&) {
     shut_down_ = true;
     return nullptr;
 }
 
-Json LanguageServer::exit(const Json&) {
+Json LanguageServer::exit(Parameters&) {
     ended_ = true;
     return nullptr;
 }
 
-Json LanguageServer::did_open(const Json& parameters) {
-    const std::string path = document(parameters);
-    workspace_.open(path, text(within(parameters, "textDocument", "text")));
+Json LanguageServer::did_open(Parameters& parameters) {
+    const std::string path = parameters.document();
+    std::string text = parameters.text({"textDocument", "text"});
+    if (!parameters.problem().empty()) return nullptr;
+    workspace_.open(path, std::move(text));
     changed_.insert(path);
     return nullptr;
 }
 
-Json LanguageServer::did_change(const Json& parameters) {
-    const Json changes = within(parameters, "contentChanges");
-    if (!changes.is_array() || changes.empty()) return nullptr;
-    const std::string path = document(parameters);
-    workspace_.open(path, text(within(changes.back(), "text")));
+Json LanguageServer::did_change(Parameters& parameters) {
+    const std::string path = open_path(parameters);
+    std::string text = parameters.changed_text();
+    if (!parameters.problem().empty()) return nullptr;
+    workspace_.open(path, std::move(text));
     changed_.insert(path);
     return nullptr;
 }
 
-Json LanguageServer::did_save(const Json& parameters) {
-    changed_.insert(document(parameters));
+Json LanguageServer::did_save(Parameters& parameters) {
+    const std::string path = open_path(parameters);
+    if (parameters.problem().empty()) changed_.insert(path);
     return nullptr;
 }
 
-Json LanguageServer::did_close(const Json& parameters) {
-    const std::string path = document(parameters);
+Json LanguageServer::did_close(Parameters& parameters) {
+    const std::string path = open_path(parameters);
+    if (!parameters.problem().empty()) return nullptr;
     workspace_.close(path);
     publish(path, {});
+    changed_.erase(path);
     if (!workspace_.open_files().empty()) changed_.insert(path);
     return nullptr;
 }
 
-std::string LanguageServer::text_of(const std::string& path) {
-    const FileHandle file = workspace_.file(path);
-    return file ? file->text : std::string();
+std::string LanguageServer::open_path(Parameters& parameters) {
+    const std::string path = parameters.document();
+    if (parameters.problem().empty() && !workspace_.is_open(path))
+        parameters.refuse(message('`', path, "` is not open"));
+    return path;
 }
 
-Json LanguageServer::hover(const Json& parameters) {
-    const std::string path = document(parameters), content = text_of(path);
-    const auto found =
-        ::hover(workspace_, path, offset_of(content, within(parameters, "position")));
+FileHandle LanguageServer::open_file(Parameters& parameters) {
+    const std::string path = open_path(parameters);
+    return parameters.problem().empty() ? workspace_.file(path) : nullptr;
+}
+
+Json LanguageServer::hover(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    const auto found = ::hover(workspace_, file->path, offset);
     if (!found) return nullptr;
     return {{"contents", {{"kind", "markdown"}, {"value", found->text}}},
-            {"range", range_of(content, found->place)}};
+            {"range", range_of(file->text, found->place)}};
 }
 
-Json LanguageServer::completion(const Json& parameters) {
-    const std::string path = document(parameters), content = text_of(path);
+Json LanguageServer::completion(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
     Json items = Json::array();
-    for (const Suggestion& each :
-         suggestions(workspace_, path, offset_of(content, within(parameters, "position")))) {
+    for (const Suggestion& each : suggestions(workspace_, file->path, offset)) {
         std::string order = std::to_string(items.size());
         order.insert(0, 6 - std::min<std::size_t>(order.size(), 6), '0');
         items.push_back({{"label", each.text},
@@ -244,11 +283,12 @@ Json LanguageServer::completion(const Json& parameters) {
     return items;
 }
 
-Json LanguageServer::definition(const Json& parameters) {
-    const std::string path = document(parameters), content = text_of(path);
-    const std::uint32_t offset = offset_of(content, within(parameters, "position"));
-    const FileHandle file = workspace_.file(path);
-    const Token* const token = file ? file->token_at(offset) : nullptr;
+Json LanguageServer::definition(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::string& path = file->path;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    const Token* const token = file->token_at(offset);
     if (!token) return nullptr;
     if (token->kind == TokenKind::text) {
         const auto found = workspace_.loader(directory_of(path))
@@ -264,21 +304,24 @@ Json LanguageServer::definition(const Json& parameters) {
     return places;
 }
 
-Json LanguageServer::references(const Json& parameters) {
-    const std::string path = document(parameters), content = text_of(path);
+Json LanguageServer::references(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
     Json places = Json::array();
     Ranges ranges(workspace_);
-    for (const Mention& each :
-         mentions(workspace_, path, offset_of(content, within(parameters, "position"))))
+    for (const Mention& each : mentions(workspace_, file->path, offset))
         places.push_back({{"uri", uri_of(each.path)}, {"range", ranges.of(each)}});
     return places;
 }
 
-Json LanguageServer::rename(const Json& parameters) {
-    const std::string path = document(parameters), content = text_of(path);
-    const std::string new_name = text(within(parameters, "newName"));
-    const auto result =
-        renaming(workspace_, path, offset_of(content, within(parameters, "position")), new_name);
+Json LanguageServer::rename(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::string new_name = parameters.text({"newName"});
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    if (!parameters.problem().empty()) return nullptr;
+    const auto result = renaming(workspace_, file->path, offset, new_name);
     if (const auto* reason = std::get_if<std::string>(&result)) {
         fail(*reason);
         return nullptr;
@@ -290,8 +333,8 @@ Json LanguageServer::rename(const Json& parameters) {
     return {{"changes", changes}};
 }
 
-Json LanguageServer::symbols(const Json& parameters) {
-    const FileHandle file = workspace_.file(document(parameters));
+Json LanguageServer::symbols(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
     Json all = Json::array();
     if (!file) return all;
     const LineTable lines(file->text);
@@ -306,8 +349,8 @@ Json LanguageServer::symbols(const Json& parameters) {
     return all;
 }
 
-Json LanguageServer::colours(const Json& parameters) {
-    const FileHandle file = workspace_.file(document(parameters));
+Json LanguageServer::colours(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
     Json all = Json::array();
     if (!file) return all;
     const LineTable lines(file->text);
@@ -321,20 +364,21 @@ Json LanguageServer::colours(const Json& parameters) {
     return all;
 }
 
-Json LanguageServer::colour_texts(const Json& parameters) {
-    const FileHandle file = workspace_.file(document(parameters));
-    if (!file) return Json::array();
-    const Json colour = within(parameters, "color");
-    const Part place{offset_of(file->text, within(parameters, "range", "start")),
-                     offset_of(file->text, within(parameters, "range", "end"))};
-    const auto text =
-        recoloured(*file, workspace_.names(), place,
-                   Vec3(channel(colour, "red"), channel(colour, "green"), channel(colour, "blue")));
+Json LanguageServer::colour_texts(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const Vec3 colour(parameters.channel({"color", "red"}), parameters.channel({"color", "green"}),
+                      parameters.channel({"color", "blue"}));
+    const Part place = parameters.range(file->text, "range");
+    if (!parameters.problem().empty()) return nullptr;
+    const auto text = recoloured(*file, workspace_.names(), place, colour);
     return text ? Json::array({{{"label", *text}}}) : Json::array();
 }
 
-Json LanguageServer::formatting(const Json& parameters) {
-    const std::string content = text_of(document(parameters));
+Json LanguageServer::formatting(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::string& content = file->text;
     const std::string better = laid_out(content);
     if (better == content) return Json::array();
     const Part all{0, static_cast<std::uint32_t>(content.size())};

@@ -64,6 +64,21 @@ std::string uri_of(std::string_view path) {
     return uri;
 }
 
+bool nests_deeper(std::string_view json, int most) {
+    int depth = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (quoted && c == '\\') ++i;
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > most) return true;
+    }
+    return false;
+}
+
 std::uint32_t offset_of(std::string_view text, const Json& position) {
     std::size_t at = 0;
     for (std::int64_t line = number(position, "line"); line > 0; --line) {

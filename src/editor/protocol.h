@@ -17,6 +17,10 @@ using Json = nlohmann::json;
 std::string path_of(std::string_view uri);
 std::string uri_of(std::string_view path);
 
+/// Whether brackets of a JSON text nest deeper than that, to be asked before it is parsed. What is
+/// no JSON may count as more or less.
+bool nests_deeper(std::string_view json, int most);
+
 std::uint32_t offset_of(std::string_view text, const Json& position);
 Json position_of(std::string_view text, std::uint32_t offset);
 Json range_of(std::string_view text, Part);

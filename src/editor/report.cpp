@@ -17,7 +17,8 @@ constexpr std::uint64_t most_steps = 5'000'000;
 void report(const Workspace& workspace, const std::string& path,
             const std::string& folder_for_writing, Report& result) {
     const std::string folder = directory_of(path);
-    const std::optional<Found> found = workspace.loader(folder).load(path, "", FileKind::data);
+    const std::optional<Found> found =
+        workspace.loader(folder, Door()).load(path, "", FileKind::data);
     if (!found) return;
     const SourceId main = result.sources.add(path, found->text);
     if (path.ends_with(".inc")) {

@@ -7,7 +7,10 @@ void Workspace::open(const std::string& path, std::string text) {
     documents_[path] = std::move(text);
 }
 
-void Workspace::close(const std::string& path) { documents_.erase(path); }
+void Workspace::close(const std::string& path) {
+    documents_.erase(path);
+    read_.erase(path);
+}
 
 std::vector<std::string> Workspace::open_files() const {
     std::vector<std::string> paths;
@@ -21,6 +24,13 @@ Reader Workspace::reader() const {
         if (document != documents_.end()) return document->second;
         return disk_reader()(path);
     };
+}
+
+Loader Workspace::loader(const std::string& folder) const {
+    std::vector<std::string> readable = {folder, "", library_};
+    if (library_.empty()) readable.pop_back();
+    for (const auto& [path, text] : documents_) readable.push_back(directory_of(path));
+    return loader(folder, Door(readable, {}));
 }
 
 Loader Workspace::loader(const std::string& folder, Door door) const {
@@ -47,6 +57,7 @@ FileHandle Workspace::file(const std::string& path) {
 
 void Workspace::add_with_includes(const std::string& path, const std::string& folder,
                                   std::vector<FileHandle>& files) {
+    if (files.size() >= most_files) return;
     const FileHandle one = file(path);
     if (!one || std::ranges::find(files, one) != files.end()) return;
     files.push_back(one);

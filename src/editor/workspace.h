@@ -26,7 +26,8 @@ public:
 
     /// The file as the editor has it, or else as it is on the disk; null when there is none.
     FileHandle file(const std::string& path);
-    /// The file, what it includes, the other open files and what they include; each once.
+    /// The file, what it includes, the other open files and what they include; each once, and no
+    /// more than 1000.
     std::vector<FileHandle> around(const std::string& path);
     /// Where the name gets its meanings, seen from a place: first those in the same file, the
     /// nearest above the place before others.
@@ -36,13 +37,17 @@ public:
     };
     std::vector<Found> declarations(NameId, const std::string& path, std::uint32_t offset);
 
-    /// Finds files for a scene in this folder; open documents come before the disk.
-    Loader loader(const std::string& folder, Door door = {}) const;
+    /// Finds files for a scene in this folder; open documents come before the disk. It reads what
+    /// the door lets through, by default what belongs to open scenes.
+    Loader loader(const std::string& folder) const;
+    Loader loader(const std::string& folder, Door door) const;
     bool in_library(const std::string& path) const;
     const std::string& library() const { return library_; }
     Names& names() { return names_; }
 
 private:
+    static constexpr std::size_t most_files = 1000;
+
     Reader reader() const;
     void add_with_includes(const std::string& path, const std::string& folder,
                            std::vector<FileHandle>& files);

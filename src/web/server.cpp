@@ -1,87 +1,189 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "web/server.h"
 
-#include "text/ascii.h"
-
 #include <algorithm>
+#include <chrono>
+#include <new>
+#include <optional>
+#include <vector>
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <sys/time.h>
 #include <unistd.h>
+#include <cerrno>
 
 namespace {
 
-constexpr std::size_t longest_head = 8192;
-constexpr int patience = 2;  ///< seconds that a part of a request or of an answer may take
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::milliseconds;
 
-/// The value of a header, whatever the case of its name; blanks before it are taken away.
-std::string header(std::string_view head, std::string_view name) {
-    while (!head.empty()) {
-        const std::size_t end = std::min(head.find("\r\n"), head.size());
-        const std::string_view line = head.substr(0, end);
-        head.remove_prefix(std::min(head.size(), end + 2));
-        const bool same = line.size() > name.size() && line[name.size()] == ':' &&
-                          same_letters(line.substr(0, name.size()), name);
-        if (!same) continue;
-        const std::string_view value = line.substr(name.size() + 1);
-        const std::size_t first = std::min(value.find_first_not_of(" \t"), value.size());
-        return std::string(value.substr(first));
-    }
-    return {};
-}
+constexpr auto plain_text = "text/plain; charset=utf-8";
+constexpr Milliseconds look_up(100);  ///< between two looks at whether this shall end
 
-/// What arrives up to the empty line; empty when it takes too long or is too long.
-std::string received_head(int connection) {
-    std::string text;
-    char part[1024];
-    while (text.find("\r\n\r\n") == text.npos) {
-        pollfd ready{connection, POLLIN, 0};
-        if (::poll(&ready, 1, 1000 * patience) <= 0 || text.size() > longest_head) return {};
-        const ssize_t count = ::recv(connection, part, sizeof part, 0);
-        if (count <= 0) return {};
-        text.append(part, static_cast<std::size_t>(count));
-    }
-    return text;
-}
+/// How long the other side may take to see that all has been sent. A socket that is closed before
+/// it has read everything takes back what it sent.
+constexpr Milliseconds farewell(1000);
 
-void send_all(int connection, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::send(connection, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-        if (count <= 0) return;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
+bool would_wait() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+
+/// A socket with a request that comes, an answer that goes, or an end that is waited for.
+class Connection {
+public:
+    enum State { asking, fetching, leaving, gone };
+
+    Connection(int socket, Clock::time_point until) : socket_(socket), until_(until) {}
+    Connection(Connection&& other) noexcept { *this = std::move(other); }
+    Connection& operator=(Connection&& other) noexcept {
+        std::swap(socket_, other.socket_);
+        std::swap(state_, other.state_);
+        std::swap(bytes_, other.bytes_);
+        std::swap(sent_, other.sent_);
+        std::swap(until_, other.until_);
+        return *this;
     }
-}
+    ~Connection() {
+        if (socket_ >= 0) ::close(socket_);
+    }
+
+    State state() const { return state_; }
+    pollfd waits() const {
+        return {socket_, static_cast<short>(state_ == fetching ? POLLOUT : POLLIN), 0};
+    }
+    bool late(Clock::time_point now) const { return now >= until_; }
+    /// What has come of the request.
+    const std::string& asked() const { return bytes_; }
+    std::size_t waiting() const { return state_ == fetching ? bytes_.size() - sent_ : 0; }
+
+    /// Takes what has come; false when there is no more to be had.
+    bool take() {
+        char part[4096];
+        const ssize_t count = ::recv(socket_, part, sizeof part, MSG_DONTWAIT);
+        if (count < 0 && would_wait()) return true;
+        if (count <= 0) return false;
+        if (state_ == asking) bytes_.append(part, static_cast<std::size_t>(count));
+        return true;
+    }
+
+    void answer(std::string bytes, Clock::time_point until) {
+        bytes_ = std::move(bytes);
+        sent_ = 0;
+        state_ = fetching;
+        until_ = until;
+        give();
+    }
+
+    /// Sends what the other side takes at the moment.
+    void give() {
+        const ssize_t count = ::send(socket_, bytes_.data() + sent_, bytes_.size() - sent_,
+                                     MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count < 0 && !would_wait()) return end();
+        if (count > 0) sent_ += static_cast<std::size_t>(count);
+        if (sent_ < bytes_.size()) return;
+        bytes_ = {};
+        state_ = leaving;
+        until_ = Clock::now() + farewell;
+        ::shutdown(socket_, SHUT_WR);
+    }
+
+    void end() { state_ = gone; }
+
+private:
+    int socket_ = -1;
+    State state_ = asking;
+    std::string bytes_;  ///< of the request, then of the answer
+    std::size_t sent_ = 0;
+    Clock::time_point until_;
+};
+
+/// All connections of a server, served by one thread.
+class Crowd {
+public:
+    Crowd(int socket, const WebLimits& limits, const WebKey& key, const WebServer::Handler& handler)
+        : socket_(socket), limits_(limits), key_(key), handler_(handler) {}
+
+    /// Waits for a moment and does what can be done.
+    void turn() {
+        std::vector<pollfd> waits = {{socket_, POLLIN, 0}};
+        for (const Connection& each : crowd_) waits.push_back(each.waits());
+        if (::poll(waits.data(), waits.size(), static_cast<int>(look_up.count())) < 0) return;
+        // Answers may take their time: those that become late meanwhile are heard first.
+        const auto now = Clock::now();
+        for (std::size_t i = 0; i < crowd_.size(); ++i)
+            if (waits[i + 1].revents != 0) serve(crowd_[i]);
+        for (Connection& each : crowd_)
+            if (each.late(now)) give_up(each);
+        std::erase_if(crowd_, [](const Connection& c) { return c.state() == Connection::gone; });
+        if (waits[0].revents != 0) let_in();
+    }
+
+private:
+    static Clock::time_point after(int milliseconds) {
+        return Clock::now() + Milliseconds(milliseconds);
+    }
+
+    void let_in() {
+        for (std::size_t n = 0; n < limits_.connections; ++n) {
+            const int socket = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+            if (socket < 0) {
+                // Without descriptors it would be tried again at once, and for ever.
+                if (!would_wait() && errno != ECONNABORTED) std::this_thread::sleep_for(look_up);
+                return;
+            }
+            if (crowd_.size() >= limits_.connections) make_room();
+            crowd_.emplace_back(socket, after(limits_.request_milliseconds));
+        }
+    }
+
+    void make_room() {
+        const auto silent = std::ranges::find(crowd_, Connection::asking, &Connection::state);
+        crowd_.erase(silent == crowd_.end() ? crowd_.begin() : silent);
+    }
+
+    void serve(Connection& connection) {
+        if (connection.state() == Connection::fetching) return connection.give();
+        if (!connection.take()) return connection.end();
+        if (connection.state() != Connection::asking) return;
+        const ReadRequest read = read_request(connection.asked(), key_);
+        if (const auto* const request = std::get_if<WebRequest>(&read))
+            connection.answer(answer(*request), after(limits_.answer_milliseconds));
+        else if (const auto* const refusal = std::get_if<WebAnswer>(&read))
+            refuse(connection, *refusal);
+    }
+
+    std::string answer(const WebRequest& request) {
+        std::size_t waiting = 0;
+        for (const Connection& each : crowd_) waiting += each.waiting();
+        if (waiting <= limits_.waiting_bytes) try {
+                return sent_form(handler_(request));
+            } catch (const std::bad_alloc&) {  // as if there were no room
+            }
+        return sent_form({plain_text, "there is no room for the answer at the moment\n", 503});
+    }
+
+    void refuse(Connection& connection, const WebAnswer& why) {
+        connection.answer(sent_form(why), after(limits_.answer_milliseconds));
+    }
+
+    void give_up(Connection& connection) {
+        if (connection.state() != Connection::asking) return connection.end();
+        refuse(connection, {plain_text, "the request took too long\n", 408});
+    }
+
+    int socket_;
+    const WebLimits& limits_;
+    const WebKey& key_;
+    const WebServer::Handler& handler_;
+    std::vector<Connection> crowd_;  ///< the oldest first
+};
 
 }  // namespace
 
-std::string WebRequest::parameter(std::string_view name) const {
-    for (std::size_t at = 0; at < query.size();) {
-        const std::size_t end = std::min(query.find('&', at), query.size());
-        const std::string_view pair = std::string_view(query).substr(at, end - at);
-        if (pair.starts_with(name) && pair.substr(name.size()).starts_with('='))
-            return std::string(pair.substr(name.size() + 1));
-        at = end + 1;
-    }
-    return {};
-}
-
-std::optional<WebRequest> read_request(std::string_view head, int port) {
-    const std::string_view line = head.substr(0, std::min(head.find("\r\n"), head.size()));
-    const std::size_t end = line.find(' ', 4);
-    if (!line.starts_with("GET /") || end == line.npos) return std::nullopt;
-    const std::string host = header(head, "host"), number = std::to_string(port);
-    if (host != "127.0.0.1:" + number && host != "localhost:" + number) return std::nullopt;
-    const std::string_view target = line.substr(4, end - 4);
-    const std::size_t mark = std::min(target.find('?'), target.size());
-    return WebRequest{std::string(target.substr(0, mark)),
-                      std::string(target.substr(std::min(mark + 1, target.size())))};
-}
-
-WebServer::WebServer(int port, Handler handler) : handler_(std::move(handler)) {
-    socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+WebServer::WebServer(int port, std::string token, Handler handler, WebLimits limits)
+    : key_{0, std::move(token)}, handler_(std::move(handler)), limits_(limits) {
+    if (key_.token.empty()) return;
+    socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     const int yes = 1;
     ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
     sockaddr_in address{};
@@ -90,41 +192,21 @@ WebServer::WebServer(int port, Handler handler) : handler_(std::move(handler)) {
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     auto* const generic = reinterpret_cast<sockaddr*>(&address);
     socklen_t length = sizeof address;
-    if (::bind(socket_, generic, length) != 0 || ::listen(socket_, 16) != 0 ||
+    constexpr int waiting = 128;
+    if (::bind(socket_, generic, length) != 0 || ::listen(socket_, waiting) != 0 ||
         ::getsockname(socket_, generic, &length) != 0)
         return;
-    port_ = ntohs(address.sin_port);
+    key_.port = ntohs(address.sin_port);
     thread_ = std::thread([this] { serve(); });
 }
 
 WebServer::~WebServer() {
     ending_ = true;
     if (thread_.joinable()) thread_.join();
-    ::close(socket_);
+    if (socket_ >= 0) ::close(socket_);
 }
 
 void WebServer::serve() {
-    while (!ending_) {
-        pollfd ready{socket_, POLLIN, 0};
-        constexpr int look_up = 100;  // milliseconds between two looks at whether this shall end
-        if (::poll(&ready, 1, look_up) <= 0) continue;
-        const int connection = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
-        if (connection < 0) continue;
-        // Who does not read the answer must not hold up the next one, or the end.
-        const timeval longest{patience, 0};
-        ::setsockopt(connection, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
-        answer(connection);
-        ::close(connection);
-    }
-}
-
-void WebServer::answer(int connection) const {
-    const auto request = read_request(received_head(connection), port_);
-    const WebAnswer result =
-        request ? handler_(*request) : WebAnswer{"text/plain", "no such page\n", 403};
-    send_all(connection, "HTTP/1.1 " + std::to_string(result.status) +
-                             " -\r\nContent-Type: " + result.type +
-                             "\r\nContent-Length: " + std::to_string(result.body.size()) +
-                             "\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n");
-    send_all(connection, result.body);
+    Crowd crowd(socket_, limits_, key_, handler_);
+    while (!ending_) crowd.turn();
 }

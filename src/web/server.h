@@ -1,54 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small web server for the preview: answers GET requests, one at a time, on one address of this
-// machine. Enough for a page that looks at a picture, and little enough to be understood; nothing
-// is linked for it that every run would have to load.
+// A small web server for the preview, on one address of this machine. Enough for a page that looks
+// at a picture, and little enough to be understood; nothing is linked for it that every run would
+// have to load. All connections are waited for at once and each has its time, so that a slow or
+// silent one holds up no other.
 #pragma once
+
+#include "web/request.h"
 
 #include <atomic>
 #include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <thread>
 
-struct WebRequest {
-    std::string path;   ///< without the query: "/picture.png"
-    std::string query;  ///< behind the question mark: "x=3&y=4"
-
-    /// The value of a parameter of the query; empty when there is none.
-    std::string parameter(std::string_view name) const;
+/// What the server puts up with.
+struct WebLimits {
+    std::size_t connections = 64;  ///< beyond, the oldest gives way, first of the silent ones
+    std::size_t waiting_bytes = 1 << 28;  ///< of answers that are being fetched; beyond: status 503
+    int request_milliseconds = 5000;      ///< for the whole request, which else gets status 408
+    int answer_milliseconds = 60000;      ///< for fetching the whole answer
 };
-
-struct WebAnswer {
-    std::string type;  ///< "text/html"
-    std::string body;
-    int status = 200;
-};
-
-/// The request in the head of an HTTP message that came to this port; nothing for anything but GET,
-/// and for pages of other hosts: a name on the web that leads here is not let in.
-std::optional<WebRequest> read_request(std::string_view head, int port);
 
 class WebServer {
 public:
     using Handler = std::function<WebAnswer(const WebRequest&)>;
 
-    /// Listens on 127.0.0.1; port 0: any that is free. The handler is called from one thread.
-    WebServer(int port, Handler);
+    /// Listens on 127.0.0.1; port 0: any that is free. The handler is called from one thread. What
+    /// changes something it should do for POST only, which needs the token.
+    WebServer(int port, std::string token, Handler, WebLimits = {});
     WebServer(const WebServer&) = delete;
     WebServer& operator=(const WebServer&) = delete;
     ~WebServer();
 
-    /// 0: the port could not be had.
-    int port() const { return port_; }
+    /// 0: the port could not be had, or the token is empty.
+    int port() const { return key_.port; }
 
 private:
     void serve();
-    void answer(int connection) const;
 
+    WebKey key_;
     Handler handler_;
+    WebLimits limits_;
     int socket_ = -1;
-    int port_ = 0;
     std::atomic<bool> ending_ = false;
     std::thread thread_;
 };

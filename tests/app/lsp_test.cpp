@@ -37,11 +37,28 @@ TEST_CASE("messages are read however they are cut") {
     pipe.write("Content-Length: 5\r\nOther: x\r\n\r\nab");
     CHECK_FALSE(reader.next(0));
     pipe.write("cdeContent-Length: 2\r\n\r\nfg");
-    CHECK(reader.next(-1) == "abcde");
-    CHECK(reader.next(-1) == "fg");
+    CHECK(reader.next(-1)->text == "abcde");
+    CHECK(reader.next(-1)->text == "fg");
     pipe.close();
     CHECK_FALSE(reader.next(-1));
     CHECK(reader.ended());
+    CHECK(reader.problem().empty());
+}
+
+TEST_CASE("a stream that is lost ends the server with a message") {
+    for (const char* bytes : {"Content-Length: -1\r\n\r\n{}", "Content-Length: 9\r\n\r\n{}",
+                              "Content-Le", "Content-Length: 5000000000\r\n\r\n{}", "\r\n\r\n"}) {
+        CAPTURE(bytes);
+        Pipe pipe;
+        pipe.write(bytes);
+        pipe.close();
+        std::string said;
+        Console console;
+        console.out = [](std::string_view) {};
+        console.err = [&](std::string_view text) { said += text; };
+        CHECK(run_lsp(pipe.ends[0], console) == 1);
+        CHECK(said.starts_with("error: the editor cannot be understood any more: "));
+    }
 }
 
 TEST_CASE("a whole conversation goes through the streams") {

@@ -16,7 +16,7 @@ TEST_CASE("the preview shows a picture, an error after a change, and the picture
                 "#ifndef (Size) #declare Size = 1; #end  // 0.5 to 2 by 0.5: of the lamp\n" +
                     std::string(lit_scene));
     shell.write("client.py", R"(
-import json, subprocess, sys, time, urllib.error, urllib.request
+import json, re, subprocess, sys, time, urllib.error, urllib.parse, urllib.request
 program, scene = sys.argv[1:]
 run = subprocess.Popen([program, scene, "+W64", "+H48", "--preview", "0", "+BS16"],
                        stderr=subprocess.PIPE, text=True)
@@ -25,6 +25,13 @@ while not said.splitlines()[-1:] or not said.splitlines()[-1].startswith("previe
 assert "`+BS16` is ignored" in said
 address = said.split()[-1]
 def get(path): return urllib.request.urlopen(address + path, timeout=10).read()
+def turn(token, method="POST", **more):
+    form = urllib.parse.urlencode({"name": "Size", "value": 7}).encode()
+    heads = {"X-Token": token, **{name.replace("_", "-"): value for name, value in more.items()}}
+    request = urllib.request.Request(address + "turn", form, heads, method=method)
+    if method == "GET": request = urllib.request.Request(address + "turn?name=Size&value=7", None, heads)
+    try: return urllib.request.urlopen(request, timeout=10).status
+    except urllib.error.HTTPError as refusal: return refusal.code
 def status(): return json.loads(get("status"))
 def until(what, test):
     for _ in range(300):
@@ -46,11 +53,20 @@ try:
     except urllib.error.HTTPError: pass
     assert status()["knobs"] == [{"name": "Size", "value": 1, "low": 0.5, "high": 2, "step": 0.5, "help": "of the lamp"}]
     before = status()["picture"]
-    get("turn?name=Size&value=7")
+    token = re.search("content=.([0-9a-f]{32}).>", get("").decode()).group(1)
+    assert turn(token, "GET") == 405
+    assert turn("0" * 32) == 403
+    assert turn(token, Origin="http://evil.example") == 403
+    assert turn(token, Origin="null") == 403
+    assert turn(token, Host="evil.example") == 403
+    assert turn(token, Sec_Fetch_Site="cross-site") == 403
+    assert status()["knobs"][0]["value"] == 1
+    assert turn(token, Origin=address.rstrip("/"), Sec_Fetch_Site="same-origin") == 200
     until("a picture of a larger lamp", lambda s: s["picture"] > before and s["progress"] == 1)
     assert status()["knobs"][0]["value"] == 2
-    try: get("turn?name=None&value=1"); assert False
-    except urllib.error.HTTPError: pass
+    none = urllib.request.Request(address + "turn", b"name=None&value=1", {"X-Token": token})
+    try: urllib.request.urlopen(none); assert False
+    except urllib.error.HTTPError as refusal: assert refusal.code == 404
     good = open(scene).read()
     open(scene, "w").write(good + "sphere { 0, 1 pigmnt }")
     until("an error", lambda s: "pigmnt" in s["errors"] and "^" in s["errors"])
@@ -89,7 +105,8 @@ try:
     assert red() == "0"
     assert [(k["name"], k["low"], k["high"]) for k in status()["knobs"]] == [("frame_number", 3, 5)]
     before = status()["picture"]
-    get("turn?name=frame_number&value=5")
+    token = get("").decode().split('name="token" content="')[1].split('"')[0]
+    urllib.request.urlopen(urllib.request.Request(address + "turn", b"name=frame_number&value=5", {"X-Token": token}))
     while status()["picture"] == before: time.sleep(0.1)
     assert red() == "1", red()
 finally:

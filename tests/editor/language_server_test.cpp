@@ -14,6 +14,10 @@ struct Client {
         [this](const std::string& text) { answers.push_back(Json::parse(text)); }};
     std::string uri = uri_of(folder / "a.pov");
 
+    explicit Client(bool greets = true) {
+        if (greets) ask("initialize");
+        answers.clear();
+    }
     void tell(const std::string& method, const Json& parameters) {
         server.receive(Json{{"method", method}, {"params", parameters}}.dump());
     }
@@ -42,7 +46,7 @@ constexpr const char* scene =
 }  // namespace
 
 TEST_CASE("an editor's requests are answered") {
-    Client client;
+    Client client(false);
     CHECK(client.ask("initialize")["capabilities"]["hoverProvider"] == true);
     client.open(scene);
     CHECK(client.ask_at("hover", 2, 13)["range"]["start"]["character"] == 12);
@@ -86,9 +90,121 @@ TEST_CASE("odd messages do no harm") {
           "{\"method\": \"textDocument/didOpen\", \"params\": \"a\"}"})
         client.server.receive(message);
     client.server.catch_up();
-    CHECK(client.ask("textDocument/hover") == nullptr);
+    CHECK(client.ask("textDocument/hover")["code"] == -32602);
     CHECK(client.ask("nothing/such")["code"] == -32601);
     CHECK_FALSE(client.server.ended());
+}
+
+TEST_CASE("what is no request is refused by its own number") {
+    Client client;
+    const auto code = [&](const std::string& message) {
+        client.answers.clear();
+        client.server.receive(message);
+        return client.answers.size() == 1 ? client.answers[0]["error"]["code"].get<int>() : 0;
+    };
+    for (const char* text : {"", "{", "\"\xff\"", "[1e999]", "nul", "{} {}", "\xef\xbb\xbf"}) {
+        CAPTURE(text);
+        CHECK(code(text) == -32700);
+    }
+    for (const char* text :
+         {"7", "[]", "null", "{}", R"({"method": 7})", R"({"id": 1})", R"([{"method": "exit"}])",
+          R"({"id": null, "method": "shutdown"})", R"({"id": [], "method": "shutdown"})",
+          R"({"id": 1.5, "method": "shutdown"})", R"({"id": true, "method": "shutdown"})"}) {
+        CAPTURE(text);
+        CHECK(code(text) == -32600);
+        CHECK(client.answers[0]["id"] == (std::string(text) == R"({"id": 1})" ? Json(1) : Json()));
+    }
+    CHECK(code(R"({"id": 1, "method": "shut\u0000down"})") == -32601);
+    for (const char* ignored : {R"({"method": "$/noise"})", R"({"id": 3, "result": null})",
+                                R"({"method": "textDocument/hover"})"}) {
+        CAPTURE(ignored);
+        CHECK(code(ignored) == 0);
+        CHECK(client.answers.empty());
+    }
+    const std::string deep =
+        "{\"id\": 1, \"method\": \"shutdown\", \"params\": " + std::string(200'000, '[') +
+        std::string(200'000, ']') + "}";
+    CHECK(code(deep) == -32600);
+    CHECK(client.answers[0]["error"]["message"] == "a message nests at most 64 deep");
+    CHECK(code(std::string(200'000, '[')) == -32600);
+    client.answers.clear();
+    client.server.receive_too_long();
+    CHECK(client.answers.at(0)["error"]["code"] == -32600);
+    CHECK(client.ask("shutdown") == nullptr);
+}
+
+TEST_CASE("each request has its time") {
+    Client client(false);
+    CHECK(client.ask("textDocument/hover")["code"] == -32002);
+    CHECK(client.ask("shutdown")["code"] == -32002);
+    client.open(scene);
+    CHECK_FALSE(client.server.behind());
+    CHECK(client.ask("initialize").contains("capabilities"));
+    CHECK(client.ask("initialize")["code"] == -32600);
+    client.open(scene);
+    CHECK(client.server.behind());
+    CHECK(client.ask("shutdown") == nullptr);
+    CHECK(client.ask_at("hover", 0, 0)["code"] == -32600);
+    CHECK(client.ask("initialize")["code"] == -32600);
+    client.tell("exit", nullptr);
+    CHECK(client.server.ended_well());
+}
+
+TEST_CASE("a parameter of a wrong type is refused, and nothing is done") {
+    Client client;
+    client.open(scene);
+    client.server.catch_up();
+    const Json good = {
+        {"textDocument", {{"uri", client.uri}, {"text", "a"}}},
+        {"position", {{"line", 0}, {"character", 9}}},
+        {"newName", "R"},
+        {"color", {{"red", 0}, {"green", 0}, {"blue", 0}}},
+        {"range",
+         {{"start", {{"line", 0}, {"character", 0}}}, {"end", {{"line", 0}, {"character", 1}}}}},
+        {"contentChanges", {{{"text", "a"}}}}};
+    struct Case {
+        const char* method;
+        std::vector<const char*> read;
+    };
+    for (const Case& each :
+         {Case{"hover", {"textDocument", "position"}},
+          Case{"completion", {"textDocument", "position"}},
+          Case{"definition", {"textDocument", "position"}},
+          Case{"references", {"textDocument", "position"}},
+          Case{"rename", {"textDocument", "position", "newName"}},
+          Case{"documentSymbol", {"textDocument"}}, Case{"documentColor", {"textDocument"}},
+          Case{"colorPresentation", {"textDocument", "color", "range"}},
+          Case{"formatting", {"textDocument"}}, Case{"didOpen", {"textDocument"}},
+          Case{"didChange", {"textDocument", "contentChanges"}}, Case{"didSave", {"textDocument"}},
+          Case{"didClose", {"textDocument"}}})
+        for (const char* const name : each.read)
+            for (const Json& bad : {Json(), Json(7), Json(-1), Json::array(), Json::object(),
+                                    Json(true), Json::array({Json::array()})}) {
+                CAPTURE(each.method, name, bad.dump());
+                Json parameters = good;
+                parameters[name] = bad;
+                const std::string method = std::string("textDocument/") + each.method;
+                CHECK(client.ask(method, parameters)["code"] == -32602);
+                client.answers.clear();
+                client.tell(method, parameters);
+                CHECK(client.answers.size() == (method.find("/did") != method.npos ? 1u : 0u));
+                for (const Json& answer : client.answers)
+                    CHECK(answer["method"] == "window/logMessage");
+            }
+    CHECK_FALSE(client.server.behind());
+    CHECK(client.ask_at("references", 2, 13).size() == 2);
+}
+
+TEST_CASE("only open documents are asked about") {
+    Client client;
+    client.folder.put("a.pov", scene);
+    CHECK(client.ask_at("hover", 2, 13)["message"] ==
+          "`" + (client.folder / "a.pov") + "` is not open");
+    client.open(scene);
+    CHECK(client.ask_at("hover", 2, 13).contains("contents"));
+    CHECK(client.ask_at("hover", 2147483647, 2147483647) == nullptr);
+    client.tell("textDocument/didClose", {{"textDocument", {{"uri", client.uri}}}});
+    CHECK(client.ask_at("hover", 2, 13)["code"] == -32602);
 }
 
 TEST_CASE("the editor says goodbye in two steps") {

@@ -31,3 +31,12 @@ TEST_CASE("places are lines and units of UTF-16") {
     CHECK(offset_of(text, Json()) == 0);
     CHECK(position_of(text, 99) == Json({{"line", 2}, {"character", 1}}));
 }
+
+TEST_CASE("brackets are counted before a message is parsed") {
+    CHECK_FALSE(nests_deeper("[{}]", 2));
+    CHECK(nests_deeper("[{}]", 1));
+    CHECK_FALSE(nests_deeper(R"(["[[[[", "\"[[["])", 1));
+    CHECK_FALSE(nests_deeper("[][][]", 1));
+    CHECK(nests_deeper(std::string(200'000, '['), 64));
+    CHECK_FALSE(nests_deeper("\"\\", 1));
+}

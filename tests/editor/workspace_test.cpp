@@ -39,6 +39,23 @@ TEST_CASE("files that include each other belong together") {
     CHECK_FALSE(edited.workspace.in_library(edited.path));
 }
 
+TEST_CASE("only what belongs to open scenes is read for them") {
+    const Folder elsewhere;
+    elsewhere.put("far.inc", "");
+    Edited edited("#include \"" + (elsewhere / "far.inc") + "\"");
+    CHECK(names_of(edited.workspace.around(edited.path)) == "a.pov ");
+    edited.workspace.open(elsewhere / "b.pov", "");
+    CHECK(names_of(edited.workspace.around(edited.path)) == "a.pov far.inc b.pov ");
+}
+
+TEST_CASE("a chain of files that has no end is cut") {
+    Edited edited("#include \"0.inc\"");
+    for (int i = 0; i < 1100; ++i)
+        edited.folder.put(std::to_string(i) + ".inc",
+                          "#include \"" + std::to_string(i + 1) + ".inc\"");
+    CHECK(edited.workspace.around(edited.path).size() == 1000);
+}
+
 TEST_CASE("of several declarations the nearest above comes first") {
     Edited edited("#declare A = 1;\n#declare A = 2;\n|A\n#declare A = 3;");
     edited.workspace.open(edited.folder / "other.pov", "#declare A = 4;");

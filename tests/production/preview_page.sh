@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The preview's page in a browser without a window: the picture's size and a slider are there, the report of light, what
-# is under a pixel, and after a mistake in the scene its message. Ends with 77 where chromium is missing. With a folder,
+# is under a pixel, and after a mistake in the scene its message; a page of another site turns no slider and shows
+# nothing of it. Ends with 77 where chromium is missing. With a folder,
 # it leaves pictures of the page there.
 #   preview_page.sh PROGRAM [FOLDER]
 set -euo pipefail
@@ -56,5 +57,27 @@ expect 'object 2: scene.pov:4: plane' '#pick=160,230' pixel
 grep -q 'pigment { checker' page
 grep -q '%  scene.pov:3: sphere' page
 grep -q '%  scene.pov:5: light_source' page
+
+# A page from elsewhere, on which each way to ask has ended after a moment.
+cat > elsewhere.html << PAGE
+<body><script>
+const tell = (name, result) => document.body.append(name + ":" + result + " ");
+for (const [name, options] of Object.entries({
+    get: {}, blind: { mode: "no-cors" }, post: { method: "POST", mode: "no-cors", body: "name=Size&value=2" } }))
+  fetch("${address}turn?name=Size&value=2", options).then(() => tell(name, "sent"), () => tell(name, "refused"));
+for (const [name, path] of Object.entries({ picture: "picture.png", turn: "turn?name=Size&value=2" })) {
+  const image = new Image();
+  image.onload = () => tell(name, "loaded");
+  image.onerror = () => tell(name, "refused");
+  image.src = "$address" + path;
+}
+</script></body>
+PAGE
+browse --dump-dom "file://$folder/elsewhere.html" > page
+for refused in get picture turn; do
+    grep -q "$refused:refused" page || { echo "another site is not refused: $refused"; exit 1; }
+done
+expect '<output>1</output>'
+
 echo 'sphere { 0, Sise }' >> scene.pov
 expect 'nothing is declared as `Sise`' '' mistake

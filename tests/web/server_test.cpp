@@ -3,6 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -35,47 +39,82 @@ std::string fetch(int port, const std::string& message) {
 
 }  // namespace
 
-TEST_CASE("requests are read, and refused when they come for another host") {
-    const auto request =
-        read_request("GET /pick?x=3&yy=4&y=5 HTTP/1.1\r\nA: b\r\nHOST: localhost:80\r\n\r\n", 80);
-    REQUIRE(request);
-    CHECK(request->path == "/pick");
-    CHECK(request->parameter("x") == "3");
-    CHECK(request->parameter("y") == "5");
-    CHECK(request->parameter("z").empty());
-    for (const char* bad :
-         {"", "GET", "GET ", "GET /", "POST / HTTP/1.1\r\nHost: localhost:80\r\n\r\n",
-          "GET / HTTP/1.1\r\n\r\n", "GET / HTTP/1.1\r\nHost: evil.example:80\r\n\r\n",
-          "GET / HTTP/1.1\r\nHost: localhost:81\r\n\r\n"}) {
-        CAPTURE(bad);
-        CHECK_FALSE(read_request(bad, 80));
-    }
-}
-
 TEST_CASE("a page is served on a free port") {
-    const WebServer server(0, [](const WebRequest& request) {
-        return WebAnswer{"text/plain", "you asked for " + request.path};
+    const WebServer server(0, "secret", [](const WebRequest& request) {
+        return WebAnswer{"text/plain", (request.post ? "you say " : "you ask for ") + request.path +
+                                           " " + request.form};
     });
     REQUIRE(server.port() > 0);
-    const std::string host = "Host: 127.0.0.1:" + std::to_string(server.port()) + "\r\n\r\n";
-    const std::string answer = fetch(server.port(), "GET /a HTTP/1.1\r\n" + host);
+    const std::string host = "Host: 127.0.0.1:" + std::to_string(server.port()) + "\r\n";
+    const std::string answer = fetch(server.port(), "GET /a HTTP/1.1\r\n" + host + "\r\n");
     CHECK(answer.starts_with("HTTP/1.1 200 "));
-    CHECK(answer.ends_with("\r\n\r\nyou asked for /a"));
-    CHECK(fetch(server.port(), "PUT /a HTTP/1.1\r\n" + host).starts_with("HTTP/1.1 403 "));
-    CHECK(WebServer(server.port(), {}).port() == 0);
+    CHECK(answer.ends_with("\r\n\r\nyou ask for /a "));
+    CHECK(fetch(server.port(),
+                "POST /b HTTP/1.1\r\n" + host + "X-Token: secret\r\nContent-Length: 3\r\n\r\nx=1")
+              .ends_with("you say /b x=1"));
+    CHECK(fetch(server.port(), "PUT /a HTTP/1.1\r\n" + host + "\r\n").starts_with("HTTP/1.1 405 "));
+    CHECK(fetch(server.port(), "GET /a HTTP/1.1\r\n\r\n").starts_with("HTTP/1.1 403 "));
+    CHECK(WebServer(server.port(), "secret", {}).port() == 0);
+    CHECK(WebServer(0, "", {}).port() == 0);
 }
 
-TEST_CASE("who does not read the answer holds up nobody for long") {
-    int connection = 0;
+TEST_CASE("who does not read the answer holds up nobody") {
+    const std::string large(64 << 20, 'x');
+    std::vector<int> lazy;
     {
-        std::atomic<bool> asked = false;
-        const WebServer server(0, [&](const WebRequest&) {
-            asked = true;
-            return WebAnswer{"text/plain", std::string(64 << 20, 'x')};
-        });
+        std::atomic<int> asked = 0;
+        const WebServer server(
+            0, "secret",
+            [&](const WebRequest& request) {
+                ++asked;
+                return WebAnswer{"text/plain", request.path == "/large" ? large : "quick"};
+            },
+            {.waiting_bytes = 100 << 20});
         const std::string host = "Host: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
-        connection = send_to(server.port(), "GET / HTTP/1.1\r\n" + host);
-        while (!asked) std::this_thread::yield();
+        for (int i = 0; i < 2; ++i)
+            lazy.push_back(send_to(server.port(), "GET /large HTTP/1.1\r\n" + host));
+        while (asked < 2) std::this_thread::yield();
+        // There is no room for more than the answers that nobody fetches.
+        CHECK(fetch(server.port(), "GET / HTTP/1.1\r\n" + host).starts_with("HTTP/1.1 503 "));
+        ::close(lazy.back());
+        lazy.pop_back();
+        std::string answer;
+        for (int i = 0; i < 100 && !answer.ends_with("quick"); ++i)
+            answer = fetch(server.port(), "GET / HTTP/1.1\r\n" + host);
+        CHECK(answer.ends_with("quick"));
     }
+    for (const int each : lazy) ::close(each);
+}
+
+TEST_CASE("slow and silent connections hold up nobody") {
+    const WebServer server(0, "secret", [](const WebRequest&) {
+        return WebAnswer{"text/plain", "quick"};
+    });
+    const std::string get =
+        "GET / HTTP/1.1\r\nHost: localhost:" + std::to_string(server.port()) + "\r\n\r\n";
+    std::vector<int> silent;
+    for (int i = 0; i < 300; ++i) silent.push_back(send_to(server.port(), "GET /"));
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < 10; ++i) CHECK(fetch(server.port(), get).ends_with("quick"));
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(4));
+    for (const int each : silent) ::close(each);
+}
+
+TEST_CASE("a request that drips has a time for all of it") {
+    const WebServer server(0, "secret",
+                           [](const WebRequest&) {
+                               return WebAnswer{"text/plain", "quick"};
+                           },
+                           {.request_milliseconds = 300});
+    const int connection = send_to(server.port(), "GET /");
+    std::string answer;
+    for (int i = 0; i < 100 && answer.empty(); ++i) {
+        ::send(connection, "a", 1, MSG_NOSIGNAL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        char part[4096];
+        const ssize_t count = ::recv(connection, part, sizeof part, MSG_DONTWAIT);
+        if (count >= 0) answer.assign(part, static_cast<std::size_t>(count)) += ' ';
+    }
+    CHECK(answer.starts_with("HTTP/1.1 408 "));
     ::close(connection);
 }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/parameters.h"
+
+#include "text/message.h"
+
+namespace {
+
+const Json* member(const Json* object, const char* name) {
+    if (!object || !object->is_object()) return nullptr;
+    const auto found = object->find(name);
+    return found == object->end() ? nullptr : &*found;
+}
+
+/// A `uinteger` of the protocol, which is at most 2^31-1.
+bool is_count(const Json* json) {
+    if (!json || !json->is_number_integer()) return false;
+    const auto value = json->get<std::int64_t>();  // what is larger comes out below 0
+    return value >= 0 && value <= 0x7fffffff;
+}
+
+}  // namespace
+
+const Json* Parameters::find(Way way) const {
+    const Json* at = &json_;
+    for (const char* const name : way) at = member(at, name);
+    return at;
+}
+
+void Parameters::wrong(Way way, std::string_view kind) {
+    std::string name = "params";
+    for (const char* const each : way) name += message('.', each);
+    refuse(message('`', name, "` must be ", kind));
+}
+
+void Parameters::refuse(std::string why) {
+    if (problem_.empty()) problem_ = std::move(why);
+}
+
+std::string Parameters::text(Way way) {
+    const Json* const found = find(way);
+    if (found && found->is_string()) return found->get<std::string>();
+    wrong(way, "a string");
+    return {};
+}
+
+std::string Parameters::document() {
+    const Way way = {"textDocument", "uri"};
+    std::string path = path_of(text(way));
+    if (path.empty() || path.find('\0') != path.npos) {
+        wrong(way, "a URI");
+        return {};
+    }
+    return path;
+}
+
+std::uint32_t Parameters::place(std::string_view text, Way way) {
+    const Json* const position = find(way);
+    if (is_count(member(position, "line")) && is_count(member(position, "character")))
+        return offset_of(text, *position);
+    wrong(way, "a position: `line` and `character`, integers from 0 to 2147483647");
+    return 0;
+}
+
+Part Parameters::range(std::string_view text, const char* name) {
+    const Part part{place(text, {name, "start"}), place(text, {name, "end"})};
+    if (part.first <= part.last) return part;
+    wrong({name}, "a range that does not end before it begins");
+    return {};
+}
+
+double Parameters::channel(Way way) {
+    const Json* const found = find(way);
+    const double value = found && found->is_number() ? found->get<double>() : -1;
+    if (value >= 0 && value <= 1) return value;
+    wrong(way, "a number from 0 to 1");
+    return 0;
+}
+
+std::string Parameters::changed_text() {
+    const Json* const changes = find({"contentChanges"});
+    if (!changes || !changes->is_array() || changes->empty()) {
+        wrong({"contentChanges"}, "a list of changes");
+        return {};
+    }
+    for (const Json& each : *changes) {
+        const Json* const text = member(&each, "text");
+        if (text && text->is_string() && !each.contains("range")) continue;
+        wrong({"contentChanges"}, "a list of whole texts, each a `text` without a `range`");
+        return {};
+    }
+    return changes->back()["text"].get<std::string>();
+}

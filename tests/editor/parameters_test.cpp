@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/parameters.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+constexpr const char* content = "ab\ncd";
+
+/// What is wrong when it is read as that.
+template <class Read>
+std::string problem_of(const Json& json, const Read& read) {
+    Parameters parameters(json);
+    read(parameters);
+    return parameters.problem();
+}
+
+std::string as_place(const Json& position) {
+    return problem_of(Json{{"position", position}},
+                      [](Parameters& p) { p.place(content, {"position"}); });
+}
+
+std::string as_change(const Json& changes) {
+    return problem_of(Json{{"contentChanges", changes}}, [](Parameters& p) { p.changed_text(); });
+}
+
+}  // namespace
+
+TEST_CASE("parameters are read as what they must be") {
+    const Json json = {{"textDocument", {{"uri", "file:///a%20b"}}},
+                       {"position", {{"line", 1}, {"character", 2147483647}}},
+                       {"range",
+                        {{"start", {{"line", 0}, {"character", 1}}},
+                         {"end", {{"line", 2147483647}, {"character", 0}}}}},
+                       {"color", {{"red", 1}, {"green", 0.5}}},
+                       {"contentChanges", {{{"text", "a"}}, {{"text", "b"}}}}};
+    Parameters parameters(json);
+    CHECK(parameters.document() == "/a b");
+    CHECK(parameters.place(content, {"position"}) == 5);
+    CHECK(parameters.range(content, "range").first == 1);
+    CHECK(parameters.range(content, "range").last == 5);
+    CHECK(parameters.channel({"color", "red"}) == 1);
+    CHECK(parameters.channel({"color", "green"}) == 0.5);
+    CHECK(parameters.changed_text() == "b");
+    CHECK(parameters.problem().empty());
+}
+
+TEST_CASE("the first parameter that is wrong is named") {
+    const Json none;
+    Parameters parameters(none);
+    CHECK(parameters.text({"a", "b"}).empty());
+    CHECK(parameters.document().empty());
+    CHECK(parameters.problem() == "`params.a.b` must be a string");
+    for (const Json& bad :
+         {Json(7), Json(), Json::array(), Json("x"), Json{{"textDocument", 7}},
+          Json{{"textDocument", {{"uri", Json::array()}}}}, Json{{"textDocument", {{"uri", ""}}}},
+          Json{{"textDocument", {{"uri", "file:///a%00b"}}}}})
+        CHECK_FALSE(problem_of(bad, [](Parameters& p) { p.document(); }).empty());
+}
+
+TEST_CASE("places and colours have bounds") {
+    CHECK(as_place({{"line", 99}, {"character", 99}}).empty());
+    for (const Json& bad :
+         {Json(), Json(7), Json::array(), Json{{"line", 0}}, Json{{"line", -1}, {"character", 0}},
+          Json{{"line", 0}, {"character", -1}}, Json{{"line", 0.5}, {"character", 0}},
+          Json{{"line", "0"}, {"character", 0}}, Json{{"line", 2147483648}, {"character", 0}},
+          Json{{"line", 0}, {"character", 18446744073709551615u}}}) {
+        CAPTURE(bad.dump());
+        CHECK(as_place(bad) ==
+              "`params.position` must be a position: `line` and `character`, "
+              "integers from 0 to 2147483647");
+    }
+    const Json first = {{"line", 0}, {"character", 0}}, second = {{"line", 1}, {"character", 0}};
+    const auto as_range = [&](const Json& start, const Json& end) {
+        return problem_of(Json{{"range", {{"start", start}, {"end", end}}}},
+                          [](Parameters& p) { p.range(content, "range"); });
+    };
+    CHECK(as_range(first, second).empty());
+    CHECK_FALSE(as_range(second, first).empty());
+    CHECK_FALSE(as_range(first, 7).empty());
+    for (const Json& bad : {Json(-0.1), Json(1.1), Json(1e308), Json("1"), Json()})
+        CHECK_FALSE(
+            problem_of(Json{{"red", bad}}, [](Parameters& p) { p.channel({"red"}); }).empty());
+}
+
+TEST_CASE("changes are whole texts") {
+    CHECK(as_change({{{"text", ""}}}).empty());
+    for (const Json& bad :
+         {Json(), Json(7), Json::array(), Json::object(), Json::array({7}), Json::array({nullptr}),
+          Json::array({{{"text", 7}}}), Json::array({{{"text", "a"}, {"range", nullptr}}}),
+          Json::array({Json::array(), {{"text", "a"}}})}) {
+        CAPTURE(bad.dump());
+        CHECK_FALSE(as_change(bad).empty());
+    }
+}
