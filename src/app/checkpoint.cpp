@@ -107,6 +107,24 @@ std::string share_text(const Checkpoint& checkpoint) {
                    checkpoint.all_samples);
 }
 
+/// Of samples in one pixel: more have no room in the sums.
+constexpr std::uint32_t most_in_pixel = std::uint32_t{1} << 31;
+
+/// Whether the pixels have what samples can add up to.
+bool are_possible(const Film& film) {
+    constexpr std::uint64_t white = std::uint64_t{1} << 20;
+    return std::ranges::all_of(film.pixels(), [](const PixelSum& pixel) {
+        const std::uint64_t n = pixel.samples;
+        const auto within = [&](std::size_t c) {
+            return pixel.display[c] <= n * white && pixel.display_squared[c] <= n * white * white &&
+                   pixel.display_squared[c] <= white * pixel.display[c];
+        };
+        // Beyond 2^24 samples the squares may come round at 2^64.
+        const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
+        return shown && n <= most_in_pixel && pixel.target <= most_in_pixel;
+    });
+}
+
 /// False when the texts are not those of a state.
 bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint64_t& sum) {
     checkpoint.identity = identity_from(picture.texts[0].second);
@@ -121,7 +139,11 @@ bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint
                        share.tile_step <= most_shards;
     const bool samples = checkpoint.samples <= checkpoint.all_samples &&
                          share.first_sample <= checkpoint.all_samples - checkpoint.samples;
-    return first && second && !checkpoint.identity.empty() && tiles && samples;
+    const bool region = r.left >= 0 && r.top >= 0 && r.left <= r.right && r.top <= r.bottom &&
+                        r.right <= picture.width && r.bottom <= picture.height;
+    const bool counts =
+        checkpoint.all_samples <= most_in_pixel && checkpoint.state.rounds <= most_in_pixel;
+    return first && second && !checkpoint.identity.empty() && tiles && samples && region && counts;
 }
 
 }  // namespace
@@ -167,5 +189,6 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
         const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
         for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
     }
+    if (!are_possible(film)) return fail("is damaged: no samples add up to its sums");
     return checkpoint;
 }

@@ -2,9 +2,11 @@
 #include "app/merge.h"
 
 #include "app/checkpoint.h"
+#include "app/layers.h"
 #include "app/option_store.h"
 #include "app/output.h"
 #include "picture/file.h"
+#include "render/extras.h"
 #include "text/harmless.h"
 #include "text/message.h"
 
@@ -227,6 +229,11 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
     tell_layers(result.identity, files);
     options.alpha = files.alpha;
     options.layers = files.layers;
+    const std::size_t needed = extras_for(files.layers, files.alpha).count(files.lights.size());
+    if (result.state.film.extras() < needed)
+        diagnostics.add(error(Fault::io, {},
+                              message("the states have ", result.state.film.extras(),
+                                      " further sums of each pixel; their layers need ", needed)));
     Output output = output_of(options, diagnostics);
     if (diagnostics.failed()) return false;
     output.format.gamma = number(fact(result.identity, "gamma")).value_or(1);

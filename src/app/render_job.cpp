@@ -87,7 +87,8 @@ bool RenderJob::fits(const Checkpoint& old) {
     if (!changed.empty()) return refuse(changed);
     if (!(old.state.share == checkpoint_.state.share) ||
         old.state.film.width() != rendering_.settings.width ||
-        old.state.film.height() != rendering_.settings.height)
+        old.state.film.height() != rendering_.settings.height ||
+        old.state.film.extras() != checkpoint_.state.film.extras())
         return refuse("it is of another part of the picture");
     if (rendering_.is_even() && most_samples(old.state) > checkpoint_.samples)
         return refuse(message("it has up to ", most_samples(old.state),
@@ -125,6 +126,11 @@ bool RenderJob::prepare() {
     auto old = read_checkpoint(path, diagnostics_);
     if (!old || !fits(*old)) return false;
     checkpoint_.state = std::move(old->state);
+    // The state may say more than any run would have wanted.
+    const std::uint32_t most =
+        most_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
+    for (PixelSum& pixel : checkpoint_.state.film.pixels())
+        pixel.target = std::min(pixel.target, most);
     return true;
 }
 

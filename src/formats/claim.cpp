@@ -26,7 +26,6 @@ constexpr auto signatures = std::to_array<Signature>({{"gif", "GIF87a"},
                                                       {"openexr", "\x76\x2f\x31\x01"},
                                                       {"hdr", "#?RADIANCE"},
                                                       {"hdr", "#?RGBE"},
-                                                      {"iff", "FOR4"},
                                                       {"pnm", "P1"},
                                                       {"pnm", "P2"},
                                                       {"pnm", "P3"},
@@ -65,8 +64,9 @@ std::string targa_problem(std::string_view bytes) {
 }
 
 std::string gif_problem(std::string_view bytes) {
-    return too_large(low_first(bytes, 6, 2) * low_first(bytes, 8, 2), most_growth("gif", {}),
-                     bytes.size());
+    constexpr double with_alpha = 4;
+    return too_large(with_alpha * low_first(bytes, 6, 2) * low_first(bytes, 8, 2),
+                     most_growth("gif", {}), bytes.size());
 }
 
 std::string bmp_problem(std::string_view bytes) {
@@ -123,7 +123,8 @@ double most_growth(std::string_view format, std::string_view compression) {
     };
     // Deflate makes 258 bytes of two bits; full tables of LZW, 3839 bytes of twelve bits; a frame
     // of JPEG, 64 pixels of a bit; zstd, a block of 2^17 bytes of four; DWA, 64 values of what
-    // deflate makes. Faxes repeat a row for one bit, whatever its length.
+    // deflate makes. Where a reader gives more than the file has (colours for their numbers, all
+    // channels as the largest), that is in it.
     constexpr double deflate = 1032, lzw = 2560, zstd = 32768;
     static constexpr auto compressions = std::to_array<Known>({{"none", 3},
                                                                {"packbits", 64},
@@ -134,18 +135,17 @@ double most_growth(std::string_view format, std::string_view compression) {
                                                                {"deflate", deflate},
                                                                {"piz", deflate},
                                                                {"pxr24", 1376},
-                                                               {"b44", 3},
-                                                               {"b44a", 11},
-                                                               {"jpeg", 1536},
+                                                               {"b44", 5},
+                                                               {"b44a", 22},
+                                                               {"jpeg", 2048},
                                                                {"dwaa", 64 * deflate},
                                                                {"dwab", 64 * deflate}});
-    static constexpr auto formats = std::to_array<Known>({{"gif", lzw},
-                                                          {"jpeg", 1536},
+    static constexpr auto formats = std::to_array<Known>({{"gif", 4 * lzw},
+                                                          {"jpeg", 2048},
                                                           {"png", deflate},
                                                           {"pnm", 8},
                                                           {"hdr", 192},
-                                                          {"iff", 64},
-                                                          {"bmp", 128},
+                                                          {"bmp", 384},
                                                           {"targa", 128}});
     const auto* const by_format = std::ranges::find(formats, format, &Known::name);
     if (by_format != formats.end()) return by_format->growth;
@@ -153,6 +153,13 @@ double most_growth(std::string_view format, std::string_view compression) {
     const std::string_view name = compression.substr(0, compression.find(':'));
     const auto* const found = std::ranges::find(compressions, name, &Known::name);
     return found != compressions.end() ? found->growth : zstd;
+}
+
+double covered(double width, double height, double tile_width, double tile_height) {
+    constexpr double usual = 1 << 20;
+    const double tile = tile_width * tile_height;
+    return tile <= usual ? width * height
+                         : std::max(width, tile_width) * std::max(height, tile_height);
 }
 
 std::string too_large(double pixel_bytes, double growth, std::size_t file_bytes) {

@@ -20,5 +20,9 @@ Claim claim_of(std::string_view bytes);
 /// compression (in OpenImageIO's words).
 double most_growth(std::string_view format, std::string_view compression);
 
+/// Pixels that a reader has room for at least. Tiles that are not large do not count: some formats
+/// cut them at the edge.
+double covered(double width, double height, double tile_width, double tile_height);
+
 /// Why so many bytes of pixels cannot be in a file of so many bytes; empty when they can.
 std::string too_large(double pixel_bytes, double growth, std::size_t file_bytes);

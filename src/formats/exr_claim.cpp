@@ -69,7 +69,7 @@ struct Part {
         const std::string wrong = too_large(entry * chunks(), 1, file_bytes);
         if (!wrong.empty()) return wrong;
         // A value has two bytes at least.
-        return too_large(2 * std::max(width, tile_width) * std::max(height, tile_height),
+        return too_large(2 * covered(width, height, tile_width, tile_height),
                          most_growth("openexr", compressions[compression].name), file_bytes);
     }
 };

@@ -48,8 +48,8 @@ double stored_bytes(const OIIO::ImageSpec& spec) {
     const bool numbers = spec.get_int_attribute("tiff:PhotometricInterpretation") == by_table;
     const int whole = static_cast<int>(8 * spec.format.size());
     const double bits = std::min(spec.get_int_attribute("oiio:BitsPerSample", whole), whole);
-    return static_cast<double>(std::max(spec.width, spec.tile_width)) *
-           std::max(spec.height, spec.tile_height) * (numbers ? 1 : spec.nchannels) * bits / 8;
+    return covered(spec.width, spec.height, spec.tile_width, spec.tile_height) *
+           (numbers ? 1 : spec.nchannels) * bits / 8;
 }
 
 /// What is wrong with what a reader says of the file.

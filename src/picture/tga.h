@@ -17,6 +17,6 @@ std::vector<std::array<std::uint8_t, 4>> tga_table(std::string_view bytes);
 /// Whether the bytes are a file of these kinds: damaged or not, nobody else reads it.
 bool reads_tga(std::string_view bytes);
 
-/// Reads the bytes of a file. False, and the picture as it was, when the file is none of these, is damaged, or
-/// has more than `most_pixels`.
+/// Reads the bytes of a file. False, and the picture as it was, when the file is none of these, is
+/// damaged, or has more than `most_pixels`.
 bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture&);

@@ -96,9 +96,10 @@ private:
         done_ = all.samples - all.missing;
         if (all.missing == 0) return;
         constexpr std::uint32_t growth = 4;
-        for (std::uint32_t level = 1; !stopped_; level *= growth) {
+        for (std::uint32_t level = 1; !stopped_;) {
             over_tiles(level, level >= all.most);
             if (level >= all.most) return;
+            level = level > all.most / growth ? all.most : level * growth;
         }
     }
 

@@ -102,6 +102,14 @@ bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_
     return true;
 }
 
+std::uint32_t most_wanted(const RenderSettings& settings, std::uint32_t samples,
+                          const SampleRule& rule) {
+    if (is_even(settings, rule) || is_settled_by_tiles(rule)) return samples;
+    if (const auto* const blur = std::get_if<BlurRule>(&rule))
+        return std::max(samples, static_cast<std::uint32_t>(blur->most));
+    return std::max(samples, rule_of(settings).at_most);
+}
+
 Wanted wanted_samples(const Film& film) {
     Wanted all;
     for (const PixelSum& pixel : film.pixels()) all.add(pixel);

@@ -44,6 +44,9 @@ bool is_even(const RenderSettings&, const SampleRule& = {});
 /// round, or altogether when that number is even. False when no pixel needs more.
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
+/// The greatest target that the rounds can set, whatever the samples say.
+std::uint32_t most_wanted(const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
+
 /// What pixels are wanted to have up to now.
 struct Wanted {
     std::uint64_t samples = 0;

@@ -77,5 +77,30 @@ TEST_CASE("a state whose share cannot be is refused") {
     CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.tile_step = 2'000'000'000; }));
     CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.first_sample = 7; }));
     CHECK_FALSE(readable([](Checkpoint& c) { c.samples = 0xffffffffu; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.right = 8; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.top = -1; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.share.region.left = 8; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.state.rounds = 0xffffffffu; }));
+    CHECK_FALSE(readable([](Checkpoint& c) { c.all_samples = 0xffffffffu; }));
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("a state whose sums cannot be is refused, though its checksum is right") {
+    const std::string path = std::filesystem::temp_directory_path() / "candelabra_sums.exr";
+    const auto readable = [&](const auto& change) {
+        Checkpoint made = example();
+        change(made.state.film.at(3, 2));
+        Diagnostics diagnostics;
+        const auto bytes = encode(made, diagnostics);
+        REQUIRE(bytes);
+        std::ofstream(path, std::ios::binary) << *bytes;
+        return read_checkpoint(path, diagnostics).has_value();
+    };
+    CHECK(readable([](PixelSum&) {}));
+    CHECK_FALSE(readable([](PixelSum& p) { p.target = 0xffffffffu; }));
+    CHECK_FALSE(readable([](PixelSum& p) { p.samples = 0xffffffffu; }));
+    CHECK_FALSE(readable([](PixelSum& p) { p.samples = 0; }));
+    CHECK_FALSE(readable([](PixelSum& p) { p.display[1] = std::uint64_t{1} << 40; }));
+    CHECK_FALSE(readable([](PixelSum& p) { p.display_squared[2] = ~std::uint64_t{0}; }));
     std::filesystem::remove(path);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/render_job.h"
 
+#include "app/checkpoint.h"
+#include "picture/file.h"
 #include "support/shell.h"
 
 #include <catch2/catch.hpp>
@@ -88,4 +90,27 @@ TEST_CASE("what cannot be kept is said") {
     shell.interrupts.take = [] { return Interrupt::stop; };
     CHECK(shell.render({"-F"}) == exit_status::stopped);
     CHECK(has(shell.err, "there is no place for a state"));
+}
+
+TEST_CASE("what a state says of wanted samples is bounded by what a run would want") {
+    Shell shell;
+    const std::vector<std::string> arguments = {
+        shell.path("lit.pov"),     "-V", "+C", "+W8", "+H6", "--samples", "3",
+        "+O" + shell.path("a.png")};
+    REQUIRE(shell(arguments) == 0);
+    const std::string whole = shell.content("a.png");
+    shell.interrupts.take = [] { return Interrupt::stop; };
+    REQUIRE(shell(arguments) == exit_status::stopped);
+    shell.interrupts.take = nullptr;
+    const std::string path = shell.path("a.png.state.exr");
+    Diagnostics diagnostics;
+    auto state = read_checkpoint(path, diagnostics);
+    REQUIRE(state);
+    for (PixelSum& pixel : state->state.film.pixels()) pixel.target = 1u << 30;
+    state->state.rounds = std::max(1u, state->state.rounds);
+    const auto bytes = encode(*state, diagnostics);
+    REQUIRE(bytes);
+    REQUIRE(write_file(path, *bytes, diagnostics));
+    CHECK(shell(arguments) == 0);
+    CHECK(shell.content("a.png") == whole);
 }

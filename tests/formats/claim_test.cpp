@@ -79,6 +79,9 @@ TEST_CASE("only formats that the language names are opened", "[formats]") {
     CHECK(verdict("8BPS\0\1"s + std::string(100, '\0')) == none);                       // psd
     CHECK(verdict("SIMPLE  =                    T" + std::string(2880, ' ')) == none);  // fits
     CHECK(verdict("qoif" + std::string(30, '\0')) == none);
+    // Not the IFF of the language, and its reader ends the program at a head like this.
+    CHECK(verdict("FOR4\0\0\0\x88"
+                  "CIMGTBHD\0\0\0\x20\0\0\0\4\0\0\0\3\0\1\0\1"s) == none);
     CHECK(verdict("no picture") == none);
     CHECK(verdict("") == none);
     // A Targa file of numbers has a reader of its own.

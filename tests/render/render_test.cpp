@@ -227,3 +227,23 @@ TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
     CHECK(winds_down == 1);
     CHECK(done == 1);
 }
+
+TEST_CASE("a round of very many samples has an end", "[render]") {
+    const World world = world_of(four_lamps);
+    RenderSettings settings = small(1);
+    settings.width = settings.height = 1;
+    const std::uint32_t wanted = std::uint32_t{1} << 31;
+    settings.samples = static_cast<int>(wanted - 1);
+    RenderPlan plan = plan_of(world, settings);
+    plan.samples = wanted;
+    RenderState state = begin_picture(settings);
+    state.rounds = 1;
+    state.film.at(0, 0).samples = wanted - 1;
+    state.film.at(0, 0).target = wanted;
+    RayCounts rays;
+    int asked = 0;
+    RenderHooks hooks;
+    hooks.cancelled = [&] { return ++asked > 1000; };
+    CHECK(advance(plan, state, rays, hooks));
+    CHECK(state.film.at(0, 0).samples == wanted);
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a mesh file, whose kind the first byte says; what is read is subdivided, joined with
+// itself and wrapped in a hull: no crash, and no place that is not there.
+#include "fuzz/target.h"
+#include "fuzz/written_file.h"
+#include "modelling/library.h"
+
+#include <array>
+#include <cstdlib>
+
+namespace {
+
+void check(const Polyhedron& made) {
+    for (const Polyhedron::Face& face : made.faces)
+        for (const int corner : face)
+            if (corner < 0 || static_cast<std::size_t>(corner) >= made.points.size()) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    static constexpr std::array endings = {".obj", ".ply", ".stl", ".off"};
+    const WrittenFile file(data + 1, size - 1, endings[data[0] % endings.size()]);
+    Diagnostics diagnostics;
+    const Polyhedra* const library = modelling_library(diagnostics, {});
+    if (!library) std::abort();
+    Polyhedron read, made;
+    PolyhedronLook look;
+    if (!library->read(file.path(), read, look).empty()) return 0;
+    check(read);
+    constexpr std::size_t most_faces = 60;  // the operations take long
+    if (read.faces.size() > most_faces) return 0;
+    for (const SubdivisionRule rule : {SubdivisionRule::loop, SubdivisionRule::root3})
+        if (library->subdivide(read, rule, 2, made).empty()) check(made);
+    if (library->hull(read.points, made).empty()) check(made);
+    static constexpr std::array steps = {SolidOperation::take, SolidOperation::take,
+                                         SolidOperation::join};
+    Polyhedron moved = read;
+    for (Polyhedron::Point& point : moved.points) point[0] += 0.25;
+    const std::array solids = {read, moved};
+    if (library->combine(steps, solids, made).empty()) check(made);
+    return 0;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Any bytes as a picture file of any format, and as a field of heights: no crash, and all pixels
+// that are said are there. The file lies in memory where the system has such a folder.
+#include "fuzz/target.h"
+#include "fuzz/written_file.h"
+#include "picture/heights.h"
+#include "picture/read.h"
+
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    if (size == 0) return 0;
+    // Targa files are told by their names.
+    const WrittenFile file(data + 1, size - 1, (data[0] & 1) != 0 ? ".tga" : ".bin");
+    TexelCoding coding;
+    coding.premultiplied = (data[0] & 2) != 0;
+    Diagnostics diagnostics;
+    const auto texels = read_texels(file.path(), coding, diagnostics, {});
+    const auto heights = read_heights(file.path(), 0, diagnostics, {});
+    if (texels.has_value() != heights.has_value()) std::abort();
+    if (!texels) return 0;
+    const auto pixels =
+        static_cast<std::size_t>(texels->width) * static_cast<std::size_t>(texels->height);
+    if (heights->values.size() != pixels) std::abort();
+    for (const std::uint16_t number : texels->numbers)
+        if (number >= texels->table.size()) std::abort();
+    return 0;
+}
