@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fuzzes lexer, parser, evaluator and the readers of pictures, meshes and densities with clang's libFuzzer and sanitizers, each for some seconds:
-# tests/fuzz/run.sh [SECONDS]. What was found lies in build-fuzz/found, what was learnt in
-# build-fuzz/corpus.
+# Fuzzes all that reads with clang's libFuzzer and sanitizers, each for some seconds: tests/fuzz/run.sh [SECONDS]. What was
+# found lies in build-fuzz/found, what was learnt in build-fuzz/corpus.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -10,15 +9,21 @@ seconds=${1:-60}
 build=${BUILD_DIR:-build-fuzz}
 cmake -S . -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
       -DCANDELABRA_TESTS=OFF -DCANDELABRA_FUZZ=ON
-cmake --build "$build" --target lexer_fuzz parser_fuzz evaluate_fuzz fuzz_dictionary \
+cmake --build "$build" --target lexer_fuzz parser_fuzz evaluate_fuzz fuzz_dictionary http_fuzz lsp_fuzz \
       picture_fuzz mesh_fuzz density_fuzz fuzz_seed_files
 mkdir -p "$build/found"
-for target in lexer parser evaluate; do
+for target in lexer parser evaluate http lsp; do
     corpus=$build/corpus/$target
+    seeds=(tests/diagnostics examples/lights)
+    words=$build/tests/fuzz/words.dict
+    if [ -d "tests/fuzz/$target" ]; then
+        seeds=("tests/fuzz/$target")
+        words=tests/fuzz/$target.dict
+    fi
     mkdir -p "$corpus"
     # The program itself leaks nothing that grows; looking for leaks costs half of the speed.
-    ASAN_OPTIONS=detect_leaks=0 "$build/tests/fuzz/${target}_fuzz" "$corpus" tests/diagnostics examples/lights \
-        -dict="$build/tests/fuzz/words.dict" -max_total_time="$seconds" -max_len=4000 -timeout=20 \
+    ASAN_OPTIONS=detect_leaks=0 "$build/tests/fuzz/${target}_fuzz" "$corpus" "${seeds[@]}" \
+        -dict="$words" -max_total_time="$seconds" -max_len=4000 -timeout=20 \
         -rss_limit_mb=2500 -artifact_prefix="$build/found/$target-" -print_final_stats=1
 done
 for target in picture mesh density; do
