@@ -71,8 +71,6 @@ void add_sampling(Words& words, const Options& options) {
     if (settings.light_sampler)
         words.add_long("light-sampler",
                        Kinds<LightSampler>::infos[settings.light_sampler->index()]->name);
-    if (settings.index)
-        words.add_long("index", Kinds<RayIndex>::infos[settings.index->index()]->name);
     if (settings.seed != usual.seed) words.add_long("seed", settings.seed);
 }
 

@@ -37,26 +37,6 @@ std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics)
     return refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12"), std::nullopt;
 }
 
-/// One of the alternatives, by its keyword, with its default values.
-template <class Variant>
-void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& given,
-            Diagnostics& diagnostics) {
-    using All = Kinds<Variant>;
-    std::vector<std::string_view> names;
-    for (const ItemInfo* info : All::infos) names.push_back(info->name);
-    const std::size_t found = All::find(*given.value);
-    if (found < All::count) {
-        chosen = All::make(found);
-        return;
-    }
-    std::string help = "there are";
-    for (const std::string_view name : names)
-        help += message(name == names.front() ? " " : ", ", name);
-    const std::string meant = nearest(*given.value, names);
-    refuse(given, diagnostics, message("there is no ", noun, " `", harmless(*given.value), "`"),
-           meant.empty() ? help : message("did you mean `", meant, "`? ", help));
-}
-
 }  // namespace
 
 std::optional<double> number(std::string_view text) {
@@ -193,14 +173,6 @@ void store::declare(Options& options, const Given& given, Diagnostics& diagnosti
     options.declares.emplace_back(name, *value);
 }
 
-void store::sampler(Options& options, const Given& given, Diagnostics& diagnostics) {
-    choose(options.render.light_sampler, "light sampler", given, diagnostics);
-}
-
-void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {
-    choose(options.render.index, "index", given, diagnostics);
-}
-
 void store::clock(Options& options, const Given& given, Diagnostics& diagnostics) {
     const auto value = number(*given.value);
     if (!value) return refuse(given, diagnostics, "clock must be a number");
@@ -294,14 +266,15 @@ void store::check(Options& options, const Given& given, Diagnostics& diagnostics
 void store::dump(Options& options, const Given& given, Diagnostics& diagnostics) {
     static constexpr auto stages =
         std::array{std::pair{"tokens", Task::dump_tokens}, std::pair{"tree", Task::dump_tree},
-                   std::pair{"scene", Task::dump_scene}, std::pair{"world", Task::dump_world}};
+                   std::pair{"scene", Task::dump_scene}, std::pair{"world", Task::dump_world},
+                   std::pair{"index", Task::dump_index}};
     for (const auto& [name, task] : stages)
         if (*given.value == name) {
             options.task = task;
             return;
         }
     refuse(given, diagnostics, message("there is no stage `", harmless(*given.value), "`"),
-           "tokens, tree, scene or world");
+           "tokens, tree, scene, world or index");
 }
 
 void store::export_mesh(Options& options, const Given& given, Diagnostics&) {

@@ -49,8 +49,6 @@ void output(Options&, const Given&, Diagnostics&);
 void to_file(Options&, const Given&, Diagnostics&);
 void type(Options&, const Given&, Diagnostics&);
 void bits(Options&, const Given&, Diagnostics&);
-void sampler(Options&, const Given&, Diagnostics&);
-void index(Options&, const Given&, Diagnostics&);
 void library(Options&, const Given&, Diagnostics&);
 void allow_read(Options&, const Given&, Diagnostics&);
 void allow_write(Options&, const Given&, Diagnostics&);

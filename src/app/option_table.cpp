@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_table.h"
 
+#include "app/choice_options.h"
 #include "app/console_options.h"
 #include "app/production_options.h"
 #include "text/message.h"
@@ -237,8 +238,10 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "check", maybe_value, "syntax", store::check,
            "evaluates the scene and says what is wrong, without rendering; with --stats it also "
            "builds what rays need; =syntax: reads the scene, but does not evaluate it"),
-    option("", "", "dump", value, "stage", store::dump,
-           "prints what the scene is at a stage: tokens, tree, scene or world"),
+    option(
+        "", "", "dump", value, "stage", store::dump,
+        "prints what the scene is at a stage: tokens, tree, scene, world, or index (a drawing in "
+        "SVG of the cells that a slice cuts)"),
     option("", "", "export-mesh", value, "file", store::export_mesh,
            "writes the scene's surfaces as triangles to a PLY file and renders nothing; shapes are "
            "taken apart, intersections and differences are exact"),

@@ -34,6 +34,7 @@ enum class Task {
     dump_tree,
     dump_scene,
     dump_world,
+    dump_index,
     help,
     version,
     describe,

@@ -4,6 +4,7 @@
 #include "app/depfile.h"
 #include "app/diagnostics_json.h"
 #include "app/file_lock.h"
+#include "app/index_slice.h"
 #include "app/library.h"
 #include "app/light_report.h"
 #include "app/memory_limit.h"
@@ -176,18 +177,18 @@ private:
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
         if (options_.task == Task::export_mesh) return export_mesh(scene);
-        if (options_.task != Task::dump_world)
-            review(scene, survey(scene, diagnostics_), diagnostics_);
+        const bool dumps = options_.task == Task::dump_world || options_.task == Task::dump_index;
+        if (!dumps) review(scene, survey(scene, diagnostics_), diagnostics_);
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         const View view = std::visit([](const View& v) { return v; }, scene.camera);
         World world = compile(std::move(scene), compile_options(), diagnostics_);
-        if (!is_check() && options_.task != Task::dump_world)
-            add_moments(main, folder_of(output), view, world);
+        if (!is_check() && !dumps) add_moments(main, folder_of(output), view, world);
         if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now() - statistics_.compile;
-        if (options_.task == Task::dump_world) return say(report(world));
+        if (options_.task == Task::dump_index) return say(index_slice(world));
+        if (dumps) return say(report(world));
         if (is_check()) return finish(world);
         Output fitting = output;
         fitting.format.gamma = scene.settings.assumed_gamma;
@@ -196,14 +197,9 @@ private:
     }
 
     CompileOptions compile_options() const {
-        const RenderSettings& render = options_.render;
-        return {render.threads,
-                render.light_sampler,
-                render.index,
-                render.quality,
-                render.width,
-                render.height,
-                console_.linger || extras_for(options_.layers, false).surface};
+        const RenderSettings& r = options_.render;
+        const bool surface = console_.linger || extras_for(options_.layers, false).surface;
+        return {r.threads, r.light_sampler, r.index, r.quality, r.width, r.height, surface};
     }
 
     /// The scene as the clock runs on while the camera's shutter is open.

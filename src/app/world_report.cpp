@@ -41,9 +41,10 @@ std::string report(const World& world) {
         world.composites.size(), " composites; ", world.unbounded.size(), " unbounded\n",
         "materials: ", world.materials.size(), "\n", "luminaires: ", luminaire_text(world), "\n",
         "light sampler: ", sampler_text(world), "\n", "light sources: ", world.lights.size(), "\n",
-        "index: ", tree.nodes, " nodes, ", tree.leaves, " leaves, depth ", tree.max_depth, ", ",
-        tree.bytes, " bytes\n", "camera: ", camera.parallel ? "parallel rays" : "rays from a point",
-        ", location ", written_out(camera.location), ", direction ", written_out(camera.direction),
-        ", right ", written_out(camera.right), ", up ", written_out(camera.up), "\n",
+        "index: ", Kinds<RayIndex>::infos[world.settings.index.index()]->name, ", ", tree.nodes,
+        " nodes, ", tree.leaves, " leaves, depth ", tree.max_depth, ", ", tree.bytes, " bytes\n",
+        "camera: ", camera.parallel ? "parallel rays" : "rays from a point", ", location ",
+        written_out(camera.location), ", direction ", written_out(camera.direction), ", right ",
+        written_out(camera.right), ", up ", written_out(camera.up), "\n",
         "max_trace_level: ", world.settings.max_trace_level, "\n");
 }

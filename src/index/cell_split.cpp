@@ -12,10 +12,10 @@
 namespace {
 
 /// Up to so many items every end of a box is tried; above, the ends are counted in bins.
-constexpr std::size_t sweep_limit = 16;
+constexpr std::size_t sweep_limit = 8;
 constexpr int most_cell_bins = 32;
 /// Fewer items are put into half as many bins.
-constexpr std::size_t few_in_cell = 64;
+constexpr double few_in_cell = 64;
 /// Boxes may reach over planes by this share of the cell, and still be on one side: what touches
 /// does not stand twice.
 constexpr double touching = 0x1p-20;
@@ -36,11 +36,18 @@ struct CellAxis {
 /// Keeps the plane of least cost.
 class BestPlane {
 public:
-    BestPlane(std::size_t count, const Box& box, const TreeSettings& costs) : costs_(costs) {
-        count_ = static_cast<double>(count);
-        least_ = (cost_of_items(count_, costs) - costs.node_cost + costs.reference_cost * count_) *
-                 area(box);
+    BestPlane(std::size_t count, const Box& box, const TreeSettings& costs)
+        : costs_(costs),
+          count_(static_cast<double>(count)),
+          item_cost_(costs.group_cost / costs.group) {
+        const double whole = area(box);
+        least_ = (cost_of_items(count_, costs) - costs.node_cost) * whole;
+        // Many items have many more planes before them, and come to be in one place by these.
+        const double late = std::min(1.0, few_in_cell / count_);
+        reference_cost_ = costs.reference_cost * whole * late;
     }
+
+    bool can_pay() const { return least_ > 0; }
 
     /// Of so many items on both sides, in boxes that the plane does not cut yet.
     [[gnu::always_inline]] void consider(const CellAxis& axis, double position, double below,
@@ -49,7 +56,12 @@ public:
         Box below_box = low.box(), above_box = high.box();
         below_box.high[axis.number] = std::min(below_box.high[axis.number], position);
         above_box.low[axis.number] = std::max(above_box.low[axis.number], position);
-        const double cost = cost_of(below, below_box) + cost_of(above, above_box);
+        const double first = area(below_box), second = area(above_box);
+        const double twice = reference_cost_ * (below + above - count_);
+        // Most planes are no better even without what rounding up to groups adds.
+        if (!(item_cost_ * (first * below + second * above) + twice < least_)) return;
+        const double cost =
+            first * cost_of_items(below, costs_) + second * cost_of_items(above, costs_) + twice;
         if (!(cost < least_)) return;
         least_ = cost;
         best_ = {axis.number, position, axis.tolerance};
@@ -57,12 +69,8 @@ public:
     const CellSplit& best() const { return best_; }
 
 private:
-    double cost_of(double items, const Box& box) const {
-        return area(box) * (cost_of_items(items, costs_) + costs_.reference_cost * items);
-    }
-
     const TreeSettings& costs_;
-    double count_, least_;
+    double count_, item_cost_, least_, reference_cost_;
     CellSplit best_;
 };
 
@@ -79,8 +87,8 @@ public:
             lows[i] = {boxes_[i].low[axis.number] + axis.tolerance, static_cast<std::uint8_t>(i)};
             highs[i] = {boxes_[i].high[axis.number] - axis.tolerance, static_cast<std::uint8_t>(i)};
         }
-        std::sort(lows.begin(), lows.begin() + static_cast<std::ptrdiff_t>(count_));
-        std::sort(highs.begin(), highs.begin() + static_cast<std::ptrdiff_t>(count_));
+        sort(lows);
+        sort(highs);
         std::array<Extent, sweep_limit + 1> below, above;
         for (std::size_t i = 0; i < count_; ++i) {
             below[i + 1] = below[i];
@@ -109,6 +117,17 @@ public:
 private:
     using Order = std::array<std::pair<double, std::uint8_t>, sweep_limit>;
 
+    /// By insertion: they are few.
+    void sort(Order& ends) const {
+        for (std::size_t i = 1; i < count_; ++i) {
+            const auto end = ends[i];
+            std::size_t place = i;
+            for (; place > 0 && end.first < ends[place - 1].first; --place)
+                ends[place] = ends[place - 1];
+            ends[place] = end;
+        }
+    }
+
     std::array<Box, sweep_limit> boxes_;
     std::size_t count_;
 };
@@ -121,7 +140,8 @@ struct CellBin {
 /// Tries planes between bins of equal width.
 [[gnu::always_inline]] inline void try_bins(std::span<const Fragment> fragments,
                                             const std::array<CellAxis, 3>& axes, BestPlane& best) {
-    const int bins = fragments.size() < few_in_cell ? most_cell_bins / 2 : most_cell_bins;
+    const int bins =
+        static_cast<double>(fragments.size()) < few_in_cell ? most_cell_bins / 2 : most_cell_bins;
     std::array<std::array<CellBin, most_cell_bins>, 3> filled;
     std::array<double, 3> scale;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -174,6 +194,7 @@ CANDELABRA_EVERY_MACHINE CellSplit find_cell_split(std::span<const Fragment> fra
                                                    const Box& box, const TreeSettings& costs,
                                                    double slack) {
     BestPlane best(fragments.size(), box, costs);
+    if (!best.can_pay()) return {};
     const std::array axes{CellAxis(0, box, slack), CellAxis(1, box, slack),
                           CellAxis(2, box, slack)};
     if (fragments.size() > sweep_limit) {

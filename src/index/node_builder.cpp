@@ -22,7 +22,7 @@ constexpr int careful_depth = WideTree::depth_limit - 12;
 constexpr double least_reach = 0x1p-10;
 
 /// Cells are divided until they have so many times as many items as there are, all together.
-constexpr double most_references = 8;
+constexpr double most_references = 16;
 /// And until they have this number altogether.
 constexpr double references_limit = WideTree::item_limit / 2;
 

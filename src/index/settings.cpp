@@ -19,7 +19,7 @@ const ItemInfo KdTree::vocabulary = described<KdTree>([] {
         F{"node_cost", &KdTree::node_cost, item, node_help, between(0, 1000)},
         F{"group_cost", &KdTree::group_cost, item, group_help, between(0, 1000)},
         F{"reference_cost", &KdTree::reference_cost, item,
-          "cost of having an item in one cell more", between(0, 1000)});
+          "cost of having an item in one cell more, where few are divided", between(0, 1000)});
 });
 
 const ItemInfo BoundingBoxes::vocabulary = described<BoundingBoxes>([] {

@@ -10,9 +10,9 @@
 /// pass through (Bentley, "Multidimensional Binary Search Trees Used for Associative Searching",
 /// 1975).
 struct KdTree {
-    double node_cost = 1;
+    double node_cost = 0.5;
     double group_cost = 1;
-    double reference_cost = 0.05;
+    double reference_cost = 0.2;
 
     static const ItemInfo vocabulary;
 };

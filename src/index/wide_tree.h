@@ -32,7 +32,7 @@ struct TreeSettings {
     Division by = Division::boxes;
     double node_cost = 1;       ///< of holding a ray against the boxes of a node
     double group_cost = 1;      ///< of testing a group of items
-    double reference_cost = 0;  ///< of each item of a cell, for its memory
+    double reference_cost = 0;  ///< of an item that comes to be in one cell more
     int group = 8;              ///< so many items of a leaf are tested at once
 };
 

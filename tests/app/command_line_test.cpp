@@ -27,8 +27,7 @@ TEST_CASE("the command that makes a picture says what options come to", "[app]")
          "candelabra a.pov +W640 +H480 --seed 5 +Q3"},
         {{"a.pov", "+UA", "--layers", "normal,albedo", "+Oa.exr"},
          "candelabra a.pov +W640 +H480 +UA --layers albedo,normal"},
-        {{"a.pov", "--index", "bounding_boxes"},
-         "candelabra a.pov +W640 +H480 --index bounding_boxes"},
+        {{"a.pov", "--index", "bounding_boxes"}, "candelabra a.pov +W640 +H480"},
         {{"a.pov", "+SR0.5", "+EC100", "--light-sampler", "light_bvh"},
          "candelabra a.pov +W640 +H480 --light-sampler light_bvh +EC100 +SR241"},
     }));

@@ -127,6 +127,7 @@ TEST_CASE("our own options, with a blank or an equals sign") {
     CHECK(options_of({"--dump=tree"}).task == Task::dump_tree);
     CHECK(options_of({"--dump", "scene"}).task == Task::dump_scene);
     CHECK(options_of({"--dump", "world"}).task == Task::dump_world);
+    CHECK(options_of({"--dump", "index"}).task == Task::dump_index);
     CHECK(options_of({"--version"}).task == Task::version);
     CHECK(options_of({"+K0.5"}).facts.clock == 0.5);
     CHECK(options_of({"+Lone", "Library_Path=two"}).library_paths ==
@@ -233,7 +234,9 @@ TEST_CASE("every wrong argument has one message") {
          "light_octree"},
         {{"--index", "octree"},
          "`--index`: there is no index `octree` | there are kd_tree, bounding_boxes"},
-        {{"--dump", "film"}, "`--dump`: there is no stage `film` | tokens, tree, scene or world"},
+        {{"--dump", "film"},
+         "`--dump`: there is no stage `film` | tokens, tree, scene, world or "
+         "index"},
         {{"--check=all"}, "`--check=all`: only --check and --check=syntax are offered"},
         {{"Declare=Depth"},
          "`Declare=Depth`: needs a name and a value | Declare=Depth=5, 'Declare=Title=\"text\"'"},

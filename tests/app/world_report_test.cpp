@@ -24,5 +24,5 @@ TEST_CASE("the report tells what a world is made of") {
           std::string::npos);
     CHECK(text.find("light sampler: every_light\n") != std::string::npos);
     CHECK(text.find("1 unbounded\n") != std::string::npos);
-    CHECK(text.find("index: ") != std::string::npos);
+    CHECK(text.find("index: kd_tree, ") != std::string::npos);
 }

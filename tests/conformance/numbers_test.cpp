@@ -80,10 +80,10 @@ Ray aimed(const Case& each, Draw& draw) {
     return {grid - 3 * each.size * along, along};
 }
 
-void agree(std::size_t rays) {
+void agree(const RayIndex& index, std::size_t rays) {
     for (const Case& each : cases()) {
         INFO(each.name);
-        const World with = world_of(each.script), without = without_tree(each.script);
+        const World with = world_of(each.script, index), without = without_tree(each.script);
         Draw draw(1);
         std::size_t met = 0, other = 0;
         for (std::size_t i = 0; i < rays; ++i) {
@@ -139,7 +139,10 @@ void keep_tight(std::size_t rays) {
 
 }  // namespace
 
-TEST_CASE("hits do not depend on the tree, whatever the numbers", "[world]") { agree(4000); }
+TEST_CASE("hits do not depend on the tree, whatever the numbers", "[world]") {
+    agree(KdTree(), 4000);
+    agree(BoundingBoxes(), 4000);
+}
 
 TEST_CASE("solids neither shadow themselves nor leak, whatever the numbers", "[world]") {
     keep_tight(500);
@@ -170,6 +173,7 @@ TEST_CASE("what is too large for numbers does others no harm", "[world]") {
 }
 
 TEST_CASE("the same with millions of rays", "[.long]") {
-    agree(300'000);
+    agree(KdTree(), 300'000);
+    agree(BoundingBoxes(), 300'000);
     keep_tight(50'000);
 }

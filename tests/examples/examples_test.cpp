@@ -3,6 +3,7 @@
 // nor full of holes.
 #include "render/render.h"
 #include "support/scripts.h"
+#include "text/message.h"
 
 #include <catch2/catch.hpp>
 
@@ -32,6 +33,23 @@ TEST_CASE("every example renders", "[examples]") {
         CHECK(sum / (32 * 24) > 0.005);
     }
     CHECK(count >= 20);
+}
+
+TEST_CASE("pictures are the same by both indexes", "[examples]") {
+    for (const char* name : {"gallery/ferris_wheel", "shapes/modelling", "shapes/sheet",
+                             "looks/normals", "library/mtmandj", "paper/fig6"}) {
+        INFO(name);
+        const auto picture = [&](const RayIndex& index) {
+            RenderSettings settings;
+            settings.width = 32;
+            settings.height = 24;
+            settings.samples = 1;
+            return render(world_of_file(message("examples/", name, ".pov"), {}, {}, 320, index),
+                          settings)
+                .image;
+        };
+        CHECK(picture(KdTree()).pixels == picture(BoundingBoxes()).pixels);
+    }
 }
 
 TEST_CASE("the paper's flakes have its numbers of spheres and luminaires", "[examples]") {

@@ -43,13 +43,16 @@ Evaluated evaluated(const std::string& script, const Declares& declares) {
 
 Scene scene_of(const std::string& script) { return checked(evaluated(script)); }
 
-World world_of(const std::string& script) {
+World world_of(const std::string& script, const std::optional<RayIndex>& index) {
     Diagnostics diagnostics;
-    return compile(scene_of(script), {}, diagnostics);
+    CompileOptions options;
+    options.index = index;
+    return compile(scene_of(script), options, diagnostics);
 }
 
 World world_of_file(const std::string& path, const Declares& declares,
-                    const std::optional<LightSampler>& sampler, int size) {
+                    const std::optional<LightSampler>& sampler, int size,
+                    const std::optional<RayIndex>& index) {
     std::ifstream file(root + "/" + path);
     if (!file) throw std::runtime_error("cannot read " + path);
     std::ostringstream text;
@@ -57,6 +60,7 @@ World world_of_file(const std::string& path, const Declares& declares,
     Diagnostics diagnostics;
     CompileOptions options;
     options.light_sampler = sampler;
+    options.index = index;
     options.width = options.height = size;
     return compile(checked(evaluate_text(path, text.str(), declares)), options, diagnostics);
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/choice_options.h"
+
+#include "text/harmless.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+namespace {
+
+/// One of the alternatives, by its keyword, with its default values.
+template <class Variant>
+void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& given,
+            Diagnostics& diagnostics) {
+    using All = Kinds<Variant>;
+    std::vector<std::string_view> names;
+    for (const ItemInfo* info : All::infos) names.push_back(info->name);
+    const std::size_t found = All::find(*given.value);
+    if (found < All::count) {
+        chosen = All::make(found);
+        return;
+    }
+    std::string help = "there are";
+    for (const std::string_view name : names)
+        help += message(name == names.front() ? " " : ", ", name);
+    const std::string meant = nearest(*given.value, names);
+    refuse(given, diagnostics, message("there is no ", noun, " `", harmless(*given.value), "`"),
+           meant.empty() ? help : message("did you mean `", meant, "`? ", help));
+}
+
+}  // namespace
+
+void store::sampler(Options& options, const Given& given, Diagnostics& diagnostics) {
+    choose(options.render.light_sampler, "light sampler", given, diagnostics);
+}
+
+void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {
+    choose(options.render.index, "index", given, diagnostics);
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/choice_options.h"
+
+#include "app/read_words.h"
+
+TEST_CASE("each light sampler and each index can be chosen by its name") {
+    for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
+        const std::string name(Kinds<LightSampler>::infos[kind]->name);
+        CHECK(read({"--light-sampler=" + name}).render.light_sampler->index() == kind);
+    }
+    for (std::size_t kind = 0; kind < Kinds<RayIndex>::count; ++kind) {
+        const std::string name(Kinds<RayIndex>::infos[kind]->name);
+        CHECK(read({"--index=" + name}).render.index->index() == kind);
+    }
+    CHECK_FALSE(read({"+W5"}).render.index);
+}
+
+TEST_CASE("names that there are not choose nothing") {
+    for (const char* bad : {"--index=kdtree", "--index=", "--light-sampler=kd_tree"})
+        read({bad}, false);
+}
