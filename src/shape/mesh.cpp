@@ -166,12 +166,20 @@ void nearest_crossings(const BuiltMesh& built, const Ray& ray, const Interval& r
                        Crossings& found) {
     if (ray.direction == Vec3(0)) return;
     const MeshRay along(*built.mesh, ray);
+    // Of faces that are met in one place, as at their edges, the first one counts, whatever the
+    // order of asking.
+    std::optional<Crossing> nearest;
+    std::uint32_t face = 0;
     built.index.nearest(ray, range, [&](std::uint32_t i, Interval& left) {
         const auto crossing = along.meet(i);
-        if (!crossing || !left.contains(crossing->t)) return;
+        if (!crossing) return;
+        const bool earlier = nearest && crossing->t == nearest->t && i < face;
+        if (!earlier && !left.contains(crossing->t)) return;
         left.max = crossing->t;
-        found.add(*crossing);
+        nearest = crossing;
+        face = i;
     });
+    if (nearest) found.add(*nearest);
 }
 
 bool inside(const BuiltMesh& built, const Vec3& point) {

@@ -4,6 +4,7 @@
 #include "render/render.h"
 #include "support/scripts.h"
 #include "text/message.h"
+#include "world/compile.h"
 
 #include <catch2/catch.hpp>
 
@@ -39,14 +40,16 @@ TEST_CASE("pictures are the same by both indexes", "[examples]") {
     for (const char* name : {"gallery/ferris_wheel", "shapes/modelling", "shapes/sheet",
                              "looks/normals", "library/mtmandj", "paper/fig6"}) {
         INFO(name);
+        const Scene scene = scene_of_file(message("examples/", name, ".pov"), {});
         const auto picture = [&](const RayIndex& index) {
+            Diagnostics diagnostics;
+            CompileOptions options;
+            options.index = index;
             RenderSettings settings;
             settings.width = 32;
             settings.height = 24;
             settings.samples = 1;
-            return render(world_of_file(message("examples/", name, ".pov"), {}, {}, 320, index),
-                          settings)
-                .image;
+            return render(compile(scene, options, diagnostics), settings).image;
         };
         CHECK(picture(KdTree()).pixels == picture(BoundingBoxes()).pixels);
     }

@@ -50,9 +50,12 @@ double least_split_cost(const Cell& cell) {
 
 TEST_CASE("cells are divided nearly where the heuristic is least", "[index]") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        const Cell few(random_balls(4 + seed % 12, 0.02, 0.2, seed));
+        const Cell few(random_balls(4 + seed % 5, 0.02, 0.2, seed));
         REQUIRE(few.split().found());
         CHECK(split_cost(few, few.split()) < 1.01 * least_split_cost(few));
+        const Cell some(random_balls(9 + seed % 30, 0.02, 0.2, seed));
+        REQUIRE(some.split().found());
+        CHECK(split_cost(some, some.split()) < 1.3 * least_split_cost(some));
         const Cell many(random_balls(60 + seed, 0.02, 0.2, seed));
         REQUIRE(many.split().found());
         CHECK(split_cost(many, many.split()) < 1.1 * least_split_cost(many));

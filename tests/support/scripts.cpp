@@ -50,17 +50,19 @@ World world_of(const std::string& script, const std::optional<RayIndex>& index) 
     return compile(scene_of(script), options, diagnostics);
 }
 
-World world_of_file(const std::string& path, const Declares& declares,
-                    const std::optional<LightSampler>& sampler, int size,
-                    const std::optional<RayIndex>& index) {
+Scene scene_of_file(const std::string& path, const Declares& declares) {
     std::ifstream file(root + "/" + path);
     if (!file) throw std::runtime_error("cannot read " + path);
     std::ostringstream text;
     text << file.rdbuf();
+    return checked(evaluate_text(path, text.str(), declares));
+}
+
+World world_of_file(const std::string& path, const Declares& declares,
+                    const std::optional<LightSampler>& sampler, int size) {
     Diagnostics diagnostics;
     CompileOptions options;
     options.light_sampler = sampler;
-    options.index = index;
     options.width = options.height = size;
-    return compile(checked(evaluate_text(path, text.str(), declares)), options, diagnostics);
+    return compile(scene_of_file(path, declares), options, diagnostics);
 }

@@ -27,7 +27,7 @@ Evaluated evaluated(const std::string& script, const Declares& = {});
 /// Throw std::runtime_error with the diagnostics when the script has an error.
 Scene scene_of(const std::string& script);
 World world_of(const std::string& script, const std::optional<RayIndex>& = {});
+Scene scene_of_file(const std::string& path_below_source, const Declares&);
 /// For a square picture of that size.
 World world_of_file(const std::string& path_below_source, const Declares&,
-                    const std::optional<LightSampler>&, int size = 320,
-                    const std::optional<RayIndex>& = {});
+                    const std::optional<LightSampler>&, int size = 320);
