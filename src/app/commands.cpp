@@ -7,6 +7,7 @@
 #include "app/frame_commands.h"
 #include "app/help.h"
 #include "app/lsp.h"
+#include "app/memory_limit.h"
 #include "app/merge.h"
 #include "app/preview.h"
 #include "app/scene_run.h"
@@ -90,7 +91,9 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         return exit_status::done;
     }
     Diagnostics diagnostics;
-    const Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    // Once, before anything is in use.
+    if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
     const auto end_with_errors = [&](int status) {
         say_errors(console, options, diagnostics);
         return status;
@@ -126,5 +129,6 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     sorted.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
         streams.say(stream, text, plain);
     };
+    sorted.made_files = std::make_shared<MadeFiles>(*options.scene);
     return run_task(options, animation, sorted, diagnostics);
 }

@@ -37,13 +37,13 @@ public:
     std::vector<Found> declarations(NameId, const std::string& path, std::uint32_t offset);
 
     /// Finds files for a scene in this folder; open documents come before the disk.
-    Loader loader(const std::string& folder, Door door = {}) const;
+    Loader loader(const std::string& folder, const Door& door = {}) const;
     bool in_library(const std::string& path) const;
     const std::string& library() const { return library_; }
     Names& names() { return names_; }
 
 private:
-    Reader reader() const;
+    Reader reader(const Door&) const;
     void add_with_includes(const std::string& path, const std::string& folder,
                            std::vector<FileHandle>& files);
 

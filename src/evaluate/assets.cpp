@@ -67,7 +67,11 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
     constexpr std::size_t usual = 3;
     if (field->function && field->function->columns() > 0 &&
         field->function->parameters() <= usual) {
-        field.edit().grid = sampled(*field->function);
+        const Formula& function = *field->function;
+        const auto asked = static_cast<std::uint64_t>(function.columns()) *
+                           static_cast<std::uint64_t>(function.rows());
+        if (!block.binder.evaluator.spend(asked * function.cost(), block.span)) return;
+        field.edit().grid = sampled(function);
         return;
     }
     if (field->function) {

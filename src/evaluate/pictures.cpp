@@ -174,6 +174,9 @@ void PictureReader::load() {
                               .with_help("function 256, 256 { ... }"));
             return;
         }
+        const auto asked = static_cast<std::uint64_t>(map_.function->columns()) *
+                           static_cast<std::uint64_t>(map_.function->rows());
+        if (!block_.binder.evaluator.spend(asked * map_.function->cost(), block_.span)) return;
         map_.texels = make_handle<Texels>(sampled(*map_.function));
     } else if (map_.file.empty()) {
         block_.report(

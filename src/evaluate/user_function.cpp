@@ -163,6 +163,7 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
         return nullptr;
     }
     Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
+    if (!may_be_costly(*made, tree.span(id))) return nullptr;
     if (made->depth() <= Formula::most_depth) return made;
     report(error(Fault::recursion_limit, tree.span(id),
                  message("functions call each other more than ", Formula::most_depth,
@@ -209,7 +210,11 @@ Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, 
         return Absence::broken;
     Numbers result;
     result.count = static_cast<int>(formula->results());
-    if (formula->run(values.data(), result.at.data())) return result;
+    std::uint32_t passes = 0;
+    const bool good_call = formula->run(values.data(), result.at.data(), passes);
+    constexpr std::uint64_t each_pass = 10;
+    if (!spend(formula->cost() + each_pass * passes, span)) return Absence::broken;
+    if (good_call) return result;
     return broken(
         Fault::loop_limit, span,
         message("`", names.spelling(name), "` gives no value here: a sum in it does not end"));

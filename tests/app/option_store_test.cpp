@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_store.h"
 
+#include "app/option_table.h"
+#include "app/read_words.h"
+
 #include <catch2/catch.hpp>
+
+#include <limits>
 
 TEST_CASE("a number is all of a text or nothing") {
     struct Case {
@@ -81,4 +86,32 @@ TEST_CASE("what an INI file says behind the point of a whole number is told of")
     CHECK(diagnostics.all().size() == 1);
     store::field("width", options, {"+W160.7", true, "160.7"}, diagnostics);
     CHECK(diagnostics.error_count() == 1);
+}
+
+TEST_CASE("settings of whole numbers have both bounds", "[app]") {
+    for (const ItemInfo* item : {&RenderSettings::vocabulary, &AnimationSettings::vocabulary})
+        for (const FieldInfo& field : item->fields) {
+            if (field.type != FieldType::integer) continue;
+            INFO(field.name);
+            CHECK(field.range.low >= std::numeric_limits<int>::min());
+            CHECK(field.range.high <= std::numeric_limits<int>::max());
+        }
+    // In a file numbers are cut off before they are judged.
+    for (const OptionRow& row : option_table()) {
+        if (row.field.empty() || row.keyword.empty()) continue;
+        if (find_setting(row.field).info().type != FieldType::integer) continue;
+        for (const char* value : {"1e300", "-1e300", "2147483648", "-2147483649", "1e10", "inf"}) {
+            const std::string option = std::string(row.keyword) + "=" + value;
+            INFO(option);
+            Diagnostics on_line, in_file;
+            read_options(std::vector<std::string_view>{option}, on_line);
+            CHECK(on_line.failed());
+            const Reader file = [&](const std::string&) { return std::optional(option); };
+            read_options(std::vector<std::string_view>{"a.ini"}, in_file, file);
+            CHECK(in_file.failed());
+        }
+    }
+    read({"+STP2147483648"}, false);
+    read({"Frame_Step=1e300"}, false);
+    CHECK(read({"+STP1000000000"}).animation.frame_step == 1'000'000'000);
 }
