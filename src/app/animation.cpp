@@ -6,7 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+
+namespace {
+
+/// Of frames, so that their numbers can be counted on.
+constexpr double most_step = 1e9;
+
+}  // namespace
 
 const ItemInfo AnimationSettings::vocabulary = described<AnimationSettings>([] {
     using F = Field<AnimationSettings>;
@@ -22,7 +30,8 @@ const ItemInfo AnimationSettings::vocabulary = described<AnimationSettings>([] {
           "first frame that is rendered; below 1 a fraction of all", at_least(0)},
         F{"subset_end_frame", &A::subset_end_frame, item,
           "last frame that is rendered; below 1 a fraction of all", at_least(0)},
-        F{"frame_step", &A::frame_step, item, "renders every so many frames only", at_least(1)},
+        F{"frame_step", &A::frame_step, item, "renders every so many frames only",
+          between(1, most_step)},
         F{"cyclic_animation", &A::cyclic, flag, "the first frame follows the last one"},
         F{"skip_existing", &A::skip_existing, flag, "leaves out frames whose file is there"});
 });
@@ -71,7 +80,9 @@ std::optional<Animation> plan(const AnimationSettings& settings, Diagnostics& di
     const int to = std::min(last, settings.subset_end_frame
                                       ? subset_frame(*settings.subset_end_frame, first, count)
                                       : last);
-    for (int number = from; number <= to; number += settings.frame_step) {
+    // With room for what comes behind the last one.
+    for (std::int64_t at = from; at <= to; at += settings.frame_step) {
+        const int number = static_cast<int>(at);
         // Not by adding up clock_delta, so that the last clock is exact.
         const double share = steps > 0 ? static_cast<double>(number - first) / steps : 0;
         result.frames.push_back(

@@ -106,7 +106,9 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
         return exit_status::done;
     }
     Diagnostics diagnostics;
-    const Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    Options options = read_options(arguments, diagnostics, disk_reader(), console.settings);
+    // Once, before anything is in use.
+    if (!options.memory_bytes) options.memory_bytes = usual_memory_limit();
     const auto end_with_errors = [&](int status) {
         say_errors(console, options, diagnostics);
         return status;
@@ -142,6 +144,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     sorted.sorted = [&](Stream stream, std::string_view text, std::string_view plain) {
         streams.say(stream, text, plain);
     };
+    sorted.made_files = std::make_shared<MadeFiles>(*options.scene);
     if (!confined(options, console, diagnostics)) return end_with_errors(exit_status::usage);
     return run_task(options, animation, sorted, diagnostics);
 }

@@ -6,9 +6,11 @@
 #include "app/identity.h"
 #include "app/interrupt.h"
 #include "app/options.h"
+#include "text/made_files.h"
 #include "text/source.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -62,6 +64,7 @@ struct Console {
     std::function<bool()> begins_rendering;
     std::function<void()> winds_down;
     std::function<void()> ends_rendering;
+    std::shared_ptr<MadeFiles> made_files;  ///< by the scene, in all pictures of the run
     std::string settings;  ///< INI file that is read before the command line; empty: none
 };
 

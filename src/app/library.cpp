@@ -36,7 +36,7 @@ std::optional<std::string> standard_library(const std::string& program, const ch
 
 std::optional<std::string> settings_file(const char* chosen, const char* home) {
     if (chosen) return *chosen ? std::optional<std::string>(chosen) : std::nullopt;
-    std::vector<std::string> places = {"candelabra.ini"};
+    std::vector<std::string> places;
     if (home && *home) places.push_back(std::string(home) + "/.config/candelabra/candelabra.ini");
     places.push_back("/etc/candelabra/candelabra.ini");
     std::error_code none;

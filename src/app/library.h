@@ -12,9 +12,10 @@
 /// The program's own file, as the system knows it; empty when it does not.
 std::string own_path();
 
-/// The INI file with everybody's settings: the first that is there of the one that
-/// $CANDELABRA_INI names, ./candelabra.ini, ~/.config/candelabra/candelabra.ini and
-/// /etc/candelabra/candelabra.ini. `chosen` and `home`: values of the variables, null when not set.
+/// The INI file with the user's or everybody's settings: the first that is there of the one that
+/// $CANDELABRA_INI names, ~/.config/candelabra/candelabra.ini and /etc/candelabra/candelabra.ini.
+/// None of the current folder, which may be a stranger's. `chosen` and `home`: values of the
+/// variables, null when not set.
 std::optional<std::string> settings_file(const char* chosen, const char* home);
 
 /// The folder of the standard library, or nothing when there is none. `chosen`: the variable's

@@ -6,12 +6,79 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
+#include <string_view>
 
 std::optional<std::uint64_t> physical_memory() {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long size = sysconf(_SC_PAGESIZE);
     if (pages <= 0 || size <= 0) return std::nullopt;
     return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size);
+}
+
+namespace {
+
+/// A file that holds one number; nothing for "max" and for what is not there.
+std::optional<std::uint64_t> number_in(const std::string& path) {
+    std::ifstream file(path);
+    std::uint64_t number = 0;
+    return file >> number ? std::optional(number) : std::nullopt;
+}
+
+/// The number behind a word at the start of a line, or 0.
+std::uint64_t number_behind(std::string_view word, const std::string& path) {
+    std::ifstream file(path);
+    std::string first;
+    std::uint64_t number = 0;
+    for (std::string line; std::getline(file, line);)
+        if (std::istringstream words(line); words >> first >> number && first == word)
+            return number;
+    return 0;
+}
+
+/// What a group may still have: what lies in files can be given back.
+void take_group(const std::string& folder, const char* most, const char* now, const char* files,
+                std::optional<std::uint64_t>& free) {
+    const auto limit = number_in(folder + most);
+    if (!limit) return;
+    const std::uint64_t used = number_in(folder + now).value_or(0);
+    const std::uint64_t kept = used - std::min(used, number_behind(files, folder + "memory.stat"));
+    const std::uint64_t left = *limit - std::min(*limit, kept);
+    free = std::min(free.value_or(left), left);
+}
+
+/// The groups of control that a process is in, with all those around them.
+void take_groups(const std::string& root, std::optional<std::uint64_t>& free) {
+    std::ifstream file(root + "proc/self/cgroup");
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+        if (second == line.npos) continue;
+        const bool old = line.substr(first, second - first).find("memory") != line.npos;
+        if (!old && second != first + 1) continue;
+        std::string group = line.substr(second + 1);
+        for (;; group.erase(group.rfind('/'))) {
+            while (group.ends_with('/')) group.pop_back();
+            const std::string folder =
+                root + "sys/fs/cgroup" + (old ? "/memory" : "") + group + "/";
+            if (old)
+                take_group(folder, "memory.limit_in_bytes", "memory.usage_in_bytes", "total_cache",
+                           free);
+            else
+                take_group(folder, "memory.max", "memory.current", "file", free);
+            if (group.empty()) break;
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> usual_memory_limit(const std::string& root) {
+    constexpr std::uint64_t kilobyte = 1024;
+    std::optional<std::uint64_t> free;
+    if (const std::uint64_t available = number_behind("MemAvailable:", root + "proc/meminfo"))
+        free = available * kilobyte;
+    take_groups(root, free);
+    return free ? std::optional(*free / 2) : std::nullopt;
 }
 
 std::uint64_t memory_in_use() {

@@ -30,6 +30,9 @@ bool run_ffmpeg(const std::vector<std::string>& frames, double frame_rate, const
         return false;
     }
     const std::string list = film + ".frames";
+    // What lies there is a left over part of a film, or a link that would lead elsewhere.
+    std::error_code gone;
+    for (const std::string& path : {film, list}) fs::remove(path, gone);
     if (!write_file(list, movie_list(frames, frame_rate), diagnostics)) return false;
     std::vector<std::string> words = movie_arguments(list, frames.front(), film);
     words[0] = program;
@@ -79,6 +82,8 @@ bool can_make_movie(double frame_rate, const std::string& film, Diagnostics& dia
     constexpr int side = 64;
     const std::string draft = draft_of(film), frame = draft + ".ppm";
     const std::string black = message("P6 ", side, " ", side, " 255\n");
+    std::error_code gone;
+    fs::remove(frame, gone);
     if (!write_file(frame, black + std::string(3 * side * side, '\0'), diagnostics)) return false;
     const bool made = run_ffmpeg({frame}, frame_rate, draft, diagnostics);
     std::error_code none;

@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -27,14 +28,6 @@ std::optional<std::variant<double, std::string>> declared_value(std::string_view
     if (const auto value = number(text)) return *value;
     if (const auto value = truth(text)) return *value ? 1.0 : 0.0;
     return std::nullopt;
-}
-
-/// A whole number, which may be written 1e9. What it counts in megabytes fits into 64 bits, too.
-std::optional<std::uint64_t> limit(const Given& given, Diagnostics& diagnostics) {
-    const auto value = number(*given.value);
-    if (value && *value >= 1 && *value <= 1e12 && std::floor(*value) == *value)
-        return static_cast<std::uint64_t>(*value);
-    return refuse(given, diagnostics, "a limit is a whole number from 1 to 1e12"), std::nullopt;
 }
 
 }  // namespace
@@ -97,7 +90,9 @@ void store::field(std::string_view name, Options& options, const Given& given,
     // Programs write computed sizes into INI files.
     if (counts != given_number && in_file)
         diagnostics.add(warning(Fault::option, {}, message(shown(given), " counts as ", counts)));
-    if (value && (counts == given_number || in_file) && info.range.contains(counts))
+    constexpr double most_whole = std::numeric_limits<int>::max();
+    const bool has_place = !integer || std::abs(counts) <= most_whole;
+    if (value && (counts == given_number || in_file) && info.range.contains(counts) && has_place)
         return setting.item->set(item, setting.field, counts);
     const std::string got = given.value && !given.value->empty()
                                 ? message(", but it is `", harmless(*given.value), "`")
@@ -330,42 +325,6 @@ void store::allow_read(Options& options, const Given& given, Diagnostics&) {
 
 void store::allow_write(Options& options, const Given& given, Diagnostics&) {
     options.writable.push_back(*given.value);
-}
-
-void store::limit_steps(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.limits.steps = limit(given, diagnostics).value_or(options.limits.steps);
-}
-
-void store::limit_depth(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.limits.call_depth = limit(given, diagnostics).value_or(options.limits.call_depth);
-    options.limits.make_room();
-}
-
-void store::limit_nesting(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.limits.nesting = limit(given, diagnostics).value_or(options.limits.nesting);
-    options.limits.make_room();
-}
-
-void store::limit_objects(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.limits.objects = limit(given, diagnostics).value_or(options.limits.objects);
-}
-
-void store::limit_includes(Options& options, const Given& given, Diagnostics& diagnostics) {
-    options.limits.include_depth = limit(given, diagnostics).value_or(options.limits.include_depth);
-}
-
-void store::limit_elements(Options& options, const Given& given, Diagnostics& diagnostics) {
-    constexpr std::uint64_t most = 2'000'000'000;  // the language counts them with 32 bits
-    const auto wanted = limit(given, diagnostics);
-    if (wanted) options.limits.array_elements = std::min(*wanted, most);
-}
-
-void store::limit_memory(Options& options, const Given& given, Diagnostics& diagnostics) {
-    if (const auto megabytes = limit(given, diagnostics)) options.memory_bytes = *megabytes << 20;
-}
-
-void store::limit_written(Options& options, const Given& given, Diagnostics& diagnostics) {
-    if (const auto mb = limit(given, diagnostics)) options.limits.written_bytes = *mb << 20;
 }
 
 void store::verbose(Options& options, const Given& given, Diagnostics&) {

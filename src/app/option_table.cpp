@@ -3,6 +3,7 @@
 
 #include "app/choice_options.h"
 #include "app/console_options.h"
+#include "app/limit_options.h"
 #include "app/production_options.h"
 #include "text/message.h"
 
@@ -21,62 +22,65 @@ constexpr std::string_view over = "the run has ended then";
 constexpr std::string_view index = "objects are always found through an index; see --index";
 
 using Store = void (*)(Options&, const Given&, Diagnostics&);
-using Text = std::string_view;
+using Term = std::string_view;
 
 /// An option that is stored in the setting with that name, and explained by it.
-constexpr OptionRow setting(Text letters, Text keyword, Text word, Text field) {
+constexpr OptionRow setting(Term letters, Term keyword, Term word, Term field) {
     return {letters, keyword, word, "n", value, {}, field};
 }
 
 /// The same for a setting that is on or off.
-constexpr OptionRow option_field(Text letters, Text keyword, Text word, Takes takes, Text field) {
+constexpr OptionRow option_field(Term letters, Term keyword, Term word, Takes takes, Term field) {
     return {letters, keyword, word, "", takes, {}, field};
 }
 
 /// The same where a number may stand behind it: the setting after it.
-constexpr OptionRow switched(Text letters, Text keyword, Text parameter, Text field) {
+constexpr OptionRow switched(Term letters, Term keyword, Term parameter, Term field) {
     return {letters, keyword, "", parameter, sign_and_value, {}, field};
 }
 
-constexpr OptionRow option(Text letters, Text keyword, Text word, Takes takes, Text parameter,
-                           Store store, Text help) {
+constexpr OptionRow option(Term letters, Term keyword, Term word, Takes takes, Term parameter,
+                           Store store, Term help) {
     return {letters, keyword, word, parameter, takes, help, {}, store};
 }
 
-constexpr OptionRow accepted(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
-    return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::accepted};
+template <Unoffered how>
+constexpr OptionRow unoffered(Term letters, Term keyword, Takes takes, Term name, Term help) {
+    return {letters, keyword, {}, name, takes, help, {}, nullptr, how};
+}
+constexpr auto accepted = unoffered<Unoffered::accepted>;
+constexpr auto ignored = unoffered<Unoffered::ignored>;
+constexpr auto refused = unoffered<Unoffered::refused>;
+
+constexpr OptionRow that(Touches touches, OptionRow row) {
+    row.touches = touches;
+    return row;
 }
 
-constexpr OptionRow ignored(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
-    return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::ignored};
-}
-
-constexpr OptionRow refused(Text letters, Text keyword, Takes takes, Text parameter, Text help) {
-    return {letters, keyword, {}, parameter, takes, help, {}, nullptr, Unoffered::refused};
-}
-
-/// POV-Ray's one long option that means nothing here.
+/// One long option of POV-Ray.
 constexpr OptionRow benchmark = {"", "",      "benchmark",
                                  "", nothing, "there is no scene of its own to measure",
                                  {}, nullptr, Unoffered::ignored};
 
 template <Stream which>
-constexpr OptionRow stream(Text letters, Text keyword, Text help) {
-    return option(letters, keyword, "", sign_and_value, "file", store::stream_switch<which>, help);
+constexpr OptionRow stream(Term letters, Term keyword, Term help) {
+    return that(Touches::writes, option(letters, keyword, "", sign_and_value, "file",
+                                        store::stream_switch<which>, help));
 }
 
 template <Stream which>
-constexpr OptionRow stream_file(Text keyword) {
-    return option("", keyword, "", value, "file", store::stream_file<which>, "its file, or off");
+constexpr OptionRow stream_file(Term keyword) {
+    return that(Touches::writes, option("", keyword, "", value, "file", store::stream_file<which>,
+                                        "its file, or off"));
 }
 
 template <Moment moment>
-constexpr OptionRow command(Text keyword, Text help) {
+constexpr OptionRow command(Term keyword, Term help) {
     return option("", keyword, "", value, "command", store::command<moment>, help);
 }
 
 template <Moment moment>
-constexpr OptionRow command_return(Text keyword) {
+constexpr OptionRow command_return(Term keyword) {
     return option(
         "", keyword, "", value, "action", store::command_return<moment>,
         "what comes of its failure: I nothing, S the picture is skipped, A all are, Q the "
@@ -84,11 +88,14 @@ constexpr OptionRow command_return(Text keyword) {
 }
 
 constexpr auto rows = std::to_array<OptionRow>({
-    option("I", "Input_File_Name", "", value, "file", store::scene,
-           "scene to read; - for standard input; a bare file name does the same"),
-    option("O", "Output_File_Name", "", value, "file", store::output,
-           "picture to write; a folder keeps the scene's name; - for standard output; the ending "
-           "says the format where +F does not"),
+    that(Touches::reads,
+         option("I", "Input_File_Name", "", value, "file", store::scene,
+                "scene to read; - for standard input; a bare file name does the same")),
+    that(Touches::writes,
+         option(
+             "O", "Output_File_Name", "", value, "file", store::output,
+             "picture to write; a folder keeps the scene's name; - for standard output; the ending "
+             "says the format where +F does not")),
     option("F", "Output_to_File", "", sign_and_value, "x", store::to_file,
            "format: N png (N16: 16 bits a channel), E OpenEXR and H Radiance HDR (linear), P ppm, "
            "T tga, C compressed tga, J jpeg, B bmp; -F writes no file"),
@@ -146,18 +153,22 @@ constexpr auto rows = std::to_array<OptionRow>({
            "bounding_boxes; pictures are the same"),
     setting("", "", "seed", "seed"),
     setting("WT", "Work_Threads", "threads", "threads"),
-    option("L", "Library_Path", "", value, "folder", store::library,
-           "folder to look for included files in; may be given several times"),
-    option("", "", "allow-read", value, "folder", store::allow_read,
-           "folder below which the scene may read, too; may be given several times"),
-    option("", "", "allow-write", value, "folder", store::allow_write,
-           "folder below which the scene may write, too; may be given several times"),
-    option(
-        "", "", "sandbox", value, "on|off", store::sandbox,
-        "whether the program confines itself to the files and system calls that the run needs; on "
-        "where the system can do that (Linux's Landlock and seccomp), off with --allow-commands"),
+    that(Touches::reads,
+         option("L", "Library_Path", "", value, "folder", store::library,
+                "folder to look for included files in; may be given several times")),
+    that(Touches::permits,
+         option("", "", "allow-read", value, "folder", store::allow_read,
+                "folder below which the scene may read, too; may be given several times")),
+    that(Touches::permits,
+         option("", "", "allow-write", value, "folder", store::allow_write,
+                "folder below which the scene may write, too; may be given several times")),
+    that(Touches::permits,
+         option("", "", "sandbox", value, "on|off", store::sandbox,
+                "whether the program confines itself to the files and system calls that the run "
+                "needs; on where the system can do that (Linux's Landlock and seccomp), off with "
+                "--allow-commands")),
     option("", "", "limit-steps", value, "n", store::limit_steps,
-           "how many passes of loops and calls of macros a scene may take (200 million)"),
+           "how many passes of loops and calls of macros a scene may take (100 million)"),
     option("", "", "limit-depth", value, "n", store::limit_depth,
            "how many calls of macros may be open inside each other (200,000)"),
     option("", "", "limit-nesting", value, "n", store::limit_nesting,
@@ -166,12 +177,22 @@ constexpr auto rows = std::to_array<OptionRow>({
            "how many objects a scene may make, parts of unions included (20 million)"),
     option("", "", "limit-includes", value, "n", store::limit_includes,
            "how many included files may be open inside each other (100)"),
+    option("", "", "limit-files", value, "n", store::limit_files,
+           "how often a scene may include or open files, each time counted (100,000)"),
     option("", "", "limit-elements", value, "n", store::limit_elements,
            "how many elements an array may have (100 million)"),
     option("", "", "limit-written", value, "MB", store::limit_written,
            "how much the scene may write with #write, in megabytes (1024)"),
+    option("", "", "limit-said", value, "MB", store::limit_said,
+           "how much the scene may say with #debug and its relatives, in megabytes (64)"),
+    option("", "", "limit-text", value, "MB", store::limit_text,
+           "how long a string may be, in megabytes (64)"),
+    option("", "", "limit-function", value, "n", store::limit_function,
+           "how many steps a call of a function may take, its loops run once (10 million)"),
+    option("", "", "limit-work", value, "n", store::limit_work,
+           "how many steps of any kind a scene may take before it is rendered, in millions (4000)"),
     option("", "", "limit-memory", value, "MB", store::limit_memory,
-           "how much memory the run may take, in megabytes (what the machine has)"),
+           "how much memory the run may take, in megabytes (half of what is free at the start)"),
     option("", "", "memory", value, "size", store::memory, "the same as 500M or 8G"),
     option("", "Declare", "", value, "name=value", store::declare,
            "declares a name for the scene: a number, or a string in quotes"),
@@ -185,24 +206,27 @@ constexpr auto rows = std::to_array<OptionRow>({
     setting("STP", "Frame_Step", "", "frame_step"),
     option_field("KC", "Cyclic_Animation", "", sign, "cyclic_animation"),
     option_field("", "", "skip-existing", nothing, "skip_existing"),
-    option(
-        "", "", "movie", value, "file", store::movie,
-        "makes a film of all frames with ffmpeg, when they are done; the ending says which kind"),
+    that(Touches::writes, option("", "", "movie", value, "file", store::movie,
+                                 "makes a film of all frames with ffmpeg, when they are done; the "
+                                 "ending says which kind")),
     option("", "", "frame-rate", value, "n", store::frame_rate, "frames a second in the film (25)"),
-    option("HI", "Include_Header", "", value, "file", store::header,
-           "file that is included before the scene"),
+    that(Touches::searches, option("HI", "Include_Header", "", value, "file", store::header,
+                                   "file that is included before the scene")),
     option("MV", "Version", "", value, "n", store::language_version,
            "version of the language until the scene says one"),
-    option("GI", "", "", sign_and_value, "file", store::create_ini,
-           "writes all options in force to an INI file"),
-    option("", "Create_Ini", "", value, "file", store::create_ini, "the same; off: none"),
+    that(Touches::writes_ini, option("GI", "", "", sign_and_value, "file", store::create_ini,
+                                     "writes all options in force to an INI file")),
+    that(Touches::writes_ini,
+         option("", "Create_Ini", "", value, "file", store::create_ini, "the same; off: none")),
     option(
         "V", "Verbose", "", sign, "", store::verbose,
         "progress and a summary (the default); -V: only warnings, errors and what the scene says"),
-    option("GA", "All_Console", "", sign_and_value, "file", store::all_streams,
-           "all that is said appears (the default), and goes to a file, too; -GA: nothing appears"),
-    option("", "All_File", "", value, "file", store::all_stream_files,
-           "all that is said goes to a file, too"),
+    that(Touches::writes,
+         option("GA", "All_Console", "", sign_and_value, "file", store::all_streams,
+                "all that is said appears (the default), and goes to a file, too; -GA: nothing "
+                "appears")),
+    that(Touches::writes, option("", "All_File", "", value, "file", store::all_stream_files,
+                                 "all that is said goes to a file, too")),
     stream<Stream::debug>("GD", "Debug_Console", "the same for what the scene says"),
     stream_file<Stream::debug>("Debug_File"),
     stream<Stream::fatal>("GF", "Fatal_Console", "the same for errors"),
@@ -213,10 +237,11 @@ constexpr auto rows = std::to_array<OptionRow>({
     stream_file<Stream::statistics>("Statistic_File"),
     stream<Stream::warning>("GW", "Warning_Console", "the same for warnings"),
     stream_file<Stream::warning>("Warning_File"),
-    option(
-        "", "", "allow-commands", nothing, "", store::allow_commands,
-        "runs the commands of the following options, which are refused otherwise; no INI file that "
-        "may come with a scene can say this or the two other permissions"),
+    that(Touches::permits,
+         option("", "", "allow-commands", nothing, "", store::allow_commands,
+                "runs the commands of the following options, which are refused otherwise; no INI "
+                "file that "
+                "may come with a scene can say this or the two other permissions")),
     command<Moment::pre_scene>("Pre_Scene_Command", "before everything"),
     command_return<Moment::pre_scene>("Pre_Scene_Return"),
     command<Moment::pre_frame>("Pre_Frame_Command", "before each picture"),
@@ -242,25 +267,31 @@ constexpr auto rows = std::to_array<OptionRow>({
         "", "", "dump", value, "stage", store::dump,
         "prints what the scene is at a stage: tokens, tree, scene, world, or index (a drawing in "
         "SVG of the cells that a slice cuts)"),
-    option("", "", "export-mesh", value, "file", store::export_mesh,
-           "writes the scene's surfaces as triangles to a PLY file and renders nothing; shapes are "
-           "taken apart, intersections and differences are exact"),
+    that(Touches::writes, option("", "", "export-mesh", value, "file", store::export_mesh,
+                                 "writes the scene's surfaces as triangles to a PLY file and "
+                                 "renders nothing; shapes are "
+                                 "taken apart, intersections and differences are exact")),
     option("", "", "export-object", value, "name", store::export_object,
            "what --export-mesh writes: a declared object in the place of the whole scene"),
     option("", "", "progress", value, "form", store::progress,
            "auto (the default), plain lines, none; or for programs: json on the error stream, alf "
            "(of RenderMan's queues) or openjd (Open Job Description) on the standard output"),
-    option("", "", "preview", value, "port", store::preview,
-           "shows the picture at http://localhost:PORT/ while it becomes better, and makes it anew "
-           "when the scene changes; 0: any free port"),
-    option("", "", "depfile", value, "file", store::depfile,
-           "writes a rule for make(1) with all files that the picture was made from; of frames "
-           "each has "
-           "its own, with a number"),
-    option("", "", "stats", value, "file", store::stats,
-           "writes what the run cost as JSON; - for standard output; of frames each has its own, "
-           "with a "
-           "number"),
+    that(Touches::permits, option("", "", "preview", value, "port", store::preview,
+                                  "shows the picture at http://localhost:PORT/ while it becomes "
+                                  "better, and makes it anew "
+                                  "when the scene changes; 0: any free port")),
+    that(
+        Touches::writes,
+        option("", "", "depfile", value, "file", store::depfile,
+               "writes a rule for make(1) with all files that the picture was made from; of frames "
+               "each has "
+               "its own, with a number")),
+    that(Touches::writes,
+         option(
+             "", "", "stats", value, "file", store::stats,
+             "writes what the run cost as JSON; - for standard output; of frames each has its own, "
+             "with a "
+             "number")),
     option("", "", "help", maybe_words, "topic", store::help,
            "this text, or what there is to say about an option, an item or a group of items"),
     option("", "", "version", nothing, "", store::version, "name and version"),

@@ -27,6 +27,16 @@ enum class Unoffered {
     refused,   ///< with an error: the picture would be another one
 };
 
+/// What an option has to do with files, and with what a scene may do.
+enum class Touches {
+    nothing,
+    reads,       ///< its value names a file or folder that is read
+    searches,    ///< the same, which is looked for in the folders of the scene and the library
+    writes,      ///< its value names a file or folder that is written to
+    writes_ini,  ///< the same for options themselves
+    permits,     ///< it opens something to scenes or to others
+};
+
 struct OptionRow {
     std::string_view letters;    ///< POV-Ray's switch without its sign; empty: none
     std::string_view keyword;    ///< of `Keyword=value`; empty: none
@@ -37,6 +47,7 @@ struct OptionRow {
     std::string_view field = {};  ///< of a setting; empty: `store` is called
     void (*store)(Options&, const Given&, Diagnostics&) = nullptr;
     Unoffered unoffered = Unoffered::no;
+    Touches touches = Touches::nothing;
 };
 
 std::span<const OptionRow> option_table();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/options.h"
 
+#include "app/confinement.h"
 #include "app/ini.h"
 #include "app/option_table.h"
 #include "text/ascii.h"
@@ -78,11 +79,14 @@ public:
     Options read(const std::string& settings) {
         options_.render.shadow_rays = 0;  // as many as pay
         if (!settings.empty()) {
+            const IniName ini = ini_name(settings).value_or(IniName{settings, {}});
             // What lies in the current folder may have come with a scene.
-            may_permit_ = settings.find('/') != settings.npos;
-            read_ini(settings, ini_name(settings).value_or(IniName{settings, {}}));
+            if (settings.find('/') == settings.npos)
+                read_confined(settings, ini);
+            else
+                read_ini(settings, ini);
         }
-        may_permit_ = true;
+        permitted_ = permissions();
         while (next_ < arguments_.size()) read_one(arguments_[next_++]);
         return std::move(options_);
     }
@@ -109,11 +113,12 @@ private:
     void read_scene(std::string_view argument) {
         if (argument.empty()) return fail(argument, "a file name cannot be empty");
         if (const auto ini = only_files_ ? std::nullopt : ini_of(argument)) {
-            const bool permits = std::exchange(may_permit_, false);
-            read_ini(argument, *ini);
-            may_permit_ = permits;
-            return;
+            if (const auto broken = broken_by(ini->file))
+                return fail(argument, broken->rule, broken->help);
+            return read_confined(argument, *ini);
         }
+        if (const auto broken = broken_by(std::string(argument)))
+            return fail(argument, broken->rule, broken->help);
         if (bare_scene_)
             return fail(argument,
                         message("only one scene can be rendered at a time, and there is already `",
@@ -132,7 +137,41 @@ private:
         const bool bare = word.find_last_of("./") == word.npos;
         const auto ini = ini_name(
             message(word, ".ini", section == argument.npos ? "" : argument.substr(section)));
-        return bare && ini && read_ && read_(ini->file) ? ini : std::nullopt;
+        return bare && ini && read_ && read_.holds(ini->file) ? ini : std::nullopt;
+    }
+
+    /// What the command line permits, wherever it says so, added to what the settings have.
+    Options permissions() const {
+        Options result = options_;
+        for (std::size_t i = 0; i < arguments_.size() && arguments_[i] != "--"; ++i)
+            for (const auto& [word, folders] : {std::pair{"--allow-read", &result.readable},
+                                                std::pair{"--allow-write", &result.writable}}) {
+                const std::string with_equals = message(word, "=");
+                if (arguments_[i] == word && i + 1 < arguments_.size())
+                    folders->emplace_back(arguments_[i + 1]);
+                else if (arguments_[i].starts_with(with_equals))
+                    folders->emplace_back(arguments_[i].substr(with_equals.size()));
+            }
+        return result;
+    }
+
+    /// The rule that a file breaks which an INI file names that may be a stranger's.
+    std::optional<BrokenRule> broken_by(const std::string& path) const {
+        BrokenRule broken = confined_ ? confined_->of_read(path) : BrokenRule();
+        return broken.rule.empty() ? std::nullopt : std::optional(std::move(broken));
+    }
+
+    /// An INI file that may have come with a scene; those that it names lie below its folder, too.
+    void read_confined(std::string_view argument, const IniName& ini) {
+        const bool outermost = !confined_;
+        if (outermost) {
+            Options outside = options_;
+            outside.readable = permitted_.readable;
+            outside.writable = permitted_.writable;
+            confined_.emplace(ini.file, outside);
+        }
+        read_ini(argument, ini);
+        if (outermost) confined_.reset();
     }
 
     void read_ini(std::string_view argument, const IniName& ini) {
@@ -158,12 +197,13 @@ private:
     }
 
     void accept(const OptionRow& row, const Given& given) {
-        if (!may_permit_ && row.word.starts_with("allow-"))
-            return refuse(given, diagnostics_,
-                          "permissions are given on the command line, or in the settings of your "
-                          "own that lie in ~/.config/candelabra/candelabra.ini");
+        const BrokenRule broken = confined_ ? confined_->of_option(row, given) : BrokenRule();
+        if (!broken.rule.empty()) return refuse(given, diagnostics_, broken.rule, broken.help);
         const std::size_t before = diagnostics_.error_count();
         apply(row, options_, given, diagnostics_);
+        if (confined_ && confined_->exceeded(options_))
+            return refuse(given, diagnostics_, Confinement::limit_rule());
+        options_.strange_names |= confined_ && row.touches == Touches::writes;
         if (diagnostics_.error_count() > before || row.unoffered != Unoffered::no) return;
         if (row.store == store::create_ini || row.word.starts_with("allow-")) return;
         const std::string value = given.value.value_or(given.on ? "on" : "off");
@@ -276,7 +316,8 @@ private:
     std::size_t next_ = 0;
     bool only_files_ = false;
     bool bare_scene_ = false;
-    bool may_permit_ = true;  ///< what the scene may do beyond the usual
+    Options permitted_;                    ///< by the user, so far as folders go
+    std::optional<Confinement> confined_;  ///< in an INI file that is not the user's own
 };
 
 }  // namespace

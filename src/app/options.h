@@ -48,7 +48,8 @@ using Declaration = std::pair<std::string, std::variant<double, std::string>>;
 struct Options {
     Task task = Task::render;
     std::optional<std::string> scene;  ///< "-": standard input
-    std::string output;                ///< as given: a file, a folder, "-" or nothing
+    bool strange_names = false;  ///< an INI file that is not the user's own names files to write
+    std::string output;          ///< as given: a file, a folder, "-" or nothing
     bool to_file = true;
     std::optional<PictureType> type;
     std::optional<int> bits;
@@ -58,7 +59,7 @@ struct Options {
     std::vector<std::string> writable;  ///< folders that it may write below, too
     std::optional<bool> sandbox;        ///< nothing: where the system has one
     Limits limits;
-    std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: all the machine has
+    std::optional<std::uint64_t> memory_bytes;  ///< of the whole run; nothing: the usual
     unsigned at_once = 1;                       ///< scenes that may be at work at the same time
     bool prepared_ahead = false;                ///< a frame, while another one is rendered
     std::vector<Declaration> declares;

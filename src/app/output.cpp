@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output.h"
 
+#include "picture/file.h"
+#include "text/harmless.h"
 #include "text/message.h"
 
 #include <filesystem>
@@ -68,4 +70,16 @@ Output output_of(const Options& options, Diagnostics& diagnostics) {
 std::string folder_of(const Output& output) {
     if (is_stream(output.path)) return {};
     return fs::path(output.path).parent_path().string();
+}
+
+std::string problem_with_output(const Options& options, const std::string& path) {
+    if (path.empty()) return {};
+    std::error_code none;
+    if (options.scene && fs::equivalent(path, *options.scene, none))
+        return message("`", harmless(path), "` is the scene itself");
+    if (options.strange_names && fs::is_symlink(path, none))
+        return message("`", harmless(path),
+                       "` is a link, and names in an INI file that may have come with the scene "
+                       "are not to lead elsewhere");
+    return problem_with_destination(path);
 }

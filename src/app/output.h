@@ -18,6 +18,9 @@ Output output_of(const Options&, Diagnostics&);
 /// standard output, devices and pipes.
 std::string folder_of(const Output&);
 
+/// Why a file of this name cannot be written; empty when nothing is known, and for no name.
+std::string problem_with_output(const Options&, const std::string& path);
+
 /// Whether a path is standard output (`-`), a device or a pipe: each frame goes there under the
 /// same name.
 bool is_stream(const std::string& path);

@@ -34,10 +34,12 @@ std::uint32_t most_samples(const RenderState& state) {
 
 }  // namespace
 
-std::string state_path(const JobPlan& plan) {
-    const std::string part = plan.shard ? message('.', shard_name(*plan.shard)) : std::string();
-    return message(plan.picture, part, state_ending);
+std::string state_path(const std::string& picture, const std::optional<Shard>& shard) {
+    const std::string part = shard ? message('.', shard_name(*shard)) : std::string();
+    return message(picture, part, state_ending);
 }
+
+std::string state_path(const JobPlan& plan) { return state_path(plan.picture, plan.shard); }
 
 RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
                      Diagnostics& diagnostics)

@@ -30,6 +30,7 @@ struct JobPlan {
 
 /// Beside which a state lies: the picture's name and, of a shard, its number.
 std::string state_path(const JobPlan&);
+std::string state_path(const std::string& picture, const std::optional<Shard>&);
 
 class RenderJob {
 public:

@@ -33,8 +33,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// One run over one scene: what the steps share.
 class SceneRun {
 public:
@@ -92,7 +90,9 @@ private:
         readable.insert(readable.end(), library.begin(), library.end());
         readable.insert(readable.end(), options_.readable.begin(), options_.readable.end());
         writable.insert(writable.end(), options_.writable.begin(), options_.writable.end());
-        return Door(readable, std::move(writable));
+        Door door(readable, std::move(writable));
+        if (console_.made_files) door.knows(console_.made_files);
+        return door;
     }
 
     bool is_check() const {
@@ -122,21 +122,19 @@ private:
         const std::string layers = renders ? layers_path(files_of(output)) : "";
         if (saves) can_write(output.format.type, diagnostics_);
         if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
+        const std::string state =
+            saves && !is_stream(output.path) ? state_path(output.path, shard_) : "";
         for (const std::string& path : {saves ? output.path : std::string(), options_.stats_file,
-                                        options_.depfile, options_.mesh_file, layers}) {
-            if (path.empty()) continue;
-            std::error_code none;
-            std::string problem = problem_with_destination(path);
-            if (fs::equivalent(path, *options_.scene, none))
-                problem = message("`", harmless(path), "` is the scene itself");
+                                        options_.depfile, options_.mesh_file, layers, state}) {
+            const std::string problem = problem_with_output(options_, path);
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }
         return !say_diagnostics();
     }
 
     /// Pictures remember what they were made from; checks need not.
-    Reader reader() {
-        return options_.task == Task::render ? noting(disk_reader(), files_) : disk_reader();
+    Reader noted(Reader reader) {
+        return options_.task == Task::render ? noting(std::move(reader), files_) : reader;
     }
 
     std::optional<SourceId> read_scene() {
@@ -146,9 +144,9 @@ private:
             files_.push_back({path, sha256(text)});
             return sources_.add("standard input", std::move(text));
         }
-        const Reader read = reader();
+        const Reader read = noted(disk_reader());
         std::optional<std::string> text = read(path);
-        if (!text && !fs::path(path).has_extension()) text = read(path += ".pov");
+        if (!text && !std::filesystem::path(path).has_extension()) text = read(path += ".pov");
         if (!text) {
             const std::string& name = *options_.scene;
             const std::string near = similar_file(name, {""}, disk_lister());
@@ -243,7 +241,8 @@ private:
                          Diagnostics& diagnostics) {
         const auto library =
             library_folders(console_.library, options_.library_paths, diagnostics_);
-        Loader loader(reader(), scene_folder_, library, door(picture_folder, library),
+        const Door scene_door = door(picture_folder, library);
+        Loader loader(noted(scene_reader(scene_door)), scene_folder_, library, scene_door,
                       disk_lister());
         // Files are written once, not at each moment of an open shutter.
         if ((options_.task != Task::render && options_.task != Task::export_mesh) ||

@@ -18,12 +18,16 @@ std::vector<std::string> Workspace::open_files() const {
     return paths;
 }
 
-Reader Workspace::reader() const {
-    return [this](const std::string& path) -> std::optional<std::string> {
+Reader Workspace::reader(const Door& door) const {
+    const Reader disk = scene_reader(door);
+    const auto read = [this, disk](const std::string& path) -> std::optional<std::string> {
         const auto document = documents_.find(path);
         if (document != documents_.end()) return document->second;
-        return disk_reader()(path);
+        return disk(path);
     };
+    return {read, [this, disk](const std::string& path) {
+                return documents_.contains(path) || disk.holds(path);
+            }};
 }
 
 Loader Workspace::loader(const std::string& folder) const {
@@ -33,10 +37,10 @@ Loader Workspace::loader(const std::string& folder) const {
     return loader(folder, Door(readable, {}));
 }
 
-Loader Workspace::loader(const std::string& folder, Door door) const {
+Loader Workspace::loader(const std::string& folder, const Door& door) const {
     std::vector<std::string> library;
     if (!library_.empty()) library.push_back(library_);
-    return Loader(reader(), folder, std::move(library), std::move(door), disk_lister());
+    return Loader(reader(door), folder, std::move(library), door, disk_lister());
 }
 
 bool Workspace::in_library(const std::string& path) const {
@@ -44,7 +48,7 @@ bool Workspace::in_library(const std::string& path) const {
 }
 
 FileHandle Workspace::file(const std::string& path) {
-    std::optional<std::string> text = reader()(path);
+    std::optional<std::string> text = reader(Door())(path);
     if (!text) return nullptr;
     FileHandle& known = read_[path];
     if (!known || known->text != *text) {

@@ -40,7 +40,7 @@ public:
     /// Finds files for a scene in this folder; open documents come before the disk. It reads what
     /// the door lets through, by default what belongs to open scenes.
     Loader loader(const std::string& folder) const;
-    Loader loader(const std::string& folder, Door door) const;
+    Loader loader(const std::string& folder, const Door& door) const;
     bool in_library(const std::string& path) const;
     const std::string& library() const { return library_; }
     Names& names() { return names_; }
@@ -48,7 +48,7 @@ public:
 private:
     static constexpr std::size_t most_files = 1000;
 
-    Reader reader() const;
+    Reader reader(const Door&) const;
     void add_with_includes(const std::string& path, const std::string& folder,
                            std::vector<FileHandle>& files);
 

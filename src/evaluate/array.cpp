@@ -41,6 +41,7 @@ Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId 
                    .with_help("array[3], array[2][5]"));
         return Absence::broken;
     }
+    if (!spend(count, tree.span(id))) return Absence::broken;
     Handle<ArrayData> result = make_handle<ArrayData>(std::move(sizes));
     if (node.content != no_node) {
         std::size_t next = 0;
@@ -171,6 +172,9 @@ Evaluator::State::Place Evaluator::State::edit_element(Value& array, const Indic
         if (!at->array() && !check_array(*at, span)) return {};
         const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
         if (!i) return {};
+        // A shared array is copied.
+        constexpr std::uint64_t allocating = 100;
+        if (!at->alone() && !spend(allocating + 4 * at->array()->size(), span)) return {};
         ArrayData& edited = at->edit_array();
         if (used == indices.count) return {&edited, *i};
         at = edited.inner(*i);

@@ -45,21 +45,31 @@ double grey(const std::array<double, Program::most_results>& colour) {
     return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2];
 }
 
-/// The heights of a function of x and y, which is asked at all pixels.
-Handle<HeightGrid> sampled(const Formula& function) {
+/// The heights of a function of x and y, which is asked at all pixels. Null when that is too much
+/// work.
+Handle<HeightGrid> sampled(const Formula& function, Evaluator& evaluator, Span place) {
+    constexpr std::uint64_t each_pass = 10, each_pixel = 10;
     HeightGrid grid{function.columns(), function.rows(), {}};
-    for (int z = 0; z < grid.height; ++z)
+    const auto pixels =
+        static_cast<std::uint64_t>(grid.width) * static_cast<std::uint64_t>(grid.height);
+    if (!evaluator.spend(pixels * (function.cost() + each_pixel), place)) return nullptr;
+    for (int z = 0; z < grid.height; ++z) {
+        std::uint64_t passes = 0;  // of the row
         for (int x = 0; x < grid.width; ++x) {
             const std::array<double, 3> at = {x / std::fmax(1, grid.width - 1),
                                               1 - z / std::fmax(1, grid.height - 1), 0};
             std::array<double, Program::most_results> results{};
             // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
-            const bool good = function.run(at.data(), results.data());
+            std::uint32_t own = 0;
+            const bool good = function.run(at.data(), results.data(), own);
+            passes += own;
             const double shown = function.results() < 3 ? results[0] : grey(results);
             const double value = good && std::abs(shown) < 1e9 ? shown : 0;
             grid.values.push_back(
                 static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
         }
+        if (!evaluator.spend(each_pass * passes, place)) return nullptr;
+    }
     return make_handle<HeightGrid>(std::move(grid));
 }
 
@@ -67,7 +77,8 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
     constexpr std::size_t usual = 3;
     if (field->function && field->function->columns() > 0 &&
         field->function->parameters() <= usual) {
-        field.edit().grid = sampled(*field->function);
+        field.edit().grid = sampled(*field->function, block.binder.evaluator, block.span);
+        block.broken |= !field->grid;
         return;
     }
     if (field->function) {

@@ -114,10 +114,20 @@ Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, 
                 .with_help(message(name, "(", function->arguments, "): ", function->help)));
         return Absence::broken;
     }
+    // The arguments are looked at, and the result is as long as they are or little longer.
+    constexpr std::uint64_t each_call = 60, of_object = 1000;
+    std::uint64_t amount = each_call;
+    for (const Value& value : values)
+        if (value.text())
+            amount += 4 * value.text()->size();
+        else if (value.handle<Object>())
+            amount += of_object;
+    if (!spend(amount, tree.span(id))) return Absence::broken;
     FunctionCall call(name, values, places, tree.span(id), world);
     Value result = unary ? Value((*unary)(call.number(0)))
                          : (*std::get_if<FunctionInfo::General>(&function->code))(call);
     if (call.failed()) return Absence::broken;
+    if (result.text() && !may_be_long(result.text()->size(), tree.span(id))) return Absence::broken;
     if (call.given()) receive(tree, node.arguments, count, *call.given());
     return result;
 }

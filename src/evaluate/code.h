@@ -30,6 +30,7 @@ struct Code {
     std::vector<double> registers;  ///< with the constants in place
     std::vector<Input> inputs;
     std::vector<Callee> callees;
+    std::uint64_t cost = 0;       ///< see cost(Program)
     bool random = false;          ///< advances random streams
     std::unique_ptr<Code> other;  ///< for names of other kinds
     int versions = 1;             ///< how many are linked from here on

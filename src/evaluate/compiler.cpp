@@ -35,6 +35,7 @@ Code* Evaluator::State::compile(const Tree& tree, NodeId id) {
     const Operands result = compiler.compile(id);
     if (result.count == 0 || !compiler.builder.fits()) return nullptr;
     code.program = compiler.builder.finish({result.at.data(), result.count});
+    code.cost = cost(code.program);
     code.registers.resize(code.program.registers);
     code.program.prepare(code.registers.data());
     return codes.keep(tree, id, std::move(code));

@@ -6,6 +6,13 @@
 
 #include <algorithm>
 
+namespace {
+
+/// What trace() and inside() count as, beside the parts of the object.
+constexpr std::uint64_t asking_object = 500;
+
+}  // namespace
+
 Operands Evaluator::State::Compiler::call(const node::Call& node) {
     if (!state.names.reserved(node.name)) {
         const Value* found = state.scope.find(node.name);
@@ -90,6 +97,7 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
         const Value* value = state.scope.find(object);
         const ObjectHandle content = value ? value->handle<Object>() : nullptr;
         if (!content || !state.world.solids.solid(content)) return false;
+        state.work += asking_object + content->parts / 4;
         out[0] = state.world.solids.inside(content, Vec3(in[0], in[1], in[2]));
         return true;
     };
@@ -105,6 +113,7 @@ Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
         Numbers* const target =
             normal == no_name ? nullptr : state.scope.overwritable(normal, false);
         if (!content || direction == Vec3(0) || (normal != no_name && !target)) return false;
+        state.work += asking_object + content->parts / 4;
         const auto hit = state.world.solids.trace(content, from, direction);
         if (target) *target = Numbers::vector(hit ? hit->normal : Vec3(0));
         for (int i = 0; i < 3; ++i) out[i] = hit ? hit->position[i] : 0;

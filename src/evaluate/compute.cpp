@@ -53,7 +53,11 @@ bool Evaluator::State::load(Code& code) const {
 
 bool Evaluator::State::run(Code& code, Numbers& result) {
     const std::size_t begin = code.random ? world.random.begin_attempt() : 0;
-    if (!execute(code.program, code.registers.data())) {
+    std::uint32_t passes = 0;
+    const bool good = execute(code.program, code.registers.data(), passes);
+    constexpr std::uint64_t each_pass = 10;
+    work += code.cost + each_pass * passes;
+    if (!good) {
         if (code.random) world.random.take_back(begin);
         return false;
     }

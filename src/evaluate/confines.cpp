@@ -61,6 +61,8 @@ bool ConfineReader::take(const Element& element) {
     auto& list = clips ? confines.clips : confines.bounds;
     const auto& other = clips ? confines.bounds : confines.clips;
     const auto& added = reader.linked ? other : reader.objects;
+    for (const ObjectHandle& each : added)
+        if (!may_be_cut(block_, *each)) return true;
     list.insert(list.end(), added.begin(), added.end());
     return true;
 }

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/data_writer.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
 #include <cmath>
 
@@ -22,16 +18,9 @@ constexpr auto forms = std::array{
     NamedForm{"sint32le", {4, true, false}},  NamedForm{"sint32be", {4, true, true}},
 };
 
-/// A regular file for writing, or null. Waits for no pipe and follows no link.
-std::FILE* open_regular(const std::string& path, bool append) {
-    const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
-    const int file = open(path.c_str(), flags | (append ? O_APPEND : 0), 0666);
-    if (file < 0) return nullptr;
-    struct stat status {};
-    const bool good =
-        fstat(file, &status) == 0 && S_ISREG(status.st_mode) && (append || ftruncate(file, 0) == 0);
-    std::FILE* const stream = good ? fdopen(file, append ? "ab" : "wb") : nullptr;
-    if (!stream) close(file);
+std::FILE* as_stream(OpenedFile file) {
+    std::FILE* const stream = file ? fdopen(file.descriptor(), "wb") : nullptr;
+    if (stream) file.release();
     return stream;
 }
 
@@ -43,8 +32,7 @@ std::optional<BinaryForm> binary_form(std::string_view name) {
     return std::nullopt;
 }
 
-DataWriter::DataWriter(const std::string& path, bool append)
-    : file_(open_regular(path, append)), failed_(!file_) {}
+DataWriter::DataWriter(OpenedFile file) : file_(as_stream(std::move(file))), failed_(!file_) {}
 
 void DataWriter::put(std::string_view text) {
     bytes_ += text.size();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "evaluate/value.h"
+#include "text/opened_file.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -24,8 +25,8 @@ std::optional<BinaryForm> binary_form(std::string_view name);
 
 class DataWriter {
 public:
-    /// A path that the door has given. Links are not followed any more.
-    DataWriter(const std::string& path, bool append);
+    /// A file that the door has opened; closed ones have failed.
+    explicit DataWriter(OpenedFile);
     /// What is written goes to the end of this text, and to no disk.
     explicit DataWriter(std::shared_ptr<std::string> text) : text_(std::move(text)) {}
 

@@ -74,6 +74,8 @@ void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& no
 }
 
 void Evaluator::State::declare(const Tree& tree, const node::Declare& node, NodeId id) {
+    constexpr std::uint64_t declaring = 20;
+    if (!spend(declaring, tree.span(id))) return;
     // Nearly always numbers take the place of numbers.
     const auto* name = tree.get_if<node::Name>(node.target);
     Numbers* target = name ? scope.overwritable(name->name, node.local) : nullptr;
@@ -121,11 +123,15 @@ bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node)
     const bool unchanged = appends && target && target->text() == old.get();
     if (appends && !unchanged) text.insert(0, *old);
     old = nullptr;
+    const std::size_t length = text.size() + (unchanged ? target->text()->size() : 0);
+    // What is added at the end is all the work, unless the whole is copied.
+    if (length > limits.text_bytes && !may_be_long(length, tree.span(node.value))) return true;
     std::string* const own = target ? target->own_text() : nullptr;
     if (unchanged && own) {
         own->append(text);
         return true;
     }
+    if (unchanged && !may_be_long(length, tree.span(node.value))) return true;
     if (unchanged) text.insert(0, *target->text());
     if (own)
         own->assign(text);
@@ -199,6 +205,8 @@ void Evaluator::State::assign(const Tree& tree, NodeId target, Value&& value, bo
 
 void Evaluator::State::assign_element(const Tree& tree, const node::Index& index, NodeId target,
                                       Value&& value) {
+    constexpr std::uint64_t each = 80;
+    work += each;
     const Span span = tree.span(target);
     Indices places;
     if (!indices(tree, index.indices, places)) return;

@@ -6,6 +6,8 @@
 #include <cmath>
 
 Flow Evaluator::State::directive(const Tree& tree, NodeId id, const Sink& take) {
+    constexpr std::uint64_t each = 80;
+    work += each;
     const NodeContent& content = tree[id].content;
     switch (content.index()) {
         case kind<node::Declare>:
@@ -88,7 +90,8 @@ Flow Evaluator::State::branch(const Tree& tree, const node::If& node, const Sink
 }
 
 bool Evaluator::State::too_many_steps(const Tree& tree, NodeId place) {
-    if (++steps <= limits.steps) return false;
+    constexpr std::uint64_t each = 20;
+    if (++steps <= limits.steps) return !spend(each, tree.span(place));
     if (!stopped_)
         report(error(Fault::loop_limit, tree.span(place),
                      message("this scene takes more than ", limits.steps,
@@ -306,6 +309,7 @@ Flow Evaluator::State::include(const Tree& tree, const node::Include& node, Node
 
 const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const std::string directory = directory_of(sources.name(span.source));
+    if (!count_file(span)) return nullptr;
     const std::optional<Found> found = loader.load(name, directory);
     if (!found) {
         report(loader.problem(name, span, FileKind::include, directory));
@@ -314,6 +318,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
         stopped_ = true;
         return nullptr;
     }
+    if (!spend(found->text.size() / 4, span)) return nullptr;
     const FileTrees::Included file = files.included(*found, span, version);
     if (file.first) {
         frames.push({Frame::include, no_name, file.tree->source, span});
@@ -336,6 +341,7 @@ void Evaluator::State::speak(const Tree& tree, const node::Message& node, NodeId
         return;
     }
     std::string text = *value.text();
+    if (!count_said(text.size(), tree.span(id))) return;
     if (node.kind != MessageKind::error && node.kind != MessageKind::warning)
         return meaning.print(text);
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();

@@ -27,6 +27,8 @@ void Evaluator::set_meaning(Meaning meaning) {
     state_->meaning.value = [this, value = std::move(state_->meaning.value),
                              spline =
                                  state_->names.find("spline")](std::span<const Element> elements) {
+        constexpr std::uint64_t making = 200;
+        state_->work += making;
         const bool splines = elements.size() == 1 && elements[0].word == spline;
         return splines ? read_spline(*this, elements[0]) : value(elements);
     };
@@ -61,11 +63,16 @@ void Evaluator::count_object(Span span) { state_->count_object(span); }
 void Evaluator::count_placed(const Object& object, Span span) {
     state_->count_placed(object.parts, span);
 }
+bool Evaluator::may_have_parts(const Object& object, Span span) {
+    return state_->may_have_parts(object, span);
+}
+bool Evaluator::spend(std::uint64_t amount, Span span) { return state_->spend(amount, span); }
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
 
 std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+    if (!state_->count_file(span)) return std::nullopt;
     const std::string directory = directory_of(state_->sources.name(span.source));
     std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
     if (found) return std::move(found->text);
@@ -74,6 +81,7 @@ std::optional<std::string> Evaluator::load_data(const std::string& name, Span sp
 }
 
 std::optional<std::string> Evaluator::find_data(const std::string& name, Span span) {
+    if (!state_->count_file(span)) return std::nullopt;
     const std::string directory = directory_of(state_->sources.name(span.source));
     std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
     if (found) return std::move(found->path);
@@ -135,7 +143,9 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     meaning.print = [](std::string_view) {};
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };
     world.file_exists = [this](std::string_view name) {
-        return this->loader.load(std::string(name), {}, FileKind::data).has_value();
+        constexpr std::uint64_t asking = 100'000;
+        work += asking;
+        return this->loader.finds(std::string(name), {}, FileKind::data);
     };
     functions.resize(reserved_words().size());
     for (const FunctionInfo& function : ::functions()) {
@@ -312,7 +322,9 @@ Span Evaluator::State::heading(const Tree& tree, NodeId declaration, NameId name
     return result;
 }
 
-Element Evaluator::State::block_element(const Tree& tree, NodeId id) const {
+Element Evaluator::State::block_element(const Tree& tree, NodeId id) {
+    constexpr std::uint64_t reading = 60;
+    work += reading;
     const auto& block = tree.get<node::Block>(id);
     Element element;
     element.kind = Element::Kind::block;

@@ -154,6 +154,12 @@ public:
     /// The same for an object that is put into the scene, with all its parts: those of declared
     /// objects count each time.
     void count_placed(const Object&, Span);
+    /// To be called before all parts of an object are looked at; false when there are too many,
+    /// which stops.
+    bool may_have_parts(const Object&, Span);
+    /// To be called before work that takes long: `amount` in steps of some nanoseconds. False when
+    /// it is too much, which stops.
+    bool spend(std::uint64_t amount, Span);
 
     std::string_view spelling(NameId) const;
     Names& names();

@@ -2,17 +2,6 @@
 #include "evaluate/file_trees.h"
 
 #include <algorithm>
-#include <filesystem>
-
-namespace {
-
-/// A pipe: it gives its text once, to the walk.
-bool is_pipe(const std::string& path) {
-    std::error_code none;
-    return std::filesystem::is_other(path, none);
-}
-
-}  // namespace
 
 ParseOptions FileTrees::options(double version, bool included, OpenMacroList& known) {
     const auto reader = [this](const std::string& name, Span at, double version,
@@ -43,9 +32,8 @@ void FileTrees::read_ahead(const std::string& name, Span at, double version, Ope
     const auto [path, is_new] = paths_.try_emplace({folder, name});
     auto file = files_.find(path->second);
     if (is_new || file == files_.end()) {
-        const bool read =
-            depth_ < deepest && std::ranges::none_of(loader_.searched(name, folder), is_pipe);
-        const std::optional<Found> found = read ? loader_.load(name, folder) : std::nullopt;
+        const std::optional<Found> found =
+            depth_ < deepest ? loader_.load(name, folder) : std::nullopt;
         path->second = found ? found->path : "";
         if (!found) return;
         file = files_.find(found->path);

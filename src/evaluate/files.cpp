@@ -10,7 +10,7 @@ void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeI
     const std::string_view mode = names.spelling(node.mode);
     const Span span = tree.span(node.path);
     const Value path = evaluate(tree, node.path);
-    if (path.broken()) return;
+    if (path.broken() || !count_file(span)) return;
     if (!path.text()) {
         broken(Fault::wrong_type, span,
                message("#fopen takes the name of a file, but this is ", kind_name(path)));
@@ -42,17 +42,24 @@ void Evaluator::State::open_for_reading(DataFile& file, Span span) {
     const std::string directory = directory_of(sources.name(span.source));
     std::optional<Found> found = loader.load(file.name, directory, FileKind::data);
     if (!found) return report(loader.problem(file.name, span, FileKind::data, directory));
+    if (!spend(found->text.size() / 4, span)) return;
     const SourceId source = sources.add(std::move(found->path), std::move(found->text), span);
     file.reader = std::make_unique<DataReader>(source, sources, names, diagnostics);
 }
 
 void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) {
-    const std::optional<std::string> path = loader.door().destination(file.name);
-    if (!path)
+    constexpr std::uint64_t making = 300'000;  // a file system takes long
+    if (!spend(making, span)) return;
+    const Door& door = loader.door();
+    const std::optional<std::string> path = door.destination(file.name);
+    const std::string rule = !path                 ? door.writing_rule(file.name)
+                             : loader.keeps(*path) ? std::string()
+                                                   : door.rule_of_file(*path);
+    if (!rule.empty())
         return report(
             error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
-                .with_note(loader.door().writing_rule())
-                .with_help(Door::writing_help(file.name)));
+                .with_note(rule)
+                .with_help(door.writing_help(file.name)));
     const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
     if (!writer->good())
         return report(
@@ -67,7 +74,8 @@ void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) 
 /// A writer at a destination of the door; in a run that changes nothing it writes to memory, where
 /// the loader finds the text.
 std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
-    if (!loader.keeps_off_disk()) return std::make_unique<DataWriter>(path, append);
+    if (!loader.keeps_off_disk())
+        return std::make_unique<DataWriter>(loader.door().open(path, append));
     auto text = std::make_shared<std::string>();
     if (append)
         if (auto before = loader.load(path, {}, FileKind::data)) *text = std::move(before->text);
@@ -154,6 +162,8 @@ bool Evaluator::State::read_into(const Tree& tree, NodeId target, DataReader& re
                "#read puts values into names and elements of arrays, and this is neither");
         return false;
     }
+    constexpr std::uint64_t reading = 50;
+    work += reading;
     std::optional<Value> value = reader.next();
     if (!value) {  // the comma before promised one; a new name is declared, but has no value
         if (name && !scope.find(name->name)) scope.declare(name->name, Absence::uninitialised);

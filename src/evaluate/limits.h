@@ -11,12 +11,29 @@ struct Limits {
     std::size_t call_depth = 200'000;          ///< macro calls inside each other
     std::size_t nesting = 10'000;              ///< objects inside each other
     std::size_t include_depth = 100;           ///< include files inside each other
-    std::uint64_t steps = 200'000'000;         ///< passes of loops and calls of macros, in all
+    std::uint64_t steps = 100'000'000;         ///< passes of loops and calls of macros, in all
     std::size_t array_elements = 100'000'000;  ///< of one array
     std::uint64_t objects = 20'000'000;        ///< in all, parts of unions included
     std::uint64_t written_bytes = std::uint64_t{1} << 30;  ///< by #write, in all files together
+    std::uint64_t files = 100'000;                       ///< included or opened, each time counted
+    std::uint64_t said_bytes = std::uint64_t{64} << 20;  ///< by #debug and its relatives
+    std::uint64_t text_bytes = std::uint64_t{64} << 20;  ///< of one string
+    std::uint64_t function_steps = 10'000'000;           ///< of one call, loops taken once
+    /// In all, of any kind: some nanoseconds each.
+    std::uint64_t work = 4'000'000'000;
     /// Set aside; hardly ever is so much used.
     std::size_t stack_bytes = std::size_t{1} << 30;
+
+    /// Whether none of them is higher than in the other.
+    bool within(const Limits& most) const {
+        return call_depth <= most.call_depth && nesting <= most.nesting &&
+               include_depth <= most.include_depth && steps <= most.steps &&
+               array_elements <= most.array_elements && objects <= most.objects &&
+               written_bytes <= most.written_bytes && files <= most.files &&
+               said_bytes <= most.said_bytes && text_bytes <= most.text_bytes &&
+               function_steps <= most.function_steps && work <= most.work &&
+               stack_bytes <= most.stack_bytes;
+    }
 
     /// Makes the stack big enough for the depths that are allowed.
     void make_room() {

@@ -176,6 +176,8 @@ const MacroData* Evaluator::State::enter_macro(const Tree& tree, const node::Cal
         stopped_ = true;
         return nullptr;
     }
+    constexpr std::uint64_t each = 80;
+    work += each;
     const std::size_t base = arguments.size();
     if (!pass_arguments(tree, node, id, *macro)) return nullptr;
     scope.enter();

@@ -2,6 +2,7 @@
 #include "evaluate/object_draft.h"
 
 #include "shape/crossed_cone.h"
+#include "text/message.h"
 #include "vocabulary/schema.h"
 
 const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
@@ -138,6 +139,22 @@ ObjectHandle another(const ObjectHandle& declared) {
 ObjectHandle as_part(const ObjectHandle& declared) {
     const auto* together = std::get_if<Union>(&declared->form);
     return together && together->light_group ? another(declared) : declared;
+}
+
+bool may_be_cut(OpenBlock& block, const Object& object) {
+    const bool good = block.binder.evaluator.may_have_parts(object, block.span);
+    block.broken |= !good;
+    return good;
+}
+
+ObjectHandle too_deep(Binder& binder, const Element& element) {
+    binder.evaluator.report(
+        error(Fault::recursion_limit, element.word_span,
+              message("objects are nested more than ", binder.evaluator.limits().nesting, " deep"))
+            .with_help("give the parts to one `union` instead of wrapping each "
+                       "in the next; --limit-nesting allows more"));
+    binder.evaluator.stop();
+    return nullptr;
 }
 
 ObjectHandle as_object(PlacedLight light) {

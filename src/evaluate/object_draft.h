@@ -87,3 +87,9 @@ ObjectHandle as_part(const ObjectHandle&);
 
 /// A light source as an object.
 ObjectHandle as_object(PlacedLight);
+
+/// Whether all parts of an object may be looked at, as cutting does; otherwise the block is broken.
+bool may_be_cut(OpenBlock&, const Object&);
+
+/// Reports that objects are nested too deeply, and stops. Null.
+ObjectHandle too_deep(Binder&, const Element&);

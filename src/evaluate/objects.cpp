@@ -117,6 +117,7 @@ private:
 
     void add(ObjectHandle made) {
         if (kind_ == Kind::together) {
+            if (cuts(together()) && !may_be_cut(block_, *made)) return;
             if (cuts(together())) check_inside(*made);
             take_lights(*made, together());
             nest(draft_.made.edit(), *made);
@@ -161,16 +162,6 @@ private:
     ObjectDraft& draft_;
     Kind kind_;
 };
-
-ObjectHandle too_deep(Binder& binder, const Element& element) {
-    binder.evaluator.report(
-        error(Fault::recursion_limit, element.word_span,
-              message("objects are nested more than ", binder.evaluator.limits().nesting, " deep"))
-            .with_help("give the parts to one `union` instead of wrapping each "
-                       "in the next; --limit-nesting allows more"));
-    binder.evaluator.stop();
-    return nullptr;
-}
 
 class ObjectReader {
 public:
@@ -252,6 +243,7 @@ private:
         ContentReader content(block_, draft_, kind);
         if (group) return read_light_group(content);
         read_with(element_.body, content);
+        if (draft_.cutaway) may_be_cut(block_, *draft_.made);
         if (draft_.cutaway && !draft_.textured && !block_.broken)
             cut_away(std::get<Union>(draft_.made.edit().form), block_.binder.default_texture);
         const auto* whole = std::get_if<Union>(&draft_.made->form);

@@ -34,8 +34,8 @@ TexelCoding coding(const Binder& binder, const Pattern& pattern, const PictureMa
 }
 
 /// A function's values at all pixels, in 65536 steps from 0 to 1, as POV-Ray keeps them: values
-/// beyond begin anew at the other end.
-Texels texels_of(const Formula& function) {
+/// beyond begin anew at the other end. Nothing when that is too much work.
+std::optional<Texels> texels_of(const Formula& function, Evaluator& evaluator, Span place) {
     Texels texels;
     texels.width = function.columns();
     texels.height = function.rows();
@@ -45,16 +45,25 @@ Texels texels_of(const Formula& function) {
         const double steps = std::fmod(std::trunc(65535 * value), 65536);
         return static_cast<float>((steps < 0 ? steps + 65536 : steps) / 65535);
     };
-    for (int y = 0; y < texels.height; ++y)
+    constexpr std::uint64_t each_pass = 10, each_pixel = 10;
+    const auto pixels =
+        static_cast<std::uint64_t>(texels.width) * static_cast<std::uint64_t>(texels.height);
+    if (!evaluator.spend(pixels * (function.cost() + each_pixel), place)) return std::nullopt;
+    for (int y = 0; y < texels.height; ++y) {
+        std::uint64_t passes = 0;  // of the row
         for (int x = 0; x < texels.width; ++x) {
             const std::array<double, 3> at = {x / std::fmax(1, texels.width - 1),
                                               y / std::fmax(1, texels.height - 1), 0};
             std::array<double, Program::most_results> found{};
-            if (!function.run(at.data(), found.data())) found = {};
+            std::uint32_t own = 0;
+            if (!function.run(at.data(), found.data(), own)) found = {};
+            passes += own;
             for (int i = 0; i < texels.channels; ++i)
                 texels.values.push_back(kept(found[static_cast<std::size_t>(i)]));
             if (results == 5) texels.alpha.push_back(kept(1 - found[4]));
         }
+        if (!evaluator.spend(each_pass * passes, place)) return std::nullopt;
+    }
     if (std::ranges::all_of(texels.alpha, [](float alpha) { return alpha == 1; }))
         texels.alpha.clear();
     texels.measure();
@@ -174,7 +183,9 @@ void PictureReader::load() {
                               .with_help("function 256, 256 { ... }"));
             return;
         }
-        map_.texels = make_handle<Texels>(texels_of(*map_.function));
+        auto made = texels_of(*map_.function, block_.binder.evaluator, block_.span);
+        if (!made) return;
+        map_.texels = make_handle<Texels>(std::move(*made));
     } else if (map_.file.empty()) {
         block_.report(
             error(Fault::missing, block_.span, message(block_.quoted(), " needs a picture"))

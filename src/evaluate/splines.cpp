@@ -60,6 +60,8 @@ public:
             refuse(Fault::missing, t_place_, "this t has no point: spline { 0, <1, 2, 3> 1, ... }");
         if (good_ && points_.empty()) refuse(Fault::missing, span, "a spline needs points");
         if (!good_ || evaluator_.stopped()) return Absence::broken;
+        constexpr std::uint64_t making = 500, each = 50;
+        if (!evaluator_.spend(making + each * points_.size(), span)) return Absence::broken;
         int most = 2;
         for (const Point& point : points_) most = std::max(most, point.at.count);
         std::vector<Spline::Knot> knots;

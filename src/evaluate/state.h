@@ -90,7 +90,7 @@ struct Evaluator::State {
     /// Where one value is wanted and a macro gives none or several.
     Value report_count(std::size_t, Span);
     /// A block element as it is handed to the meaning.
-    Element block_element(const Tree&, NodeId) const;
+    Element block_element(const Tree&, NodeId);
 
     // ---- compute.cpp: the fast way for numbers
     struct Compiler;  ///< compile.cpp
@@ -245,6 +245,24 @@ struct Evaluator::State {
     Flow walk_one(const Tree&, NodeId, const Sink& take);
     static bool is_directive(const Tree&, NodeId);
     Flow directive(const Tree&, NodeId, const Sink& take);
+    // ---- spending.cpp: work that no loop shows
+    /// Counts work, in the unit of the limit; reports, and stops, when it is too much.
+    bool spend(std::uint64_t amount, Span place) {
+        work += amount;
+        return work <= limits.work || overspent(place);
+    }
+    bool overspent(Span);
+    /// Counts a file that is included or opened; false when it is one too many.
+    bool count_file(Span);
+    /// Counts what is said; false when it is too much.
+    bool count_said(std::size_t bytes, Span);
+    /// Whether a string may be so long; reports, and stops, when not. Counts the work of making it.
+    bool may_be_long(std::size_t bytes, Span);
+    /// The same for a function.
+    bool may_be_costly(const Formula&, Span);
+    /// Whether an object may have so many parts.
+    bool may_have_parts(const Object&, Span);
+    void exceeded(Span, std::string message, std::string help);
     /// Counts one more step; reports when it is one too many.
     bool too_many_steps(const Tree&, NodeId);
     /// The open loop that has run the most passes, and the innermost of several; null: none.
@@ -340,7 +358,8 @@ struct Evaluator::State {
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;                ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
-    std::uint64_t written_bytes = 0;
+    std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
+    std::uint64_t work = 0;
     double version = 3.7;
     bool version_given = false;
     bool told_of_semicolons = false;  ///< what a missing one means

@@ -44,10 +44,11 @@ bool Evaluator::State::append_text(const Tree& tree, NodeId id, std::string& tex
     }
     if (const auto* literal = tree.get_if<node::Text>(id)) {
         text += tree.texts[literal->text];
-        return true;
+        return may_be_long(text.size(), tree.span(id));
     }
     const Value value = evaluate(tree, id);
     if (value.text()) {
+        if (!may_be_long(text.size() + value.text()->size(), tree.span(id))) return false;
         text += *value.text();
     } else if (!value.broken()) {
         report(error(Fault::wrong_type, tree.span(id),
@@ -84,6 +85,8 @@ bool Evaluator::State::append_number(const Tree& tree, NodeId first, std::string
         value = found.value_or(0);
         id = tree[id].next;
     }
+    const std::size_t before = text.size();
     if (good) append_formatted(text, values[0], values[1], values[2]);
-    return good;
+    constexpr std::uint64_t formatting = 30;
+    return good && spend(formatting + text.size() - before, tree.span(first));
 }

@@ -145,6 +145,8 @@ Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, 
 
 Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node::Function& node,
                                                    NodeId id) {
+    constexpr std::uint64_t compiling = 1'000;
+    if (!spend(compiling, tree.span(id))) return nullptr;
     FunctionCompiler compiler(*this);
     if (node.parameters != no_node && !stands_for_picture(tree, node)) {
         const auto given = parameters(tree, node, id);
@@ -163,6 +165,7 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
         return nullptr;
     }
     Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
+    if (!may_be_costly(*made, tree.span(id))) return nullptr;
     if (made->depth() <= Formula::most_depth) return made;
     report(error(Fault::recursion_limit, tree.span(id),
                  message("functions call each other more than ", Formula::most_depth,
@@ -209,7 +212,11 @@ Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, 
         return Absence::broken;
     Numbers result;
     result.count = static_cast<int>(formula->results());
-    if (formula->run(values.data(), result.at.data())) return result;
+    std::uint32_t passes = 0;
+    const bool good_call = formula->run(values.data(), result.at.data(), passes);
+    constexpr std::uint64_t each_pass = 10;
+    if (!spend(formula->cost() + each_pass * passes, span)) return Absence::broken;
+    if (good_call) return result;
     return broken(
         Fault::loop_limit, span,
         message("`", names.spelling(name), "` gives no value here: a sum in it does not end"));

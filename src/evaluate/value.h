@@ -137,6 +137,8 @@ public:
     /// The array for writing: no other value sees the change, so one that is shared is copied
     /// first. Precondition: array().
     ArrayData& edit_array();
+    /// Whether no other value has the same array. Precondition: array().
+    bool alone() const { return shared_.alone(); }
     const MacroData* macro() const { return kind_ == macro_kind ? macro_ : nullptr; }
     const Formula* formula() const { return shared<Formula>(); }
     /// Where what is shared lies, to tell whether it is still the same; null for what is not

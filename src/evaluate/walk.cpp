@@ -29,6 +29,7 @@ bool Evaluator::State::is_directive(const Tree& tree, NodeId id) {
 Flow Evaluator::State::walk(const Tree& tree, NodeId first, const Sink& take) {
     for (NodeId id = first; id != no_node;) {
         if (stopped_) return Flow::stopped;
+        work += 10;  // what is spent is looked at once in a while
         const Node& node = tree[id];
         const std::size_t kind_here = node.content.index();
         if (kind_here == kind<node::Declare>) {

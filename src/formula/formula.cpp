@@ -6,7 +6,8 @@
 
 namespace {
 
-bool run_with(const Program& program, const double* arguments, double* results, double* registers) {
+bool run_with(const Program& program, const double* arguments, double* results, double* registers,
+              std::uint32_t& passes) {
     // Of surfaces and patterns, which ask most: a call to copy so little takes as long as the copy.
     if (program.inputs == 3) {
         registers[0] = arguments[0];
@@ -16,20 +17,21 @@ bool run_with(const Program& program, const double* arguments, double* results, 
         std::copy_n(arguments, program.inputs, registers);
     }
     program.prepare(registers);
-    if (!execute(program, registers)) return false;
+    if (!execute(program, registers, passes)) return false;
     for (std::size_t i = 0; i < program.results; ++i) results[i] = registers[program.result[i]];
     return true;
 }
 
-bool run_program(const void* code, const double* arguments, double* results) {
+bool run_program(const void* code, const double* arguments, double* results,
+                 std::uint32_t& passes) {
     const Program& program = *static_cast<const Program*>(code);
     constexpr std::size_t usual = 64;
     if (program.registers > usual) {
         std::vector<double> registers(program.registers);
-        return run_with(program, arguments, results, registers.data());
+        return run_with(program, arguments, results, registers.data(), passes);
     }
     std::array<double, usual> registers;
-    return run_with(program, arguments, results, registers.data());
+    return run_with(program, arguments, results, registers.data(), passes);
 }
 
 }  // namespace
@@ -37,6 +39,7 @@ bool run_program(const void* code, const double* arguments, double* results) {
 Formula::Formula(Program program)
     : parameters_(program.inputs), results_(program.results), run_(run_program) {
     written_ = true;
+    cost_ = ::cost(program);
     for (const auto& called : program.calls) {
         depth_ = std::max(depth_, called->depth() + 1);
         written_ = written_ && called->written();

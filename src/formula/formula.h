@@ -23,7 +23,8 @@ public:
         : parameters_(parameters),
           results_(results),
           code_(std::make_shared<const Code>(std::move(code))),
-          run_([](const void* code, const double* arguments, double* results) -> bool {
+          run_([](const void* code, const double* arguments, double* results,
+                  std::uint32_t&) -> bool {
               return (*static_cast<const Code*>(code))(arguments, results);
           }) {}
 
@@ -32,6 +33,9 @@ public:
     std::size_t results() const { return results_; }
     /// How many calls of formulas can be inside each other in it, itself included.
     int depth() const { return depth_; }
+    /// How many steps a call takes when no loop in it repeats: an upper bound but for code of C++,
+    /// which counts as few.
+    std::uint64_t cost() const { return cost_; }
 
     /// Of a function that stands for a picture; otherwise 0.
     int columns() const { return columns_; }
@@ -43,7 +47,12 @@ public:
     }
 
     bool run(const double* arguments, double* results) const {
-        return run_(code_.get(), arguments, results);
+        std::uint32_t passes = 0;
+        return run_(code_.get(), arguments, results, passes);
+    }
+    /// The same; passes of loops are added up.
+    bool run(const double* arguments, double* results, std::uint32_t& passes) const {
+        return run_(code_.get(), arguments, results, passes);
     }
 
     /// Whether it is a program, and so is all that it calls.
@@ -58,8 +67,9 @@ private:
     std::size_t parameters_;
     std::size_t results_;
     int depth_ = 1;
+    std::uint64_t cost_ = 10;
     bool written_ = false;
     int columns_ = 0, rows_ = 0;
     std::shared_ptr<const void> code_;  ///< a Program, or what a constructor was given
-    bool (*run_)(const void* code, const double* arguments, double* results);
+    bool (*run_)(const void* code, const double* arguments, double* results, std::uint32_t& passes);
 };

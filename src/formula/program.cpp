@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Passes of all loops of one execution. Nobody waits for more, and a loop may have no end:
-/// sum(i, 1, 1e300, i).
+/// Passes of all loops of one execution, also in what it calls. Nobody waits for more, and a loop
+/// may have no end: sum(i, 1, 1e300, i).
 constexpr std::uint32_t most_passes = 100'000'000;
 
 }  // namespace
@@ -18,10 +18,9 @@ void Program::prepare(double* registers) const {
     std::copy(constants.begin(), constants.end(), registers + inputs);
 }
 
-bool execute(const Program& program, double* r) {
+bool execute(const Program& program, double* r, std::uint32_t& passes) {
     const Instruction* const code = program.code.data();
     const Instruction* at = code;
-    std::uint32_t passes = 0;
     using enum Operation;
     // One line for each operation.
     // clang-format off
@@ -67,9 +66,19 @@ bool execute(const Program& program, double* r) {
                 if (++passes > most_passes) return false;
                 at = code + i.to;
                 break;
-            case call: if (!program.calls[i.a]->run(r + i.b, r + i.to)) return false; break;
+            case call:
+                if (!program.calls[i.a]->run(r + i.b, r + i.to, passes)) return false;
+                break;
             case end: return true;
         }
     }
     // clang-format on
+}
+
+std::uint64_t cost(const Program& program) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 62;
+    std::uint64_t sum = program.code.size();
+    for (const Instruction& i : program.code)
+        if (i.operation == Operation::call) sum = std::min(most, sum + program.calls[i.a]->cost());
+    return sum;
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 class Formula;
@@ -35,5 +36,14 @@ struct Program {
 };
 
 /// Inputs and constants must be in their registers. False when the program gave up: an operation
-/// refused its operands, or a loop did not end.
-bool execute(const Program&, double* registers);
+/// refused its operands, or a loop did not end. `passes`: of loops, its own and those of what it
+/// calls, are added to it; there may be 100 million in all.
+bool execute(const Program&, double* registers, std::uint32_t& passes);
+inline bool execute(const Program& program, double* registers) {
+    std::uint32_t passes = 0;
+    return execute(program, registers, passes);
+}
+
+/// How many instructions an execution takes when no loop repeats, with all that is called; what is
+/// beyond 2^62 counts as that.
+std::uint64_t cost(const Program&);

@@ -2,39 +2,13 @@
 #include "text/door.h"
 
 #include "text/message.h"
+#include "text/written_name.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The absolute path without links and `..`, or nothing if that cannot be told.
-std::optional<fs::path> resolved(const std::string& path) {
-    if (path.find('\0') != std::string::npos) return {};
-    std::error_code failed;
-    fs::path real = fs::weakly_canonical(fs::absolute(path.empty() ? "." : path, failed), failed);
-    if (failed) return {};
-    // "folder/" ends in an empty part.
-    if (!real.has_filename()) real = real.parent_path();
-    return real;
-}
-
-/// The part of the path below the folder, or nothing if it lies elsewhere.
-std::optional<fs::path> below(const std::string& folder, const fs::path& path) {
-    const fs::path root = folder;
-    const auto [mismatch, rest] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
-    if (mismatch != root.end()) return {};
-    fs::path part;
-    for (auto each = rest; each != path.end(); ++each) part /= *each;
-    return part;
-}
-
-bool has_hidden_part(const fs::path& path) {
-    return std::any_of(path.begin(), path.end(),
-                       [](const fs::path& part) { return part.string().starts_with('.'); });
-}
 
 std::string folder_of(const std::string& path) {
     const std::string folder = fs::path(path).parent_path().string();
@@ -46,28 +20,65 @@ std::string folder_of(const std::string& path) {
 Door::Door(const std::vector<std::string>& readable, std::vector<std::string> writable)
     : write_folder_(writable.empty() ? std::string() : writable.front()), locked_(true) {
     for (const std::string& folder : writable)
-        if (const auto path = resolved(folder)) writable_.push_back(path->string());
-    readable_ = writable_;
+        writable_.push_back(path_without_links(folder).value_or("").string());
     for (const std::string& folder : readable)
-        if (const auto path = resolved(folder)) readable_.push_back(path->string());
+        if (const auto path = path_without_links(folder)) readable_.push_back(path->string());
+    for (const std::string& folder : writable_)
+        if (!folder.empty()) readable_.push_back(folder);
 }
 
-bool Door::may_read(const std::string& path) const {
-    if (!locked_) return true;
-    const auto real = resolved(path);
-    return real && std::any_of(readable_.begin(), readable_.end(), [&](const std::string& folder) {
-               return below(folder, *real).has_value();
-           });
+std::optional<std::string> Door::admitted(const std::string& path) const {
+    if (!locked_) return path;
+    const auto real = path_without_links(path);
+    const bool allowed = real && std::ranges::any_of(readable_, [&](const std::string& folder) {
+                             return part_below(folder, *real).has_value();
+                         });
+    return allowed ? std::optional(real->string()) : std::nullopt;
+}
+
+std::optional<std::string> Door::place(const std::string& path) const {
+    if (locked_) return admitted(path);
+    const auto real = path_without_links(path);
+    return real ? std::optional(real->string()) : std::nullopt;
+}
+
+bool Door::is_odd(const std::string& path) const {
+    if (!locked_) return false;
+    const auto real = admitted(path);
+    std::error_code none;
+    return real && fs::is_other(*real, none);
+}
+
+std::optional<std::size_t> Door::writable_folder(const std::string& real) const {
+    for (std::size_t i = 0; i < writable_.size(); ++i) {
+        if (writable_[i].empty()) continue;
+        if (const auto part = part_below(writable_[i], real); part && !part->empty()) return i;
+    }
+    return std::nullopt;
 }
 
 std::optional<std::string> Door::destination(const std::string& name) const {
     if (name.empty() || name.ends_with('/')) return {};
-    const auto real = resolved((fs::path(write_folder_) / name).string());
-    if (!real) return {};
-    for (const std::string& folder : writable_)
-        if (const auto part = below(folder, *real); part && !part->empty())
-            return has_hidden_part(*part) ? std::nullopt : std::optional(real->string());
-    return {};
+    const auto real = path_without_links((fs::path(write_folder_) / name).string());
+    const auto folder = real ? writable_folder(real->string()) : std::nullopt;
+    if (!folder || !forbidden_name(*part_below(writable_[*folder], *real)).empty()) return {};
+    return real->string();
+}
+
+bool Door::overwrites(const std::string& destination) const {
+    if (names_source(destination)) return false;
+    for (std::size_t i = 1; i < writable_.size(); ++i)
+        if (!writable_[i].empty() && part_below(writable_[i], destination)) return true;
+    return false;
+}
+
+std::string Door::rule_of_file(const std::string& destination) const {
+    if (made_->may_write(destination, overwrites(destination))) return {};
+    return "a scene creates files, and overwrites only those that it has made itself";
+}
+
+OpenedFile Door::open(const std::string& destination, bool append) const {
+    return made_->open(destination, append, overwrites(destination));
 }
 
 std::string Door::reading_rule() const {
@@ -75,8 +86,13 @@ std::string Door::reading_rule() const {
            "picture and the folders of +L";
 }
 
-std::string Door::writing_rule() const {
+std::string Door::writing_rule(const std::string& name) const {
     if (writable_.empty()) return "this run writes no files";
+    if (const auto real = path_without_links((fs::path(write_folder_) / name).string()))
+        if (const auto folder = writable_folder(real->string()))
+            if (std::string rule = forbidden_name(*part_below(writable_[*folder], *real));
+                !rule.empty())
+                return rule;
     const bool here = write_folder_.empty() || write_folder_ == ".";
     return message("a scene writes files only below the folder of its picture, ",
                    here ? "the current directory" : message("`", write_folder_, "`"),
@@ -87,6 +103,10 @@ std::string Door::reading_help(const std::string& path) {
     return message("`--allow-read ", folder_of(path), "` allows it");
 }
 
-std::string Door::writing_help(const std::string& path) {
-    return message("`--allow-write ", folder_of(path), "` allows it");
+std::string Door::writing_help(const std::string& name) const {
+    if (!forbidden_name(fs::path(name).filename()).empty()) return {};
+    const auto there = destination(name);
+    if (there && names_source(*there)) return "remove that file before, or choose another name";
+    return message("`--allow-write ", folder_of(name), "` allows it",
+                   there ? ", and to overwrite what others have made" : "");
 }

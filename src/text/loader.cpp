@@ -3,6 +3,7 @@
 
 #include "text/ascii.h"
 #include "text/message.h"
+#include "text/opened_file.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -11,6 +12,8 @@
 #include <limits>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
 
 namespace {
 
@@ -65,7 +68,23 @@ void add_once(std::vector<std::string>& list, std::string entry) {
 
 }  // namespace
 
-Reader disk_reader() { return read_from_disk; }
+Reader disk_reader() {
+    return {read_from_disk, [](const std::string& path) { return is_regular_file(path); }};
+}
+
+Reader scene_reader(const Door& door) {
+    const auto read = [door](const std::string& path) -> std::optional<std::string> {
+        const auto real = path.empty() ? std::nullopt : door.place(path);
+        // What is not a regular file is not opened; what becomes another one is not read.
+        if (!real || !is_regular_file(*real)) return {};
+        return content_of(open_without_links(*real, O_RDONLY), longest_text);
+    };
+    const auto holds = [door](const std::string& path) {
+        const auto real = path.empty() ? std::nullopt : door.place(path);
+        return real && is_regular_file(*real);
+    };
+    return {read, holds};
+}
 
 std::string directory_of(const std::string& path) {
     const std::size_t slash = path.find_last_of('/');
@@ -138,14 +157,39 @@ std::string Loader::searched_note(const std::string& name,
 std::optional<std::string> Loader::closed_path(const std::string& name,
                                                const std::string& including_directory,
                                                FileKind kind) const {
-    for (const std::string& path : searched(name, including_directory, kind))
-        if (!door_.may_read(path) && reader_(path)) return path;
+    for (const std::string& folder : places(name, including_directory)) {
+        // Where a scene reads nothing it is not looked for.
+        if (!is_absolute(name) && !door_.may_read(folder)) continue;
+        for (const std::string& candidate : candidates(name, kind))
+            if (std::string path = inside(folder, candidate); !door_.may_read(path)) return path;
+    }
     return {};
+}
+
+std::optional<std::string> Loader::odd_path(const std::string& name,
+                                            const std::string& including_directory,
+                                            FileKind kind) const {
+    for (const std::string& path : searched(name, including_directory, kind))
+        if (door_.is_odd(path)) return path;
+    return {};
+}
+
+std::vector<std::string> Loader::listed(const std::string& folder) const {
+    return door_.may_read(folder) ? lister_(folder) : std::vector<std::string>();
+}
+
+bool Loader::finds(const std::string& name, const std::string& including_directory,
+                   FileKind kind) const {
+    return std::ranges::any_of(
+        searched(name, including_directory, kind), [&](const std::string& path) {
+            return keeps(path) || (door_.may_read(path) && reader_.holds(path));
+        });
 }
 
 bool Loader::refused(const std::string& name, const std::string& including_directory,
                      FileKind kind) const {
-    return closed_path(name, including_directory, kind).has_value();
+    return !finds(name, including_directory, kind) &&
+           closed_path(name, including_directory, kind).has_value();
 }
 
 Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
@@ -154,6 +198,9 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
         return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
             .with_note(door_.reading_rule())
             .with_help(Door::reading_help(*path));
+    if (const auto path = odd_path(name, including_directory, kind))
+        return error(Fault::file_access, span, message("a scene may not read `", *path, "`"))
+            .with_note("it is a pipe or a device, and a scene reads regular files only");
     Diagnostic result =
         error(Fault::include_not_found, span, message("there is no file `", name, "`"));
     result.with_note(searched_note(name, including_directory));
@@ -166,7 +213,8 @@ Diagnostic Loader::problem(const std::string& name, Span span, FileKind kind,
     std::vector<std::string> folders;
     for (const std::string& folder : places(name, including_directory))
         if (door_.may_read(folder)) folders.push_back(folder);
-    if (const std::string near = similar_file(name, folders, lister_); !near.empty())
+    const auto lister = [this](const std::string& folder) { return listed(folder); };
+    if (const std::string near = similar_file(name, folders, lister); !near.empty())
         result.with_help(message("did you mean `", near, "`?"));
     return result;
 }
@@ -196,7 +244,9 @@ std::string Loader::library_file_declaring(std::string_view name) const {
         std::ranges::sort(files);
         for (const std::string& file : files) {
             if (!file.ends_with(".inc")) continue;
-            const std::optional<std::string> text = reader_(folder + "/" + file);
+            const std::string path = inside(folder, file);
+            if (!door_.may_read(path)) continue;
+            const std::optional<std::string> text = reader_(path);
             if (text && declares(*text, name)) return file;
         }
     }

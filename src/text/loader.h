@@ -5,7 +5,7 @@
 // argument, so that tests need no disk. A relative name is looked for in the folder of the
 // including file, the folder of the scene, the current directory, and the library paths in order;
 // a file that the scene itself has written comes first. What the door does not let through is not
-// read.
+// opened, and whether there is such a file is asked without reading it.
 
 #include "text/diagnostic.h"
 #include "text/door.h"
@@ -17,13 +17,42 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-/// The text behind a path, or nothing if there is none that can be read.
-using Reader = std::function<std::optional<std::string>(const std::string& path)>;
+/// How texts come from paths: the text, or nothing if there is none that can be read; and whether
+/// there is one, without reading it.
+class Reader {
+public:
+    using Read = std::function<std::optional<std::string>(const std::string& path)>;
+    using Holds = std::function<bool(const std::string& path)>;
 
-/// Reads regular files and pipes; folders, devices and whatever cannot be read give nothing.
+    Reader() = default;
+    /// For texts in memory, which cost nothing: there is what can be read.
+    template <class F>
+    requires(std::is_invocable_r_v<std::optional<std::string>, const F&, const std::string&> &&
+             !std::is_same_v<F, Reader>) Reader(F read)
+        : read_(read), holds_([read](const std::string& path) {
+              return std::optional<std::string>(read(path)).has_value();
+          }) {}
+    Reader(Read read, Holds holds) : read_(std::move(read)), holds_(std::move(holds)) {}
+
+    explicit operator bool() const { return bool(read_); }
+    std::optional<std::string> operator()(const std::string& path) const { return read_(path); }
+    bool holds(const std::string& path) const { return holds_(path); }
+
+private:
+    Read read_;
+    Holds holds_;
+};
+
+/// For files that the user names: regular ones and pipes; folders, devices and whatever cannot be
+/// read give nothing.
 Reader disk_reader();
+
+/// For files that a scene names: regular ones that the door lets through, judged and opened in one.
+Reader scene_reader(const Door&);
 
 /// The folder part of a path: "." for a bare name, "/" for what is in the root.
 std::string directory_of(const std::string& path);
@@ -48,6 +77,10 @@ public:
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
                               FileKind kind = FileKind::include) const;
 
+    /// Whether load() would find one. Reads nothing.
+    bool finds(const std::string& name, const std::string& including_directory = {},
+               FileKind kind = FileKind::include) const;
+
     /// Every path that load() tries, in order, each once.
     std::vector<std::string> searched(const std::string& name,
                                       const std::string& including_directory = {},
@@ -58,7 +91,8 @@ public:
     Diagnostic problem(const std::string& name, Span, FileKind kind = FileKind::include,
                        const std::string& including_directory = {}) const;
 
-    /// Whether there is such a file, but the scene may not read it.
+    /// Whether it is looked for where the scene may not read, and not found elsewhere. What is
+    /// there is not looked at.
     bool refused(const std::string& name, const std::string& including_directory = {},
                  FileKind kind = FileKind::include) const;
 
@@ -74,13 +108,24 @@ public:
     /// From now on what the scene writes goes to no disk: this run is to change nothing.
     void keep_off_disk() { off_disk_ = true; }
     bool keeps_off_disk() const { return off_disk_; }
+    /// Whether the scene has written to this destination, and the text is not on the disk.
+    bool keeps(const std::string& destination) const {
+        const auto own = written_.find(destination);
+        return own != written_.end() && own->second;
+    }
 
 private:
+    /// The first pipe or device among the paths that may be read.
+    std::optional<std::string> odd_path(const std::string& name,
+                                        const std::string& including_directory,
+                                        FileKind kind) const;
+    /// Lists what the door lets through, so that messages tell of no other names.
+    std::vector<std::string> listed(const std::string& folder) const;
     std::vector<std::string> places(const std::string& name,
                                     const std::string& including_directory) const;
     std::string searched_note(const std::string& name,
                               const std::string& including_directory) const;
-    /// The first path that the door does not let through though there is a file.
+    /// The first path that leads out of what the door lets through.
     std::optional<std::string> closed_path(const std::string& name,
                                            const std::string& including_directory,
                                            FileKind kind) const;

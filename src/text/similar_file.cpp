@@ -87,7 +87,9 @@ Likeness follow(const std::string& folder, std::string wanted, const Lister& lis
         wanted.erase(0, slash + 1);
         if (part.empty() || part == ".") continue;
         if (part != "..") {
-            Likeness found = most_like(part, entries(joined(folder, path), true, list));
+            const std::vector<std::string> folders = entries(joined(folder, path), true, list);
+            // What is not listed may still lead to what is.
+            Likeness found = folders.empty() ? Likeness{0, part} : most_like(part, folders);
             worst = std::max(worst, found.rank);
             part = std::move(found.name);
             if (part.empty()) return {};

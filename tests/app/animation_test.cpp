@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 namespace {
 
 /// "1:0 2:0.5 3:1"
@@ -71,4 +73,14 @@ TEST_CASE("numbers in file names are padded", "[app]") {
     CHECK(numbered("out.png", 7, 2) == "out07.png");
     CHECK(numbered("a.b/out.x.png", 120, 3) == "a.b/out.x120.png");
     CHECK(numbered("out", -3, 2) == "out-03");
+}
+
+TEST_CASE("steps that lead beyond all numbers end", "[app]") {
+    AnimationSettings settings;
+    settings.final_frame = 3;
+    settings.frame_step = 1'000'000'000;
+    CHECK(frames(settings) == "1:0");
+    settings.frame_step = std::numeric_limits<int>::max();
+    settings.initial_frame = settings.final_frame = 999'999'999;
+    CHECK(frames(settings) == "999999999:0");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/library.h"
 
+#include "support/folder.h"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -42,4 +44,14 @@ TEST_CASE("the settings of everybody come from the file that a variable names", 
     CHECK(settings_file("mine.ini", nullptr) == "mine.ini");
     CHECK_FALSE(settings_file("", nullptr));
     CHECK_FALSE(settings_file(nullptr, "/no/such/home"));
+    // What lies in the current folder may have come with a scene.
+    const fs::path before = fs::current_path();
+    const Folder folder;
+    folder.put("candelabra.ini", "Library_Path=/");
+    folder.put("home/.config/candelabra/candelabra.ini", "");
+    fs::current_path(folder.path());
+    CHECK_FALSE(settings_file(nullptr, "/no/such/home"));
+    CHECK(settings_file(nullptr, (folder / "home").c_str()) ==
+          folder / "home/.config/candelabra/candelabra.ini");
+    fs::current_path(before);
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_store.h"
 
+#include "app/option_table.h"
+#include "app/read_words.h"
+
 #include <catch2/catch.hpp>
+
+#include <limits>
 
 TEST_CASE("a number is all of a text or nothing") {
     struct Case {
@@ -32,31 +37,6 @@ TEST_CASE("letters are compared without their case, other bytes as they are") {
     CHECK_FALSE(same_letters("[", "{"));
 }
 
-TEST_CASE("limits are raised with the stack that they need") {
-    Options options;
-    Diagnostics diagnostics;
-    const std::size_t usual = options.limits.stack_bytes;
-    store::limit_nesting(options, {"--limit-nesting", true, "20000"}, diagnostics);
-    CHECK(options.limits.nesting == 20'000);
-    store::limit_nesting(options, {"--limit-nesting", true, "1e6"}, diagnostics);
-    CHECK(options.limits.nesting == 1'000'000);
-    CHECK(options.limits.stack_bytes > usual);
-    store::limit_depth(options, {"--limit-depth", true, "1e7"}, diagnostics);
-    CHECK(options.limits.call_depth == 10'000'000);
-    CHECK(options.limits.stack_bytes > 10 * usual);
-    store::limit_includes(options, {"--limit-includes", true, "1000"}, diagnostics);
-    CHECK(options.limits.include_depth == 1000);
-    store::limit_objects(options, {"--limit-objects", true, "1e8"}, diagnostics);
-    CHECK(options.limits.objects == 100'000'000);
-    store::limit_elements(options, {"--limit-elements", true, "5"}, diagnostics);
-    CHECK(options.limits.array_elements == 5);
-    store::limit_elements(options, {"--limit-elements", true, "1e12"}, diagnostics);
-    CHECK(options.limits.array_elements == 2'000'000'000);
-    store::limit_steps(options, {"--limit-steps", true, "0"}, diagnostics);
-    CHECK(options.limits.steps == Limits().steps);
-    CHECK(diagnostics.error_count() == 1);
-}
-
 TEST_CASE("a setting outside its range is refused and not stored") {
     Options options;
     Diagnostics diagnostics;
@@ -81,4 +61,32 @@ TEST_CASE("what an INI file says behind the point of a whole number is told of")
     CHECK(diagnostics.all().size() == 1);
     store::field("width", options, {"+W160.7", true, "160.7"}, diagnostics);
     CHECK(diagnostics.error_count() == 1);
+}
+
+TEST_CASE("settings of whole numbers have both bounds", "[app]") {
+    for (const ItemInfo* item : {&RenderSettings::vocabulary, &AnimationSettings::vocabulary})
+        for (const FieldInfo& field : item->fields) {
+            if (field.type != FieldType::integer) continue;
+            INFO(field.name);
+            CHECK(field.range.low >= std::numeric_limits<int>::min());
+            CHECK(field.range.high <= std::numeric_limits<int>::max());
+        }
+    // In a file numbers are cut off before they are judged.
+    for (const OptionRow& row : option_table()) {
+        if (row.field.empty() || row.keyword.empty()) continue;
+        if (find_setting(row.field).info().type != FieldType::integer) continue;
+        for (const char* value : {"1e300", "-1e300", "2147483648", "-2147483649", "1e10", "inf"}) {
+            const std::string option = std::string(row.keyword) + "=" + value;
+            INFO(option);
+            Diagnostics on_line, in_file;
+            read_options(std::vector<std::string_view>{option}, on_line);
+            CHECK(on_line.failed());
+            const Reader file = [&](const std::string&) { return std::optional(option); };
+            read_options(std::vector<std::string_view>{"a.ini"}, in_file, file);
+            CHECK(in_file.failed());
+        }
+    }
+    read({"+STP2147483648"}, false);
+    read({"Frame_Step=1e300"}, false);
+    CHECK(read({"+STP1000000000"}).animation.frame_step == 1'000'000'000);
 }

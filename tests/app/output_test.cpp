@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/output.h"
 
+#include "support/folder.h"
+
 #include <catch2/catch.hpp>
 
 namespace {
@@ -94,4 +96,19 @@ TEST_CASE("alpha, grey and layers are for files that can have them") {
     CHECK(complaint("a.exr", false, true, false) == "a file of format exr is not written in grey");
     for (const char* name : {"a.exr", "a.png"}) CHECK(complaint(name, false, false, true) == "");
     CHECK(complaint("-", false, false, true) == "layers need a file");
+}
+
+TEST_CASE("a name that a stranger has chosen leads nowhere else", "[app]") {
+    const Folder folder;
+    folder.put("a.pov", "");
+    folder.put("victim.png", "");
+    std::filesystem::create_symlink("victim.png", folder / "a.png");
+    Options options;
+    options.scene = folder / "a.pov";
+    CHECK(problem_with_output(options, folder / "a.png") == "");
+    CHECK(problem_with_output(options, folder / "b.png") == "");
+    CHECK(problem_with_output(options, folder / "a.pov").ends_with("is the scene itself"));
+    options.strange_names = true;
+    CHECK(problem_with_output(options, folder / "a.png").find("is a link") != std::string::npos);
+    CHECK(problem_with_output(options, folder / "victim.png") == "");
 }

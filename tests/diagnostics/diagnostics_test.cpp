@@ -53,6 +53,7 @@ Said said_about(const fs::path& scene) {
     options.limits.steps = 20'000;
     options.limits.call_depth = 10'000;
     options.limits.objects = 25'000;
+    options.limits.text_bytes = 1000;
     evaluate(sources, loader, sources.add(scene.filename().string(), read(scene)), options,
              diagnostics);
     Said said;

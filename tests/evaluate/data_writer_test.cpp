@@ -2,10 +2,20 @@
 #include "evaluate/data_writer.h"
 
 #include "support/folder.h"
+#include "text/made_files.h"
 
 #include <catch2/catch.hpp>
 
 #include <limits>
+
+namespace {
+
+/// A name in a folder, with no link before it.
+std::string real(const Folder& folder, const std::string& name) {
+    return (std::filesystem::canonical(folder.path()) / name).string();
+}
+
+}  // namespace
 
 TEST_CASE("values are written as text with six digits", "[files]") {
     const Folder folder;
@@ -25,7 +35,7 @@ TEST_CASE("values are written as text with six digits", "[files]") {
         {Numbers{{1, 0.5, 0, 0, 0}, 5}, "<1,0.5,0,0,0> "},
     };
     for (const Case& c : cases) {
-        DataWriter writer(folder / "o.txt", false);
+        DataWriter writer(MadeFiles("").open(real(folder, "o.txt"), false, true));
         writer.write(c.value);
         CHECK(writer.bytes() == std::string(c.text).size());
         CHECK(writer.close());
@@ -65,7 +75,7 @@ TEST_CASE("binary numbers are rounded and limited", "[files]") {
     };
     for (const Case& c : cases) {
         INFO(c.form << ' ' << c.value);
-        DataWriter writer(folder / "o.bin", false);
+        DataWriter writer(MadeFiles("").open(real(folder, "o.bin"), false, true));
         writer.write(Numbers::scalar(c.value), *binary_form(c.form));
         CHECK(writer.close());
         CHECK(folder.get("o.bin") == c.bytes);
@@ -77,7 +87,7 @@ TEST_CASE("binary numbers are rounded and limited", "[files]") {
 TEST_CASE("a file is begun anew or continued", "[files]") {
     const Folder folder;
     for (const bool append : {false, true, true, false}) {
-        DataWriter writer(folder / "o.txt", append);
+        DataWriter writer(MadeFiles("").open(real(folder, "o.txt"), append, true));
         writer.write(Value(std::string("x")));
         CHECK(writer.close());
         if (append) CHECK(folder.get("o.txt").size() > 1);
@@ -88,9 +98,10 @@ TEST_CASE("a file is begun anew or continued", "[files]") {
 TEST_CASE("what is no plain file is not written", "[files]") {
     const Folder folder;
     std::filesystem::create_symlink(folder / "target", folder / "link");
-    CHECK_FALSE(DataWriter(folder / "link", false).good());
-    CHECK_FALSE(DataWriter(folder / "none/o.txt", false).good());
-    CHECK_FALSE(DataWriter(folder.path(), false).good());
-    CHECK_FALSE(DataWriter("/dev/null", false).good());
+    MadeFiles made("");
+    for (const std::string& path : {real(folder, "link"), real(folder, "none/o.txt"),
+                                    real(folder, ""), std::string("/dev/null")})
+        CHECK_FALSE(DataWriter(made.open(path, false, true)).good());
+    CHECK_FALSE(DataWriter(OpenedFile()).good());
     CHECK_FALSE(std::filesystem::exists(folder / "target"));
 }

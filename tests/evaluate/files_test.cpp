@@ -18,13 +18,20 @@ struct SaidWithFiles {
     std::string messages;  ///< a line each, with the help
 };
 
+/// The folder of a scene that runs several times, and knows what it has made.
+struct SceneFolder : Folder {
+    std::shared_ptr<MadeFiles> made = std::make_shared<MadeFiles>(std::string());
+};
+
 /// A script whose files are in the folder.
-SaidWithFiles said(const Folder& folder, const std::string& script, const Limits& limits = {},
+SaidWithFiles said(const SceneFolder& folder, const std::string& script, const Limits& limits = {},
                    bool off_disk = false) {
     const std::string here = folder.path().string();
     SourceStore sources;
     Diagnostics diagnostics;
-    Loader loader(disk_reader(), here, {}, Door({here}, {here}));
+    Door door({here}, {here});
+    door.knows(folder.made);
+    Loader loader(scene_reader(door), here, {}, door);
     if (off_disk) loader.keep_off_disk();
     SaidWithFiles result;
     EvaluateOptions options;
@@ -42,7 +49,7 @@ SaidWithFiles said(const Folder& folder, const std::string& script, const Limits
 }  // namespace
 
 TEST_CASE("what is written can be read and included", "[files]") {
-    const Folder folder;
+    const SceneFolder folder;
     const SaidWithFiles result = said(folder, R"(
         #fopen Out "numbers.txt" write #write(Out, 1, ",", <2, 3>) #fclose Out
         #fopen Out "numbers.txt" append #write(Out, ",4") #fclose Out
@@ -60,8 +67,8 @@ TEST_CASE("what is written can be read and included", "[files]") {
 }
 
 TEST_CASE("a run that changes nothing reads back what it has not written", "[files]") {
-    const Folder folder;
-    folder.put("old.txt", "7,");
+    const SceneFolder folder;
+    CHECK(said(folder, "#fopen Out \"old.txt\" write #write(Out, \"7,\")").messages == "");
     const auto off_disk = [&](const std::string& script) {
         const SaidWithFiles result = said(folder, script, {}, true);
         return result.messages + result.printed;
@@ -83,7 +90,7 @@ TEST_CASE("a run that changes nothing reads back what it has not written", "[fil
 
 TEST_CASE("reading puts values into names and elements, and closes the file at its end",
           "[files]") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.put("d.txt", "1, \"two\", 3, 4");
     CHECK(said(folder, R"(#fopen F "d.txt" read #declare A = array[2] {0, 0}
         #read(F, A[1], B, C) P(A[1]) #debug B P(C) P(defined(F))
@@ -96,7 +103,7 @@ TEST_CASE("reading puts values into names and elements, and closes the file at i
 }
 
 TEST_CASE("wrong uses of files say what is wrong", "[files]") {
-    const Folder folder;
+    const SceneFolder folder;
     folder.put("d.txt", "1, 2");
     struct Case {
         const char* script;
@@ -135,7 +142,7 @@ TEST_CASE("wrong uses of files say what is wrong", "[files]") {
 }
 
 TEST_CASE("a scene cannot write without end", "[files]") {
-    const Folder folder;
+    const SceneFolder folder;
     Limits limits;
     limits.written_bytes = 10'000;
     const SaidWithFiles result = said(
@@ -147,7 +154,7 @@ TEST_CASE("a scene cannot write without end", "[files]") {
 }
 
 TEST_CASE("what does not get to the disk is said, also of a file that is never closed", "[files]") {
-    const Folder folder;
+    const SceneFolder folder;
     // As if the disk were full after a thousand bytes.
     std::signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
@@ -163,4 +170,34 @@ TEST_CASE("what does not get to the disk is said, also of a file that is never c
     std::signal(SIGXFSZ, SIG_DFL);
     for (const std::string& each : messages) CHECK(each == lost);
     CHECK(said(folder, open).messages.empty());
+}
+
+TEST_CASE("a scene writes no settings, and over nothing that others have made", "[files]") {
+    const SceneFolder folder;
+    folder.put("notes.txt", "mine");
+    folder.put("Other.POV", "mine");
+    folder.put("lib.inc", "mine");
+    const auto write = [&](const std::string& name, const char* how, bool off_disk) {
+        return said(folder, "#fopen F \"" + name + "\" " + how + " #write(F, \"x\") #fclose F", {},
+                    off_disk)
+            .messages;
+    };
+    for (const bool off_disk : {true, false}) {
+        for (const char* how : {"write", "append"})
+            for (const std::string name :
+                 {"candelabra.ini", "CANDELABRA.INI", "new.Ini", "sub/../a.ini", "a.ini.", "a.ini ",
+                  "p.png.state.exr", "notes.txt", "Other.POV", "lib.inc", "./lib.inc"}) {
+                INFO(name << " " << how);
+                CHECK(
+                    write(name, how, off_disk).starts_with("a scene may not write `" + name + "`"));
+            }
+        CHECK(write("new.txt", "write", off_disk).empty());
+        CHECK(write("new.txt", "append", off_disk).empty());
+        CHECK(write("new.inc", "write", off_disk).empty());
+        CHECK(write("new.pov", "write", off_disk).empty());
+    }
+    CHECK(folder.get("notes.txt") + folder.get("Other.POV") + folder.get("lib.inc") ==
+          "mineminemine");
+    CHECK(folder.get("new.txt") == "xx");
+    CHECK_FALSE(std::filesystem::exists(folder / "candelabra.ini"));
 }

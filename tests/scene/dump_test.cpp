@@ -146,7 +146,7 @@ TEST_CASE("a union of one object that adds nothing is that object") {
     CHECK(body({group(Csg::together, {group(Csg::together, {object(Sphere())})})}) ==
           "sphere { 0, 1 }\n");
     Object hidden;
-    hidden.form = Union{{object(Sphere())}, {}};
+    hidden.form = Union{{object(Sphere())}, {}, {}};
     hidden.no_shadow = true;
     CHECK(body({make_handle<Object>(hidden)}) ==
           "union {\n    sphere { 0, 1 }\n    no_shadow\n}\n");

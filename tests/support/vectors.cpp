@@ -48,8 +48,8 @@ Outcome run(const std::string& script, const fs::path& folder) {
     SourceStore sources;
     Diagnostics diagnostics;
     const std::string library = CANDELABRA_SOURCE_DIR "/stdlib";
-    const Loader loader(disk_reader(), folder.string(), {library},
-                        Door({folder.string(), library}, {folder.string()}));
+    const Door door({folder.string(), library}, {folder.string()});
+    const Loader loader(scene_reader(door), folder.string(), {library}, door);
     Outcome outcome;
     EvaluateOptions options;
     options.facts.image_width = 8;

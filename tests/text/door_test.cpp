@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/stat.h>
+
 namespace fs = std::filesystem;
 
 TEST_CASE("a door without folders lets everything be read and nothing be written", "[door]") {
@@ -75,8 +77,68 @@ TEST_CASE("a hidden folder of the run's own choice can be written", "[door]") {
 }
 
 TEST_CASE("the rules name the folder of the picture", "[door]") {
-    CHECK(Door({}, {"out"}).writing_rule().find("`out`") != std::string::npos);
-    CHECK(Door({}, {""}).writing_rule().find("the current directory") != std::string::npos);
+    const std::string out = Door({}, {"out"}).writing_rule("../a.txt");
+    CHECK(out.find("`out`") != std::string::npos);
+    const Door here({}, {""});
+    CHECK(here.writing_rule("/a.txt").find("the current directory") != std::string::npos);
+    CHECK(here.writing_rule("a.ini").starts_with("INI files are never written"));
+    CHECK(Door().writing_rule("a.txt") == "this run writes no files");
     CHECK(Door::reading_help("/data/a.inc") == "`--allow-read /data` allows it");
-    CHECK(Door::writing_help("a.txt") == "`--allow-write .` allows it");
+    CHECK(here.writing_help("../a.txt") == "`--allow-write ..` allows it");
+    CHECK(here.writing_help("a.ini").empty());
+    CHECK(here.writing_help("a.txt") ==
+          "`--allow-write .` allows it, and to overwrite what others have made");
+    CHECK(here.writing_help("a.inc") == "remove that file before, or choose another name");
+}
+
+TEST_CASE("no name of a file that others believe is a destination, whatever it is written like",
+          "[door]") {
+    const Folder folder;
+    folder.put("out/candelabra.ini", "");
+    fs::create_symlink("candelabra.ini", folder / "out/notes.txt");
+    fs::create_symlink("none.ini", folder / "out/loose.txt");
+    const Door door({}, {folder / "out", folder / "more"});
+    for (const std::string& name :
+         {std::string("candelabra.ini"), std::string("CANDELABRA.INI"), std::string("new.ini"),
+          std::string("sub/../new.ini"), std::string("new.ini/."), std::string("new.ini."),
+          std::string("new.ini "), std::string("notes.txt"), std::string("loose.txt"),
+          std::string("a.png.state.exr"), folder / "more/new.ini",
+          folder / "out/../out/./candelabra.ini"}) {
+        INFO(name);
+        CHECK_FALSE(door.destination(name));
+        CHECK_FALSE(door.writing_rule(name).empty());
+    }
+}
+
+TEST_CASE("files of others are overwritten only where the run permits it", "[door]") {
+    const Folder folder;
+    folder.put("out/old.txt", "");
+    folder.put("more/old.txt", "");
+    folder.put("more/old.inc", "");
+    const Door door({}, {folder / "out", folder / "more"});
+    const auto opens = [&](const std::string& name) {
+        const auto place = door.destination(name);
+        REQUIRE(place);
+        CHECK(door.rule_of_file(*place).empty() == bool(door.open(*place, true)));
+        return bool(door.open(*place, false));
+    };
+    CHECK(opens("new.txt"));
+    CHECK(opens("new.txt"));
+    CHECK_FALSE(opens("old.txt"));
+    CHECK(opens(folder / "more/old.txt"));
+    CHECK_FALSE(opens(folder / "more/old.inc"));
+    CHECK(opens(folder / "more/new.inc"));
+    CHECK(opens(folder / "more/new.inc"));
+}
+
+TEST_CASE("pipes and devices are odd", "[door]") {
+    const Folder folder;
+    folder.put("a.txt", "");
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    const Door door({folder / "."}, {});
+    CHECK(door.is_odd(folder / "pipe"));
+    CHECK_FALSE(door.is_odd(folder / "a.txt"));
+    CHECK_FALSE(door.is_odd(folder / "."));
+    CHECK_FALSE(door.is_odd(folder / "none"));
+    CHECK_FALSE(door.is_odd("/dev/zero"));  // not let through
 }

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
+
 namespace {
 
 using Paths = std::vector<std::string>;
@@ -112,7 +114,9 @@ TEST_CASE("what the door does not let through is not read, and the message names
     CHECK(loader.load("a.inc")->text == "inside");
     CHECK_FALSE(loader.load("../b.inc"));
     CHECK(loader.refused("../b.inc"));
-    CHECK_FALSE(loader.refused("../c.inc"));
+    CHECK_FALSE(loader.refused("c.inc"));
+    // Whether there is such a file is nobody's business.
+    CHECK(loader.refused("../c.inc"));
     const Diagnostic problem = loader.problem("../b.inc", {});
     CHECK(problem.fault == Fault::file_access);
     CHECK(problem.help == "`--allow-read " + folder / "scene/.." + "` allows it");
@@ -181,4 +185,82 @@ TEST_CASE("the library's file that declares a name is known", "[text]") {
     CHECK(loader.library_file_declaring("X") == "a.inc");
     CHECK(loader.library_file_declaring("Re").empty());
     CHECK(Loader(reader, "scenes", {"lib"}).library_file_declaring("Red").empty());
+}
+
+TEST_CASE("what a scene may not read is not opened, and existence is not asked by reading",
+          "[text]") {
+    const Folder folder;
+    folder.put("scene/a.inc", "inside");
+    folder.put("b.inc", "outside");
+    std::vector<std::string> read, asked;
+    const Reader disk = disk_reader();
+    const Reader noting(
+        [&](const std::string& path) {
+            read.push_back(path);
+            return disk(path);
+        },
+        [&](const std::string& path) {
+            asked.push_back(path);
+            return disk.holds(path);
+        });
+    const Loader loader(noting, folder / "scene", {}, Door({folder / "scene"}, {}), disk_lister());
+    CHECK(loader.finds("a.inc"));
+    CHECK_FALSE(loader.finds("../b.inc"));
+    CHECK(loader.refused("../b.inc"));
+    CHECK(loader.problem("../b.inc", {}).fault == Fault::file_access);
+    CHECK(loader.problem("/dev/zero", {}).fault == Fault::file_access);
+    CHECK(read.empty());
+    for (const std::string& path : asked) CHECK(path.find("..") == std::string::npos);
+}
+
+TEST_CASE("a scene reads regular files only", "[text]") {
+    const Folder folder;
+    folder.put("scene/a.inc", "inside");
+    folder.put("b.inc", "outside");
+    REQUIRE(mkfifo((folder / "scene/pipe.inc").c_str(), 0600) == 0);
+    std::filesystem::create_symlink("../b.inc", folder / "scene/link.inc");
+    std::filesystem::create_symlink("a.inc", folder / "scene/inner.inc");
+    const Door door({folder / "scene"}, {});
+    const Reader read = scene_reader(door);
+    CHECK(read(folder / "scene/a.inc") == "inside");
+    CHECK(read(folder / "scene/inner.inc") == "inside");
+    for (const char* name : {"b.inc", "scene/link.inc", "scene/pipe.inc", "scene", "scene/none"}) {
+        INFO(name);
+        CHECK_FALSE(read(folder / name));
+        CHECK_FALSE(read.holds(folder / name));
+    }
+    CHECK_FALSE(read(""));
+    CHECK_FALSE(scene_reader(Door())("/dev/zero"));
+    const Loader loader(read, folder / "scene", {}, door);
+    CHECK_FALSE(loader.load("pipe.inc"));
+    const Diagnostic problem = loader.problem("pipe.inc", {});
+    CHECK(problem.fault == Fault::file_access);
+    CHECK(problem.notes.at(0) == "it is a pipe or a device, and a scene reads regular files only");
+}
+
+TEST_CASE("what was perhaps meant tells of no name outside of the folders", "[text]") {
+    const Folder folder;
+    folder.put("scene/wood.inc", "");
+    folder.put("scene/sub/x.inc", "");
+    folder.put("secret.inc", "");
+    folder.put("vault/gold.inc", "");
+    std::filesystem::create_symlink("../vault", folder / "scene/way");
+    const Loader loader(scene_reader(Door({folder / "scene"}, {})), folder / "scene", {},
+                        Door({folder / "scene"}, {}), disk_lister());
+    const auto help = [&](const std::string& name) {
+        return loader.problem(name, {}, FileKind::data).help;
+    };
+    CHECK(help("Wood.inc") == "did you mean `wood.inc`?");
+    CHECK(help("Sub/x.inc") == "did you mean `sub/x.inc`?");
+    CHECK(help(folder / "scene/Wood.inc") == "did you mean `" + folder / "scene/wood.inc" + "`?");
+    for (const std::string& name :
+         {std::string("../Secret.inc"), std::string("sub/../../secrets.inc"),
+          std::string("way/Gold.inc"), folder / "Secret.inc", folder / "Vault/gold.inc",
+          std::string("/etc/passwdd"), std::string("..\\Secret.inc")}) {
+        INFO(name);
+        const std::string said = help(name);
+        CHECK(said.find("secret.inc") == std::string::npos);
+        CHECK(said.find("gold.inc`") == std::string::npos);
+        CHECK(said.find("did you mean") == std::string::npos);
+    }
 }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of the options that say how much a scene may take. The table of options names these
+// functions; more of the kind are in app/option_store.h.
+#pragma once
+
+#include "app/option_store.h"
+
+namespace store {
+
+void limit_steps(Options&, const Given&, Diagnostics&);
+void limit_depth(Options&, const Given&, Diagnostics&);
+void limit_nesting(Options&, const Given&, Diagnostics&);
+void limit_objects(Options&, const Given&, Diagnostics&);
+void limit_includes(Options&, const Given&, Diagnostics&);
+void limit_elements(Options&, const Given&, Diagnostics&);
+void limit_memory(Options&, const Given&, Diagnostics&);
+void limit_written(Options&, const Given&, Diagnostics&);
+void limit_files(Options&, const Given&, Diagnostics&);
+void limit_said(Options&, const Given&, Diagnostics&);
+void limit_text(Options&, const Given&, Diagnostics&);
+void limit_function(Options&, const Given&, Diagnostics&);
+void limit_work(Options&, const Given&, Diagnostics&);
+
+}  // namespace store

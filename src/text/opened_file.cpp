@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/opened_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <string_view>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+OpenedFile::~OpenedFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+OpenedFile open_without_links(const std::string& path, int flags) {
+    if (!path.starts_with('/') || path.find('\0') != path.npos) {
+        errno = EINVAL;
+        return {};
+    }
+    OpenedFile folder(::open("/", O_PATH | O_DIRECTORY | O_CLOEXEC));
+    std::string_view rest = path;
+    while (folder) {
+        rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));
+        const std::size_t end = rest.find('/');
+        const std::string part(rest.substr(0, end));
+        if (end == rest.npos) {
+            const int all = flags | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+            return OpenedFile(::openat(folder.descriptor(), part.c_str(), all, 0666));
+        }
+        rest.remove_prefix(end);
+        const int through = O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+        folder = OpenedFile(::openat(folder.descriptor(), part.c_str(), through));
+    }
+    return {};
+}
+
+bool is_regular_file(const std::string& path) {
+    struct stat state {};
+    return path.find('\0') == path.npos && ::stat(path.c_str(), &state) == 0 &&
+           S_ISREG(state.st_mode);
+}
+
+bool is_regular_file(const OpenedFile& file) {
+    struct stat state {};
+    return ::fstat(file.descriptor(), &state) == 0 && S_ISREG(state.st_mode);
+}
+
+std::optional<std::string> content_of(const OpenedFile& file, std::size_t most) {
+    struct stat state {};
+    if (::fstat(file.descriptor(), &state) != 0 || !S_ISREG(state.st_mode)) return std::nullopt;
+    if (static_cast<std::size_t>(state.st_size) > most) return std::nullopt;
+    std::string text(static_cast<std::size_t>(state.st_size), '\0');
+    std::size_t filled = 0;
+    for (;;) {
+        // A file may have grown, and those of /proc say that they are empty.
+        if (filled == text.size()) text.resize(std::max<std::size_t>(4096, filled + filled / 2));
+        const ssize_t part = ::read(file.descriptor(), text.data() + filled, text.size() - filled);
+        if (part < 0 && errno == EINTR) continue;
+        if (part < 0) return std::nullopt;
+        if (part == 0) break;
+        filled += static_cast<std::size_t>(part);
+        if (filled > most) return std::nullopt;
+    }
+    text.resize(filled);
+    return text;
+}

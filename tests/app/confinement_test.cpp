@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/confinement.h"
+
+#include "support/folder.h"
+#include "text/loader.h"
+
+#include <catch2/catch.hpp>
+
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An INI file in the folder of a scene, read as the program reads it.
+struct Stranger {
+    Folder folder;
+    std::string here = folder / "scene";
+
+    Stranger() {
+        folder.put("scene/a.pov", "");
+        folder.put("scene/lib/x.inc", "");
+        folder.put("scene/old.png", "");
+        folder.put("outside.pov", "");
+        fs::create_symlink("../outside.pov", folder / "scene/way.pov");
+        fs::create_symlink("..", folder / "scene/up");
+        fs::create_symlink("../none", folder / "scene/loose.png");
+        REQUIRE(mkfifo((folder / "scene/pipe.pov").c_str(), 0600) == 0);
+    }
+
+    /// The rule that a line breaks; "" when it breaks none.
+    std::string said(const std::string& line, std::vector<std::string> before = {}) const {
+        folder.put("scene/a.ini", line + "\n");
+        before.push_back(here + "/a.ini");
+        return read(before);
+    }
+    static std::string read(const std::vector<std::string>& arguments,
+                            const std::string& settings = {}) {
+        const std::vector<std::string_view> words(arguments.begin(), arguments.end());
+        Diagnostics diagnostics;
+        read_options(words, diagnostics, disk_reader(), settings);
+        std::string text;
+        for (const Diagnostic& each : diagnostics.all())
+            if (each.severity == Severity::error) text += each.message + "\n";
+        return text;
+    }
+};
+
+/// Options that name what is written, without their values.
+constexpr auto written = {"Output_File_Name=",
+                          "+O",
+                          "--movie=",
+                          "All_File=",
+                          "+GA",
+                          "Debug_File=",
+                          "+GD",
+                          "Fatal_File=",
+                          "+GF",
+                          "Render_File=",
+                          "+GR",
+                          "Statistic_File=",
+                          "+GS",
+                          "Warning_File=",
+                          "+GW",
+                          "--export-mesh=",
+                          "--depfile=",
+                          "--stats=",
+                          "Create_Ini=",
+                          "+GI"};
+
+}  // namespace
+
+TEST_CASE("what an INI file of a stranger writes lies below its folder", "[app]") {
+    const Stranger stranger;
+    for (const std::string option : written) {
+        INFO(option);
+        CHECK(stranger.said(option + stranger.here + "/new.txt") == "");
+        CHECK(stranger.said(option + stranger.here + "/lib/new.txt") == "");
+        for (const std::string& path :
+             {std::string("/new.txt"), stranger.here + "/../new.txt", stranger.here + "/up/new.txt",
+              stranger.here + "/loose.png", stranger.here + "/.hidden/new.txt",
+              stranger.here + "/.bashrc", stranger.here + "/way.pov", std::string("/dev/null"),
+              std::string("../../../../../../../../new.txt"), stranger.here + "/pipe.pov",
+              stranger.here + "/a.pov"}) {
+            INFO(path);
+            CHECK(stranger.said(option + path) != "");
+        }
+    }
+    CHECK(stranger.said("Debug_File=" + stranger.here + "/other.ini") != "");
+    CHECK(stranger.said("Debug_File=" + stranger.here + "/other.INI.") != "");
+    CHECK(stranger.said("Debug_File=" + stranger.here + "/x.state.exr") != "");
+    CHECK(stranger.said("Debug_File=off") == "");
+    CHECK(stranger.said("--stats=-") == "");
+    CHECK(stranger.said("Output_File_Name=" + stranger.here + "/") == "");
+    CHECK(stranger.said("Create_Ini=" + stranger.here + "/all.ini") == "");
+    CHECK(stranger.said("Create_Ini=" + stranger.here + "/a.ini") != "");
+}
+
+TEST_CASE("what an INI file of a stranger reads lies below its folder", "[app]") {
+    const Stranger stranger;
+    const std::string& here = stranger.here;
+    stranger.folder.put("scene/lib/b.ini", "Width=10\n");
+    stranger.folder.put("other.ini", "Width=10\n");
+    for (const std::string& line :
+         {"Input_File_Name=" + here + "/a.pov", "+I" + here + "/a", here + "/a.pov",
+          "Library_Path=" + here, "+L" + here + "/lib", "Include_Header=" + here + "/lib/x.inc",
+          std::string("Include_Header=colors.inc"), here + "/lib/b.ini"}) {
+        INFO(line);
+        CHECK(stranger.said(line) == "");
+    }
+    const std::string up = here + "/../";
+    for (const std::string& line :
+         {std::string("Input_File_Name=/etc/passwd"), "+I" + up + "outside.pov", up + "outside.pov",
+          here + "/way.pov", here + "/way", here + "/pipe.pov", here + "/pipe", std::string("+I-"),
+          std::string("Library_Path=/"), "+L" + here + "/up",
+          std::string("Include_Header=/etc/passwd"), std::string("+HI../x.inc"),
+          up + "other.ini"}) {
+        INFO(line);
+        CHECK(stranger.said(line) != "");
+    }
+}
+
+TEST_CASE("an INI file of a stranger permits nothing and raises no limit", "[app]") {
+    const Stranger stranger;
+    for (const char* line :
+         {"--allow-read=/", "--allow-write=/", "--allow-commands", "--preview=0",
+          "--limit-steps=1e12", "--limit-depth=1e8", "--limit-nesting=1e8", "--limit-objects=1e12",
+          "--limit-includes=1000", "--limit-files=1e9", "--limit-elements=1e9",
+          "--limit-written=1e6", "--limit-said=1e6", "--limit-text=1e6", "--limit-function=1e9",
+          "--limit-work=1e9", "--limit-memory=1e9", "--memory=100T"}) {
+        INFO(line);
+        CHECK(stranger.said(line) != "");
+        CHECK(stranger.said(std::string("Width=10\n") + line) != "");
+    }
+    for (const char* line : {"--limit-steps=1000", "--limit-work=1", "--limit-memory=16",
+                             "--memory=16M", "--limit-depth=10\n--limit-depth=20"}) {
+        INFO(line);
+        CHECK(stranger.said(line) == "");
+    }
+    CHECK(stranger.said("--limit-steps=900000000", {"--limit-steps=1e9"}) == "");
+    CHECK(stranger.said("--limit-steps=1e10", {"--limit-steps=1e9"}) != "");
+}
+
+TEST_CASE("what the user permits holds for INI files as well, wherever it is said", "[app]") {
+    const Stranger stranger;
+    const std::string& all = stranger.folder / ".";
+    stranger.folder.put("scene/a.ini", "Input_File_Name=" + stranger.folder / "outside.pov" + "\n");
+    const std::string ini = stranger.here + "/a.ini";
+    CHECK(Stranger::read({ini}) != "");
+    CHECK(Stranger::read({"--allow-read", all, ini}) == "");
+    CHECK(Stranger::read({ini, "--allow-read=" + all}) == "");
+    stranger.folder.put("scene/a.ini", "Debug_File=" + stranger.folder / "said.txt" + "\n");
+    CHECK(Stranger::read({ini, "--allow-read=" + all}) != "");
+    CHECK(Stranger::read({ini, "--allow-write", all}) == "");
+    // The user's own settings are trusted, what they name is not.
+    const std::string settings = stranger.folder / "settings.ini";
+    stranger.folder.put("settings.ini", "Library_Path=/\n--limit-steps=1e10\n");
+    CHECK(Stranger::read({}, settings) == "");
+    stranger.folder.put("scene/a.ini", "Library_Path=/\n");
+    stranger.folder.put("settings.ini", ini + "\n");
+    CHECK(Stranger::read({}, settings) != "");
+    CHECK(Stranger::read({"+L/", "+O/tmp/x.png", "+I/etc/passwd"}) == "");
+}

@@ -1,0 +1,152 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Scenes that would not end, or would want all memory: each ends within 10 seconds of one core and
+# 1 GB, with a message that names a limit and, where it can be raised, the option.
+# usage: bombs.sh CANDELABRA [NAME]     runs one bomb only, and shows what it says
+set -u
+program=$(realpath "$1")
+only=${2:-}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+count=0
+failed=0
+
+# bomb NAME LIMIT TEXT: the scene must end with an error that says LIMIT.
+bomb() {
+    local name=$1 limit=$2
+    [ -n "$only" ] && [ "$only" != "$name" ] && return
+    count=$((count + 1))
+    local begun=$SECONDS
+    printf '#version 3.7;\n%s\n' "$3" > "$name.pov"
+    (
+        ulimit -t 10
+        ulimit -c 0
+        exec "$program" "$name.pov" --memory 1G +W16 +H12 +WT1 -F -V
+    ) > "$name.out" 2>&1
+    local status=$?
+    [ -n "${TIMES:-}" ] && echo "$name: $(( (SECONDS - begun) )) s"
+    if [ $status -lt 1 ] || [ $status -gt 3 ] || ! grep -q -e "$limit" "$name.out"; then
+        echo "FAILED: $name: status $status, $(head -c 300 "$name.out" | head -3)"
+        failed=$((failed + 1))
+    fi
+    [ -n "$only" ] && cat "$name.out"
+    rm -f "$name.out"
+}
+
+# levels N FIRST NEXT: declarations, each made of the one before, which is @ in NEXT.
+levels() {
+    local i
+    echo "#declare A0 = $2"
+    for ((i = 1; i <= $1; ++i)); do echo "#declare A$i = ${3//@/A$((i - 1))}"; done
+}
+
+# nested N OPEN INNER CLOSE
+nested() {
+    local i text=""
+    for ((i = 0; i < $1; ++i)); do text+=$2; done
+    text+=$3
+    for ((i = 0; i < $1; ++i)); do text+=$4; done
+    echo "$text"
+}
+
+# Loops.
+bomb while limit-steps '#while (1) #end'
+bomb while_counting limit- '#declare I = 0; #while (1) #declare I = I + 1; #end'
+bomb for limit-steps '#for (I, 1, 1e300) #end'
+bomb for_backwards limit- '#for (I, 1, -1e18, -1) #declare A = I; #end'
+bomb for_set_back limit- '#for (I, 1, 2) #declare I = 1; #end'
+bomb loops_in_loops limit- '#for (I, 1, 1e6) #for (J, 1, 1e6) #for (K, 1, 1e6) #declare A = K; #end #end #end'
+bomb loop_in_switch limit- '#while (1) #switch (1) #case (1) #range (0, 2) #declare A = 1; #end #end'
+bomb loop_in_block limit- 'union { #while (1) sphere { 0, 1 } #end }'
+bomb loop_in_vector limit- '#while (1) #declare V = <1, 2, 3> * vlength(<4, 5, 6>); #end'
+bomb loop_of_locals limit- '#macro M() #while (1) #local A = 1; #end #end M()'
+bomb loop_of_undef limit- '#while (1) #declare A = 1; #undef A #end'
+bomb loop_of_conditions limit- '#while (1) #ifdef (A) #else #ifndef (A) #end #end #end'
+bomb loop_of_defaults limit- '#while (1) #default { pigment { rgb 1 } } #end'
+bomb loop_of_versions limit- '#while (1) #version 3.7; #end'
+bomb loop_of_numbers limit- '#declare R = seed(1); #while (1) #declare A = rand(R) + sin(rand(R)); #end'
+bomb loop_of_warnings limit- '#while (1) #warning "x" #end'
+
+# Macros and recursion.
+bomb recursion limit-depth '#macro M() M() #end M()'
+bomb recursion_twice limit- '#macro M(N) #if (N > 0) M(N - 1) M(N - 1) #end #end M(60)'
+bomb recursion_of_two limit-depth '#macro A() B() #end #macro B() A() #end A()'
+bomb recursion_with_value limit- '#macro M(N) (M(N + 1) + M(N + 2)) #end #declare V = M(1);'
+bomb macros_in_macros limit- "$(for ((i = 1; i <= 60; ++i)); do echo "#macro M$i() M$((i - 1))() M$((i - 1))() #end"; done; echo '#macro M0() #end M60()')"
+bomb macro_of_arguments limit- '#macro M(A, B) M(concat(A, B), concat(B, A)) #end M("x", "y")'
+bomb macro_defines_itself limit- '#macro M() #macro N() M() #end N() #end M()'
+
+# Files.
+for ((i = 1; i <= 40; ++i)); do printf '#include "f%d.inc"\n#include "f%d.inc"\n' $((i - 1)) $((i - 1)) > f$i.inc; done
+: > f0.inc
+echo '#include "itself.inc"' > itself.inc
+bomb includes limit-files '#include "f40.inc"'
+bomb include_itself limit-includes '#include "itself.inc"'
+bomb include_in_loop limit- '#while (1) #include "f0.inc" #end'
+bomb include_what_it_writes limit- '#while (1) #fopen F "w.inc" write #write (F, "#declare A = 1;") #fclose F #include "w.inc" #end'
+bomb write limit-written '#fopen F "w.txt" write #while (1) #write (F, "0123456789012345678901234567890123456789012345678901234567890123456789", "0123456789012345678901234567890123456789012345678901234567890123456789") #end'
+bomb open_and_close limit- '#while (1) #fopen F "c.txt" append #fclose F #end'
+bomb open_many 'limit-\|cannot be written' '#for (I, 1, 1e9) #fopen F concat("w", str(I, 0, 0)) write #undef F #end'
+bomb read_again limit- '#fopen F "r.txt" write #write (F, "1,2,3,4,5") #fclose F #while (1) #fopen G "r.txt" read #while (defined(G)) #read (G, A) #end #end'
+bomb exists limit- '#while (1) #declare A = file_exists("none.txt"); #end'
+
+# Words.
+bomb debug limit-said '#while (1) #debug "hello, world, hello, world, hello, world\n" #end'
+bomb debug_of_nothing limit-said '#while (1) #debug "" #end'
+bomb debug_of_much limit-said '#declare S = "0123456789"; #for (I, 1, 20) #declare S = concat(S, S); #end #while (1) #debug S #end'
+
+# Strings.
+bomb string_doubled limit-text '#declare S = "x"; #while (1) #declare S = concat(S, S); #end'
+bomb string_grows limit- '#declare S = ""; #while (1) #declare S = concat(S, "0123456789"); #end'
+bomb string_in_front limit- '#declare S = ""; #while (1) #declare S = concat("0123456789", S); #end'
+bomb string_in_array limit- '#declare A = array[1] { "x" } #while (1) #declare A[0] = concat(A[0], A[0]); #end'
+bomb strings_in_array limit- '#declare S = "0123456789"; #for (I, 1, 20) #declare S = concat(S, S); #end #declare A = array[100000] #for (I, 0, 99999) #declare A[I] = concat(S, str(I, 0, 0)); #end'
+bomb string_upper limit- '#declare S = "abcdefghij"; #for (I, 1, 20) #declare S = concat(S, S); #end #while (1) #declare T = strupr(S); #end'
+bomb string_cut limit- '#declare S = "abcdefghij"; #for (I, 1, 20) #declare S = concat(S, S); #end #while (1) #declare T = substr(S, 1, 10000000); #end'
+bomb string_compared limit- '#declare S = "abcdefghij"; #for (I, 1, 20) #declare S = concat(S, S); #end #declare T = concat(S, ""); #while (1) #declare B = strcmp(S, T); #end'
+bomb string_of_numbers limit- '#while (1) #declare S = vstr(5, <1, 2, 3, 4, 5>, ",", 1000, 1000); #end'
+bomb string_measured limit- '#declare S = "abcdefghij"; #for (I, 1, 20) #declare S = concat(S, S); #end #while (1) #declare B = strlen(S); #end'
+
+# Arrays.
+bomb array_large 'not enough memory\|limit' '#declare A = array[100000000] #for (I, 0, 99999999) #declare A[I] = <1, 2, 3, 4, 5>; #end'
+bomb array_too_large limit-elements '#declare A = array[1000000][1000000]'
+bomb arrays_of_arrays limit- "$(levels 60 'array[2] { 1, 2 }' 'array[2] { @, @ }') #declare B = A60; #declare B[0][0][0][0][0] = A60;  #while (1) #declare B[0] = A59; #declare B[0][0] = 1; #end"
+bomb arrays_many limit- '#declare A = array[1000000] #for (I, 0, 999999) #declare A[I] = array[1000000]; #declare A[I][0] = 1; #end'
+bomb array_copied limit- '#declare A = array[1000000] #declare A[0] = 1; #while (1) #declare B = A; #declare B[0] = 2; #end'
+
+# Functions.
+bomb functions_twice limit-function "$(levels 60 'function(x) { x + 1 }' 'function(x) { @(x) + @(-x) }')"
+bomb functions_deep 'the limit' "$(levels 200 'function(x) { x + 1 }' 'function(x) { @(x) + 1 }')"
+bomb function_sums limit- '#declare F = function(x) { sum(i, 1, 1e5, i*x) } #while (1) #declare A = F(1); #end'
+bomb function_sum_of_sums 'does not end' '#declare F = function(x) { sum(i, 1, 1e6, i*x) } #declare G = function(x) { sum(i, 1, 1e6, F(i)) } #declare A = G(1);'
+bomb function_picture limit-work 'plane { y, -1 pigment { image_map { function 16384, 16384 { sum(i, 1, 100, sin(x*i*y)) } } } }'
+bomb function_heights limit- 'height_field { function 16384, 16384 { sin(x)*cos(y)*sin(x*y)*cos(x/y)*sqrt(x)*sqrt(y)*sin(x*x)*cos(y*y)*exp(x)*exp(y) } }'
+bomb functions_in_loop limit- '#while (1) #ifdef (F) #undef F #end #declare F = function(x) { x + 1 } #end'
+bomb splines limit- '#while (1) #declare S = spline { natural_spline 0, 0, 1, 1, 2, 4 } #declare A = S(0.5); #end'
+bomb spline_long 'limit' '#declare S = spline { natural_spline #for (I, 0, 1e9) I, I #end }'
+
+# Objects.
+bomb spheres limit- '#while (1) sphere { 0, 1 } #end'
+bomb differences limit-objects "$(levels 60 'sphere { 0, 1 }' 'difference { object { @ } object { @ translate 0.1 } }') object { A60 }"
+bomb unions limit-objects "$(levels 60 'sphere { 0, 1 }' 'union { object { @ } object { @ translate 0.1 } }') object { A60 }"
+bomb merges_in_loop limit- '#declare D = sphere { 0, 1 } #while (1) #declare D = merge { object { D } object { D translate 1 } } #end'
+bomb cutaway limit-objects "$(levels 60 'sphere { 0, 1 }' 'difference { object { @ } object { @ } cutaway_textures }') object { A60 }"
+bomb clipped limit- "$(levels 60 'sphere { 0, 1 }' 'object { @ clipped_by { @ } }') object { A60 }"
+bomb bounded limit- "$(levels 60 'sphere { 0, 1 }' 'object { @ bounded_by { @ } }') object { A60 }"
+bomb wrapped limit-nesting '#declare D = sphere { 0, 1 } #while (1) #declare D = union { object { D } sphere { 1, 1 } } #end'
+bomb nested_unions 'nested' "$(nested 30000 'union { ' 'sphere { 0, 1 }' ' }')"
+bomb mesh limit- 'mesh { #while (1) triangle { 0, x, y } #end }'
+bomb mesh_of_vertices limit- 'mesh2 { vertex_vectors { 1000000000 #while (1) , <1, 2, 3> #end } face_indices { 1, <0, 1, 2> } }'
+bomb blob limit- 'blob { #while (1) sphere { 0, 1, 1 } #end }'
+bomb lathe limit- 'lathe { linear_spline 1000000000 #while (1) , <1, 2> #end }'
+bomb text limit- '#declare S = "abcdefghij"; #for (I, 1, 20) #declare S = concat(S, S); #end text { ttf "timrom.ttf" S 1, 0 }'
+bomb lights limit- '#while (1) light_source { 0, 1 } #end'
+bomb pigments limit- 'sphere { 0, 1 pigment { gradient x color_map { #while (1) [0 rgb 1] #end } } }'
+bomb layers limit- '#declare T = texture { pigment { rgbt 1 } } #while (1) #declare T = texture { T } texture { T } #end'
+bomb trace limit- '#declare S = sphere { 0, 1 } #while (1) #declare N = <0, 0, 0>; #declare P = trace(S, -5*z, z, N); #end'
+bomb trace_isosurface limit- '#declare S = isosurface { function { x*x + y*y + z*z - 1 } accuracy 1e-12 max_gradient 1e12 contained_by { sphere { 0, 2 } } } #while (1) #declare P = trace(S, <1, 0.3, -5>, z); #end'
+bomb inside limit- '#declare S = union { #for (I, 1, 1000) sphere { I, 1 } #end } #while (1) #declare B = inside(S, <0.1, 0.2, 0.3>); #end'
+
+echo "$count bombs, $failed failed"
+exit $((failed > 0))

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/opened_file.h"
+
+#include "support/folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a path without links gives; "-" for nothing.
+std::string opened_text(const std::string& path, std::size_t most = 1000) {
+    return content_of(open_without_links(path, O_RDONLY), most).value_or("-");
+}
+
+}  // namespace
+
+TEST_CASE("no part of the path of an opened file is a link", "[door]") {
+    const Folder folder;
+    const std::string here = fs::canonical(folder.path()).string();
+    folder.put("a/b.txt", "text");
+    fs::create_symlink("a", folder / "link");
+    fs::create_symlink("b.txt", folder / "a/other.txt");
+    CHECK(opened_text(here + "/a/b.txt") == "text");
+    CHECK(opened_text(here + "//a///b.txt") == "text");
+    CHECK(opened_text(here + "/link/b.txt") == "-");
+    CHECK(opened_text(here + "/a/other.txt") == "-");
+    CHECK(opened_text(here + "/a") == "-");
+    CHECK(opened_text(here + "/none") == "-");
+    CHECK_FALSE(open_without_links("a/b.txt", O_RDONLY));
+    CHECK_FALSE(open_without_links("", O_RDONLY));
+    CHECK_FALSE(open_without_links("/", O_WRONLY));
+}
+
+TEST_CASE("only regular files have a content, which is bounded", "[door]") {
+    const Folder folder;
+    const std::string here = fs::canonical(folder.path()).string();
+    folder.put("a.txt", std::string(9000, 'x'));
+    REQUIRE(mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    CHECK(opened_text(here + "/a.txt", 9000).size() == 9000);
+    CHECK(opened_text(here + "/a.txt", 8999) == "-");
+    CHECK(opened_text(here + "/pipe") == "-");
+    CHECK(opened_text("/dev/zero") == "-");
+    CHECK(opened_text("/proc/version").starts_with("Linux"));  // says that it is empty
+    CHECK(is_regular_file(here + "/a.txt"));
+    CHECK_FALSE(is_regular_file(here + "/pipe"));
+    CHECK_FALSE(is_regular_file(here));
+    CHECK_FALSE(is_regular_file(open_without_links(here + "/pipe", O_RDONLY)));
+    CHECK_FALSE(is_regular_file(OpenedFile()));
+}
