@@ -5,6 +5,8 @@
 #include "text/message.h"
 #include "text/nearest.h"
 
+#include <cmath>
+
 namespace {
 
 /// One of the alternatives, by its keyword, with its default values.
@@ -31,6 +33,17 @@ void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& 
 
 void store::sampler(Options& options, const Given& given, Diagnostics& diagnostics) {
     choose(options.render.light_sampler, "light sampler", given, diagnostics);
+}
+
+void store::luminaires(Options& options, const Given& given, Diagnostics& diagnostics) {
+    const auto above = number(*given.value);
+    if (*given.value == "none")
+        options.render.luminaires_above = INFINITY;
+    else if (above && *above >= 0)
+        options.render.luminaires_above = *above;
+    else
+        refuse(given, diagnostics, "must be none, or a radiance that is not negative",
+               "--luminaires 0.5 leaves those that are dimmer out");
 }
 
 void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {

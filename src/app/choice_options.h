@@ -9,5 +9,6 @@ namespace store {
 
 void sampler(Options&, const Given&, Diagnostics&);
 void index(Options&, const Given&, Diagnostics&);
+void luminaires(Options&, const Given&, Diagnostics&);
 
 }  // namespace store

@@ -7,6 +7,7 @@
 #include "vocabulary/kinds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace {
@@ -110,6 +111,8 @@ std::string command_line(const Options& options) {
     add_sampling(words, options);
     words.add_changed("+Q", options.render.quality, RenderSettings().quality);
     if (options.render.ambient_luminaires) words.add("--ambient-luminaires");
+    if (const auto& above = options.render.luminaires_above)
+        words.add_long("luminaires", std::isinf(*above) ? message("none") : message(*above));
     for (const auto& [name, value] : options.declares) {
         const auto* text = std::get_if<std::string>(&value);
         words.add("Declare=", name, '=',

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "app/option_table.h"
 #include "editor/textmate.h"
 #include "evaluate/functions.h"
 #include "scene/catalogue.h"
@@ -14,6 +13,28 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+
+ManualEntry manual_entry(const OptionRow& row) {
+    using enum Takes;
+    const bool valued = row.takes == value;
+    std::string term;
+    const auto add = [&](const std::string& piece) { term += (term.empty() ? "" : ", ") + piece; };
+    if (!row.letters.empty()) {
+        add(message("+", row.letters, row.parameter));
+        if (row.takes == sign || row.takes == sign_and_value) add(message("-", row.letters));
+    }
+    if (!row.keyword.empty()) add(message(row.keyword, "=", valued ? row.parameter : "on"));
+    if (!row.word.empty()) {
+        const std::string_view open = row.takes == maybe_value ? "[=" : valued ? " " : " [";
+        add(row.parameter.empty()
+                ? message("--", row.word)
+                : message("--", row.word, open, row.parameter, valued ? "" : "]"));
+    }
+    if (row.field.empty()) return {term, std::string(row.help)};
+    const Setting setting = find_setting(row.field);
+    if (setting.info().type == FieldType::boolean) return {term, std::string(setting.info().help)};
+    return {term, message(setting.info().help, " (", values(*setting.item, setting.field), ")")};
+}
 
 namespace {
 

@@ -2,6 +2,7 @@
 // What --help, --version and --describe say, made from the tables of options and items.
 #pragma once
 
+#include "app/option_table.h"
 #include "text/diagnostic.h"
 #include "vocabulary/manual.h"
 
@@ -12,6 +13,9 @@ std::string version_text();
 
 /// A few lines: what the program does and how it is called.
 std::string short_usage();
+
+/// How the option is written, and what it means.
+ManualEntry manual_entry(const OptionRow&);
 
 /// The options, or what there is to say about a topic: an option, an item, a group of items.
 /// Reports unknown topics.

@@ -115,7 +115,7 @@ std::string vector_text(const Vec3& v) {
 std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
     constexpr std::uint32_t tries = 256;
     const World& world = shown.world;
-    Tracer tracer(world, {shadow_rays_per_hit(world, shown.settings), true, false});
+    Tracer tracer(world, {pilot(world, shown.settings).shadow_rays, true, false});
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
     double all = 0;

@@ -303,6 +303,9 @@ constexpr auto rows = std::to_array<OptionRow>({
     accepted("D", "Display", sign_and_value, "", "accepted without effect: no preview is shown"),
     accepted("P", "Pause_When_Done", sign, "", "accepted without effect"),
     setting("Q", "Quality", "", "quality"),
+    option("", "", "luminaires", value, "n", store::luminaires,
+           "which of the things that glow light others, instead of the scene's rule: those with a "
+           "radiance above n, or none"),
     option_field("", "", "ambient-luminaires", nothing, "ambient_luminaires"),
     option("", "File_Gamma", "", value, "g", store::gamma,
            "how pictures of whole "
@@ -376,25 +379,4 @@ void apply(const OptionRow& row, Options& options, const Given& given, Diagnosti
         row.store(options, given, diagnostics);
     else
         store::field(row.field, options, given, diagnostics);
-}
-
-ManualEntry manual_entry(const OptionRow& row) {
-    const bool valued = row.takes == value;
-    std::string term;
-    const auto add = [&](const std::string& piece) { term += (term.empty() ? "" : ", ") + piece; };
-    if (!row.letters.empty()) {
-        add(message("+", row.letters, row.parameter));
-        if (row.takes == sign || row.takes == sign_and_value) add(message("-", row.letters));
-    }
-    if (!row.keyword.empty()) add(message(row.keyword, "=", valued ? row.parameter : "on"));
-    if (!row.word.empty()) {
-        const std::string_view open = row.takes == maybe_value ? "[=" : valued ? " " : " [";
-        add(row.parameter.empty()
-                ? message("--", row.word)
-                : message("--", row.word, open, row.parameter, valued ? "" : "]"));
-    }
-    if (row.field.empty()) return {term, std::string(row.help)};
-    const Setting setting = find_setting(row.field);
-    if (setting.info().type == FieldType::boolean) return {term, std::string(setting.info().help)};
-    return {term, message(setting.info().help, " (", values(*setting.item, setting.field), ")")};
 }

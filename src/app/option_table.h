@@ -54,6 +54,3 @@ std::span<const OptionRow> option_table();
 
 /// Puts the value where it belongs, or says what is wrong with it.
 void apply(const OptionRow&, Options&, const Given&, Diagnostics&);
-
-/// How the option is written, and what it means.
-ManualEntry manual_entry(const OptionRow&);

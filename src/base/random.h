@@ -26,7 +26,8 @@ enum class Purpose : std::uint32_t {
     sky_v,
     facet_choice,
     facet_u,
-    facet_v
+    facet_v,
+    light_roulette
 };
 
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces

@@ -103,35 +103,60 @@ private:
     bool srgb_ = false;
 };
 
-/// luminaires ambient
+/// luminaires emission, luminaires ambient, luminaires none, luminaires above 0.5
 class LuminairesReader : public SimpleReader {
 public:
-    LuminairesReader(OpenBlock& block, bool& ambient) : block_(block), ambient_(ambient) {}
+    LuminairesReader(OpenBlock& block, GlobalSettings& settings)
+        : block_(block), settings_(settings) {}
 
-    bool waiting() const { return waiting_; }
-    bool wants() const { return waiting_; }
+    bool waiting() const { return state_ != State::none; }
+    bool wants() const { return waiting(); }
     bool take(const Element& element) {
-        const bool word = element.kind == Element::Kind::word;
-        if (!waiting_) return waiting_ = word && block_.spelling(element.word) == "luminaires";
-        if (!word || (element.word != "ambient"_word && element.word != "emission"_word))
-            return false;
-        ambient_ = element.word == "ambient"_word;
-        waiting_ = false;
+        if (state_ == State::above) return take_number(element);
+        if (element.kind != Element::Kind::word) return false;
+        const std::string_view word = block_.spelling(element.word);
+        if (state_ == State::none) {
+            if (word == "luminaires") state_ = State::which;
+            return waiting();
+        }
+        if (word == "above") {
+            state_ = State::above;
+            return true;
+        }
+        if (word != "ambient" && word != "emission" && word != "none") return false;
+        settings_.ambient_luminaires = word == "ambient";
+        set(word == "none" ? INFINITY : 0);
         return true;
     }
     void finish() {
-        if (waiting_ && !block_.broken)
-            block_.report(error(Fault::missing, block_.span,
-                                "`luminaires` needs to know what makes one: `ambient` as well, or "
-                                "`emission` only")
-                              .with_help("global_settings { luminaires ambient }"));
+        if (waiting() && !block_.broken)
+            block_.report(
+                error(Fault::missing, block_.span,
+                      "`luminaires` needs to know what makes one: `emission` (the "
+                      "default), `ambient` as well, `none`, or what is `above` a radiance")
+                    .with_help("global_settings { luminaires above 0.5 }"));
     }
     void add_words(WordList& words) const { words.push_back("luminaires"); }
 
 private:
+    enum class State { none, which, above };
+
+    bool take_number(const Element& element) {
+        const Numbers* value =
+            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
+        if (!value || !value->is_scalar()) return false;
+        set(std::fmax(value->at[0], 0));
+        return true;
+    }
+    void set(double above) {
+        settings_.luminaires_above = above;
+        settings_.luminaires_said = true;
+        state_ = State::none;
+    }
+
     OpenBlock& block_;
-    bool& ambient_;
-    bool waiting_ = false;
+    GlobalSettings& settings_;
+    State state_ = State::none;
 };
 
 }  // namespace
@@ -147,7 +172,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     SettingsFields fields(block, settings);
     auto sampler = sampler_block(block, settings.light_sampler);
     auto index = index_block(block, settings.index);
-    LuminairesReader luminaires(block, settings.ambient_luminaires);
+    LuminairesReader luminaires(block, settings);
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
     block.read(element.body, luminaires, fields, sampler, index, subsurface);

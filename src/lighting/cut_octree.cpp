@@ -89,7 +89,8 @@ struct BuiltCutOctree::Survey {
     std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
     double by_direction = 0;         ///< see Weights
     bool as_scattered = false;
-    double noise = -1;  ///< see Weights; for each unit of the total weight
+    /// See Weights; for each unit of the total weight.
+    double noise = -1, irradiance = 0;
 };
 
 struct BuiltCutOctree::Cell {
@@ -196,8 +197,10 @@ BuiltCutOctree::Survey BuiltCutOctree::survey(const Box& box, LightCut& cut,
                             : (std::isinf(outlook) ? found + least_noise
                                                    : 1 / (1 / (found + least_noise) + 1 / outlook));
     const double weight = mean_total(cut, receivers);
-    if (result.outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance))
-        result.noise = result.outlook->irradiance() / weight * std::sqrt(variance);
+    if (result.outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance)) {
+        result.irradiance = result.outlook->irradiance() / weight;
+        result.noise = result.irradiance * std::sqrt(variance);
+    }
     return result;
 }
 
@@ -306,6 +309,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe, c
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
     weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
+    weights.irradiance = cell.survey ? cell.survey->irradiance * weights.total : 0;
     if (gloss.count > 0) weights.cut->weigh_answers(point, gloss, weights);
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);

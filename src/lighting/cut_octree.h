@@ -24,6 +24,7 @@ public:
         /// Standard deviation that one shadow ray's irradiance is expected to have; below 0: not
         /// known.
         double noise = -1;
+        double irradiance = 0;  ///< that is expected; known where the noise is
     };
 
     BuiltCutOctree(const LightOctree&, const LightScene&);

@@ -245,7 +245,8 @@ double unoccluded(const CompositeEmitter& e, double luminance, const ShadingPoin
     return irradiance(glow(bounds(e, luminance)), point);
 }
 
-std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, const Vec2& u) {
+std::optional<LightDirection> draw_direction(const CompositeEmitter& e, const Vec3& from,
+                                             const Vec2& u) {
     const Around ball(e);
     Vec3 direction;
     if (e.guide && u.x >= astray) {
@@ -258,10 +259,20 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
         const Vec2 left = e.guide ? Vec2(u.x / astray, u.y) : u;
         direction = unit(in_cone(middle, rim(ball, to_centre), left));
     }
-    const auto distance = meet(e, {from, direction}, clearance * ball.radius);
+    return LightDirection{direction, density(e, ball, from, direction)};
+}
+
+double direction_density(const CompositeEmitter& e, const Vec3& from, const Vec3& direction) {
+    return density(e, Around(e), from, direction);
+}
+
+std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, const Vec2& u) {
+    const auto drawn = draw_direction(e, from, u);
+    if (!drawn) return {};
+    const Ray ray{from, drawn->direction};
+    const auto distance = meet(e, ray, clearance * Around(e).radius);
     if (!distance) return {};
-    return LightPoint{from + *distance * direction, direction, *distance,
-                      density(e, ball, from, direction)};
+    return LightPoint{ray.at(*distance), ray.direction, *distance, drawn->density};
 }
 
 void meet(const CompositeEmitter& e, const ShadingPoint& point, const Vec3& direction,

@@ -143,3 +143,16 @@ Handle<Brightness> brightness_of(const Luminaire& luminaire, int cells,
     const std::vector<BrightFace> faces = faces_of(luminaire.emitter);
     return make_handle<Brightness>(faces, faces.size() > 1, cells, luminance);
 }
+
+std::optional<SearchedLuminaire> SearchedLuminaire::of(const Luminaire& luminaire) {
+    const auto* emitter = std::get_if<CompositeEmitter>(&luminaire.emitter);
+    return emitter ? std::optional(SearchedLuminaire(*emitter)) : std::nullopt;
+}
+
+std::optional<LightDirection> SearchedLuminaire::draw(const Vec3& from, const Vec2& u) const {
+    return draw_direction(*emitter_, from, u);
+}
+
+double SearchedLuminaire::density(const Vec3& from, const Vec3& direction) const {
+    return direction_density(*emitter_, from, direction);
+}

@@ -124,6 +124,29 @@ std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2&
 /// sampled in proportion to the cosine, so that a diffuse surface sees no noise of it at all.
 std::optional<LightPoint> sample(const Luminaire&, const ShadingPoint&, const Vec2& u);
 
+/// A direction in which a luminaire may be seen; and the density with which it is drawn, per
+/// steradian.
+struct LightDirection {
+    Vec3 direction;  ///< unit
+    double density;
+};
+
+/// Luminaires that are found by looking: the density of a point of theirs is that of its direction,
+/// if nothing else of them is met before. A ray in a drawn direction does all of the work.
+class SearchedLuminaire {
+public:
+    /// Nothing when the luminaire is of another kind.
+    static std::optional<SearchedLuminaire> of(const Luminaire&);
+
+    /// Nothing when the drawn direction cannot be followed.
+    std::optional<LightDirection> draw(const Vec3& from, const Vec2& u) const;
+    double density(const Vec3& from, const Vec3& direction) const;
+
+private:
+    explicit SearchedLuminaire(const CompositeEmitter& emitter) : emitter_(&emitter) {}
+    const CompositeEmitter* emitter_;
+};
+
 /// Where a direction meets a luminaire.
 struct LightMeeting {
     double distance;

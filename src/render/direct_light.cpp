@@ -21,17 +21,25 @@ constexpr int most_passed = 1000;
 /// At one hit, when the number is not the same for all.
 constexpr int most_rays = 32;
 
+/// Standard deviation that luminaires may add to a sample where other light is, in steps of a
+/// picture of 8 bits.
+constexpr double hidden_steps = 4;
+/// That they are asked all the same.
+constexpr double least_chance = 1.0 / 256;
+
 /// Share of the shadow rays that surfaces which are all gloss scatter.
 constexpr double most_by_surface = 0.5;
-
-ShadingPoint point_of(const Shading& s) {
-    return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
-}
 
 /// What the surface sends on of light from there.
 Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, const Key& key) {
     if (s.finish->microfacet.on) return facet_response(s, direction, Lobes::wide);
     return answer_to_light(world, s, direction, true, key);
+}
+
+/// A difference of radiance that is so many steps of a picture with the usual gamma.
+double visible_step(double radiance) {
+    constexpr double gamma = 2.2, steps = 255;
+    return hidden_steps / steps * gamma * std::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
 }
 
 Vec2 place_on_light(const Key& key) {
@@ -40,29 +48,8 @@ Vec2 place_on_light(const Key& key) {
 
 }  // namespace
 
-Vec3 DirectLight::from_sources(const Scattering& scattering, const Shading& s, const Key& key,
-                               RayCounts& rays) {
-    Vec3 sum(0);
-    for (const SourceSet& set : world_.source_sets) {
-        if (!world_.reaches(set.group, *s.material)) continue;
-        if (set.drawn())
-            sum += from_drawn_sources(set, scattering, s, key, rays);
-        else
-            for (const std::uint32_t light : set.lights) sum += from_source(light, 1, s, key, rays);
-    }
-    return sum;
-}
-
-Vec3 DirectLight::from_source(std::uint32_t light, double weight, const Shading& s, const Key& key,
-                              RayCounts& rays) {
-    const std::uint64_t before = rays.shadow;
-    const Vec3 seen = weight * source_light(world_, light, s, key, rays);
-    if (rays.lights.empty()) return seen;
-    LightCount& own = rays.lights[world_.statement_of_light[light]];
-    own.light.add(grey(seen));
-    own.seen += rays.share * seen;
-    own.rays += rays.shadow - before;
-    return seen;
+ShadingPoint point_of(const Shading& s) {
+    return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
 }
 
 /// Notes light that came from a luminaire, and rays that were sent to it.
@@ -70,61 +57,28 @@ void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3
                                    std::uint64_t count) const {
     if (rays.lights.empty()) return;
     LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
-    own.light.add(grey(seen) / rays_here_);
-    own.seen += rays.share * seen / static_cast<double>(rays_here_);
+    own.light.add(grey(seen) / asked_here_);
+    own.seen += rays.share * seen / asked_here_;
     own.rays += count;
-}
-
-/// Some of many.
-Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Scattering& scattering,
-                                     const Shading& s, const Key& key, RayCounts& rays) {
-    const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
-    const ShadingPoint point = set.asked(point_of(s));
-    const BuiltLightOctree* octree = std::get_if<BuiltLightOctree>(&set.sampler);
-    const Octree* cuts = octree ? octree->cuts() : nullptr;
-    Octree::Weights weights;
-    const auto past_clear = [&](const Ray& ray, double tolerance) {
-        return sight_past_clear(ray, tolerance);
-    };
-    if (cuts && !set.parallel) cuts->weigh(point, past_clear, scattering.answers(), weights);
-    if (cuts && set.parallel) cuts->weigh_choice(point, scattering.answers(), weights);
-    Vec3 sum(0);
-    for (int i = 0; i < shadow_rays_.usual; ++i) {
-        const Key part = own.part(shadow_rays_.usual, i);
-        picks_.clear();
-        if (cuts)
-            cuts->choose(point, weights, part, uniform(part, Purpose::light_choice), picks_);
-        else
-            std::visit([&](const auto& b) { b.choose(point, part, picks_); }, set.sampler);
-        for (const LightPick& pick : picks_)
-            sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_.usual), s,
-                               part, rays);
-    }
-    return sum;
-}
-
-/// The first thing on a ray that stops all light.
-std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
-    Hit hit;
-    for (int passed = 0; passed < most_passed; ++passed) {
-        if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
-        const double distance = dot(hit.position - ray.origin, ray.direction);
-        if (world_.material(hit.primitive).stops_light())
-            return LightSight{distance, hit.normal, hit.tolerance, {}, 0};
-        tolerance = distance + hit.tolerance;
-    }
-    return {};
 }
 
 Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
     return luminaire.varying ? world_.emission(luminaire.primitive, position) : luminaire.radiance;
 }
 
-/// The density of a drawn point, per steradian, is for the caller to say.
 template <class Density>
 Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const Key& key,
-                                 RayCounts& rays, const Density& density) const {
+                                 RayCounts& rays, const Density& density) {
     const Luminaire& luminaire = world_.luminaires[pick.light];
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        const auto drawn = searched->draw(s.position, place_on_light(key));
+        const Vec3 answer = drawn ? answer_to(world_, s, drawn->direction, key) : Vec3(0);
+        if (answer == Vec3(0)) return Vec3(0);
+        const Vec3 weight = answer / (pi * density(drawn->direction, drawn->density));
+        return seen_towards(s, drawn->direction, rays, [&](LightIndex light, double) {
+            return light == pick.light ? weight : Vec3(0);
+        });
+    }
     const auto point = sample(luminaire, point_of(s), place_on_light(key));
     if (!point) return Vec3(0);
     const Vec3 answer = answer_to(world_, s, point->direction, key);
@@ -135,7 +89,9 @@ Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const 
     const Vec3 passed = world_.transmittance({s.position, point->direction}, s.tolerance,
                                              point->distance, s.around);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
-    const Vec3 seen = passed == Vec3(0) ? passed : answer * sent * passed / (pi * density(*point));
+    const Vec3 seen = passed == Vec3(0) ? passed
+                                        : answer * sent * passed /
+                                              (pi * density(point->direction, point->density));
     credit_luminaire(rays, pick.light, seen, 1);
     return seen;
 }
@@ -151,7 +107,7 @@ Vec3 DirectLight::from_picks(const Sampler& sampler, const Shading& s, const Key
     for (const LightPick& pick : picks_)
         sum +=
             from_luminaire(s, pick, several ? key.with_branch(pick.light) : key, rays,
-                           [&](const LightPoint& point) { return point.density * pick.expected; });
+                           [&](const Vec3&, double of_point) { return of_point * pick.expected; });
     return sum;
 }
 
@@ -216,10 +172,9 @@ Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights
         const Vec3 answer = direction ? answer_to(world_, s, *direction, key) : Vec3(0);
         if (answer == Vec3(0)) return Vec3(0);
         const double of_direction = density(*direction);
-        return seen_towards(s, *direction, rays, [&](const Met& met) {
+        return seen_towards(s, *direction, rays, [&](LightIndex light, double density_there) {
             const double of_point =
-                by_choice > 0 ? octree.expected(point, weights, met.light) * met.meeting.density
-                              : 0;
+                by_choice > 0 ? octree.expected(point, weights, light) * density_there : 0;
             return answer / pi / (of_direction + by_choice * of_point);
         });
     }
@@ -227,8 +182,8 @@ Vec3 DirectLight::from_cell(const Octree& octree, const Octree::Weights& weights
     octree.choose(point, weights, key, (u - by_direction) / by_choice, picks_);
     if (picks_.empty()) return Vec3(0);
     const LightPick& pick = picks_.front();
-    return from_luminaire(s, pick, key, rays, [&](const LightPoint& p) {
-        return density(p.direction) + by_choice * pick.expected * p.density;
+    return from_luminaire(s, pick, key, rays, [&](const Vec3& direction, double of_point) {
+        return density(direction) + by_choice * pick.expected * of_point;
     });
 }
 
@@ -252,11 +207,10 @@ template <class Weight>
 Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCounts& rays,
                                const Weight& weight) {
     ++rays.shadow;
-    const ShadingPoint point = point_of(s);
     const Ray ray{s.position, direction};
     double from = s.tolerance;
-    bool first = true;  // no luminaire was met yet
     Vec3 sum(0);
+    met_.clear();
     for (int passed = 0; passed < most_passed; ++passed) {
         Hit hit;
         if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
@@ -266,43 +220,77 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
             const Vec3 clear =
                 passed == 0 ? Vec3(1) : world_.transmittance(ray, s.tolerance, distance, s.around);
             if (clear == Vec3(0)) break;
-            meetings_.clear();
-            meet(world_.luminaires[light], point, direction, meetings_);
-            Vec3 seen(0);
-            for (const LightMeeting& meeting : meetings_)
-                if (std::abs(meeting.distance - distance) <= 1e-6 * distance + hit.tolerance)
-                    seen += clear * weight(Met{meeting, light}) *
-                            radiance(world_.luminaires[light], hit.position);
-            credit_luminaire(rays, light, seen, first ? 1 : 0);
-            first = false;
+            Vec3 weights(0);
+            for_densities(light, s, direction, {distance, hit.tolerance},
+                          [&](double density) { weights += weight(light, density); });
+            const Vec3 seen =
+                weights == Vec3(0)
+                    ? weights
+                    : clear * weights * radiance(world_.luminaires[light], hit.position);
+            credit_luminaire(rays, light, seen, met_.empty() ? 1 : 0);
+            met_.push_back({{distance, 0}, light});
             sum += seen;
         }
         if (world_.material(hit.primitive).stops_light()) break;
         from = distance + hit.tolerance;
     }
-    if (first && !rays.lights.empty()) ++rays.lights.back().rays;
+    if (met_.empty() && !rays.lights.empty()) ++rays.lights.back().rays;
     return sum;
 }
 
+/// Calls visit with the density of each drawn point of the luminaire that is met there, if it may
+/// be drawn. Of luminaires that are searched that is the first one on the way, which met_ knows.
+template <class Visit>
+void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& direction,
+                                const Distance& there, const Visit& visit) {
+    const Luminaire& luminaire = world_.luminaires[light];
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        if (std::ranges::find(met_, light, &Met::light) == met_.end())
+            visit(searched->density(s.position, direction));
+        return;
+    }
+    meetings_.clear();
+    meet(luminaire, point_of(s), direction, meetings_);
+    for (const LightMeeting& meeting : meetings_)
+        if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
+            visit(meeting.density);
+}
+
 Vec3 DirectLight::from_cuts(const Octree& octree, const Scattering& scattering, const Shading& s,
-                            const Key& key, RayCounts& rays) {
+                            const Key& key, const Vec3& before, RayCounts& rays) {
     Octree::Weights weights;
     const ShadingPoint point = point_of(s);
     octree.weigh(
         point, [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); },
         scattering.answers(), weights);
-    rays_here_ = rays_at(weights, scattering, s, key, rays);
+    const Vec3 straight = answer_to(world_, s, s.normal, key) + Vec3(scattering.highlights());
+    const double chance = chance_of_asking(weights, straight, before, rays);
+    if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
+    rays_here_ = rays_at(weights, straight, rays);
+    asked_here_ = rays_here_ * chance;
     Vec3 sum(0);
     for (int i = 0; i < rays_here_; ++i)
         sum += from_cell(octree, weights, scattering, s, key.part(rays_here_, i), rays);
-    return sum;
+    return sum / chance;
+}
+
+/// Of luminaires whose light, by the estimate of the cell, is small against what is there already:
+/// some hits ask them, for all (Russian roulette). The noise of that is too small to be seen.
+double DirectLight::chance_of_asking(const Octree::Weights& weights, const Vec3& straight,
+                                     const Vec3& before, const RayCounts& rays) const {
+    const double share = std::abs(grey(rays.share)), there = share * grey(before);
+    if (!(there > 0) || weights.noise < 0) return 1;
+    const double answer = share * std::abs(grey(straight)) / pi;
+    const double mean = answer * weights.irradiance, deviation = answer * weights.noise;
+    const double squares = mean * mean + deviation * deviation;
+    const double visible = visible_step(there);
+    return std::clamp(squares / (mean * mean + visible * visible), least_chance, 1.0);
 }
 
 /// As many as the noise that is expected here asks for; powers of two, as Sobol points like it.
-int DirectLight::rays_at(const Octree::Weights& weights, const Scattering& scattering,
-                         const Shading& s, const Key& key, const RayCounts& rays) {
+int DirectLight::rays_at(const Octree::Weights& weights, const Vec3& straight,
+                         const RayCounts& rays) {
     if (weights.noise < 0) return shadow_rays_.usual;
-    const Vec3 straight = answer_to(world_, s, s.normal, key) + Vec3(scattering.highlights());
     const double noise = weights.noise * std::abs(grey(rays.share * straight));
     noise_.sum += noise;
     noise_.squares += noise * noise;
@@ -322,8 +310,8 @@ Vec3 DirectLight::from_pair(const BuiltLightBvh& bvh, const Scattering& scatteri
     bvh.choose(point_of(s), key, picks_);
     if (picks_.empty()) return sum;
     const LightPick pick = picks_.front();
-    return sum + from_luminaire(s, pick, key, rays, [&](const LightPoint& point) {
-               return point.density * pick.expected + scattering.density(point.direction);
+    return sum + from_luminaire(s, pick, key, rays, [&](const Vec3& direction, double of_point) {
+               return of_point * pick.expected + scattering.density(direction);
            });
 }
 
@@ -342,7 +330,7 @@ Vec3 DirectLight::from_surface(const BuiltLightBvh& bvh, const Scattering& scatt
 }
 
 Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s, const Key& key,
-                                  RayCounts& rays) {
+                                  const Vec3& before, RayCounts& rays) {
     const auto repeated = [&](const auto& once) {
         Vec3 sum(0);
         for (int i = 0; i < rays_here_; ++i) sum += once(key.part(rays_here_, i));
@@ -352,7 +340,7 @@ Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s
         using Sampler = std::decay_t<decltype(sampler)>;
         if constexpr (std::is_same_v<Sampler, BuiltLightOctree>)
             if (const Octree* octree = sampler.cuts())
-                return from_cuts(*octree, scattering, s, key, rays);
+                return from_cuts(*octree, scattering, s, key, before, rays);
         if constexpr (std::is_same_v<Sampler, BuiltLightBvh>)
             if (sampler.paired())
                 return repeated(
@@ -360,6 +348,7 @@ Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s
         return repeated([&](const Key& k) { return from_picks(sampler, s, k, rays); });
     };
     rays_here_ = shadow_rays_.usual;
+    asked_here_ = rays_here_;
     const Vec3 sum = std::visit(ask, world_.sampler);
     return sum / static_cast<double>(rays_here_);
 }
@@ -388,7 +377,7 @@ Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) 
     if (!answers_light(s)) return sum;
     const Scattering scattering(s);
     sum = from_sources(scattering, s, key, rays);
-    if (!world_.luminaires.empty()) sum += from_luminaires(scattering, s, key, rays);
+    if (!world_.luminaires.empty()) sum += from_luminaires(scattering, s, key, sum, rays);
     if (world_.sky_light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;

@@ -8,6 +8,9 @@
 #include "render/shade.h"
 #include "render/statistics.h"
 
+/// The point as luminaires see it.
+ShadingPoint point_of(const Shading&);
+
 /// How many shadow rays hits get.
 struct ShadowRays {
     // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
@@ -56,19 +59,30 @@ private:
     Vec3 from_sources(const Scattering&, const Shading&, const Key&, RayCounts&);
     Vec3 from_drawn_sources(const SourceSet&, const Scattering&, const Shading&, const Key&,
                             RayCounts&);
-    Vec3 from_luminaires(const Scattering&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_luminaires(const Scattering&, const Shading&, const Key&, const Vec3& before,
+                         RayCounts&);
     Vec3 from_source(std::uint32_t light, double weight, const Shading&, const Key&, RayCounts&);
     void credit_luminaire(RayCounts&, LightIndex, const Vec3& seen, std::uint64_t rays) const;
     template <class Sampler>
     Vec3 from_picks(const Sampler&, const Shading&, const Key&, RayCounts&);
+    /// Density: of a drawn point, by its direction and what the luminaire says (per steradian).
     template <class Density>
-    Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&,
-                        const Density&) const;
-    Vec3 from_cuts(const Octree&, const Scattering&, const Shading&, const Key&, RayCounts&);
+    Vec3 from_luminaire(const Shading&, const LightPick&, const Key&, RayCounts&, const Density&);
+    /// `before`: the radiance that arrives of point lights.
+    Vec3 from_cuts(const Octree&, const Scattering&, const Shading&, const Key&, const Vec3& before,
+                   RayCounts&);
     Vec3 from_cell(const Octree&, const Octree::Weights&, const Scattering&, const Shading&,
                    const Key&, RayCounts&);
     std::optional<LightSight> sight(const Ray&, double tolerance) const;
     std::optional<LightSight> sight_past_clear(const Ray&, double tolerance) const;
+    /// Of a hit.
+    struct Distance {
+        double distance, tolerance;
+    };
+    template <class Visit>
+    void for_densities(LightIndex, const Shading&, const Vec3& direction, const Distance&,
+                       const Visit&);
+    /// Weight: by the luminaire and the density with which it says the point is drawn.
     template <class Weight>
     Vec3 seen_towards(const Shading&, const Vec3& direction, RayCounts&, const Weight&);
     Vec3 from_pair(const BuiltLightBvh&, const Scattering&, const Shading&, const Key&, RayCounts&);
@@ -79,12 +93,14 @@ private:
     Vec3 seen_along(const Shading&, const Vec3& direction, RayCounts&, const Weight&) const;
     Vec3 radiance(const Luminaire&, const Vec3& position) const;
 
-    int rays_at(const Octree::Weights&, const Scattering&, const Shading&, const Key&,
-                const RayCounts&);
+    double chance_of_asking(const Octree::Weights&, const Vec3& straight, const Vec3& before,
+                            const RayCounts&) const;
+    int rays_at(const Octree::Weights&, const Vec3& straight, const RayCounts&);
 
     const World& world_;
     ShadowRays shadow_rays_;
-    int rays_here_ = 1;  ///< that the hit gets
+    int rays_here_ = 1;      ///< that the hit gets
+    double asked_here_ = 1;  ///< as many are expected
     HitNoise noise_;
     // Kept from hit to hit for their memory.
     LightPicks picks_;

@@ -11,11 +11,15 @@ namespace {
 /// What a camera ray costs with shading and weighing of luminaires, in shadow rays.
 constexpr double cost_of_camera_ray = 1.2;
 constexpr int max_pilot_rays = 4;
+/// Of one sample's displayed value (0 to 1): three steps of a picture of 8 bits.
+constexpr double quiet_deviation = 3.0 / 255;
 /// Pixels that are tried in each direction at most, and the share of all pixels that they may be.
 constexpr int most_across = 16;
 constexpr int pixels_for_each = 4;
 
 double squared(double x) { return x * x; }
+
+double displayed(double radiance) { return std::pow(std::fmax(radiance, 0), 1 / 2.2); }
 
 /// Which pixel of a grid that is spread over the picture.
 struct Trial {
@@ -46,6 +50,9 @@ void try_pixel(Tracer& tracer, const World& world, const RenderSettings& setting
     const double a = seen(0, 0), b = seen(0, 1), c = seen(1, 0), d = seen(1, 1);
     noise.of_light += (squared(a - b) + squared(c - d)) / 4;
     noise.of_camera += (a - c) * (b - d) / 2;
+    noise.shown +=
+        (squared(displayed(a) - displayed(b)) + squared(displayed(c) - displayed(d))) / 4;
+    ++noise.places;
 }
 
 }  // namespace
@@ -65,6 +72,8 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
     for (const PilotNoise& each : noise) {
         sum.of_light += each.of_light;
         sum.of_camera += each.of_camera;
+        sum.shown += each.shown;
+        sum.places += each.places;
         sum.of_hits += each.of_hits;
     }
     sum.of_camera = std::fmax(sum.of_camera, 0);
@@ -79,10 +88,14 @@ int best_shadow_rays(const PilotNoise& noise) {
     return static_cast<int>(std::lround(std::clamp(rays, 1.0, most)));
 }
 
-ShadowRays shadow_rays_per_hit(const World& world, const RenderSettings& settings) {
-    if (settings.shadow_rays > 0) return settings.shadow_rays;
-    if (!world.light_is_drawn() || world.camera.mesh) return 1;
+bool is_quiet(const PilotNoise& noise) {
+    return noise.places > 0 && noise.shown < noise.places * squared(quiet_deviation);
+}
+
+Pilot pilot(const World& world, const RenderSettings& settings) {
+    if (settings.shadow_rays > 0) return {settings.shadow_rays};
+    if (!world.light_is_drawn() || world.camera.mesh) return {1};
     const PilotNoise noise = pilot_noise(world, settings);
     const HitNoise& hits = noise.of_hits;
-    return {best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0};
+    return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
 }

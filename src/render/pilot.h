@@ -10,9 +10,15 @@
 struct PilotNoise {
     double of_light = 0;   ///< by the shadow rays of one hit
     double of_camera = 0;  ///< by what camera rays of one pixel meet, were its light known
+    double shown = 0;      ///< of_light as it is displayed
+    int places = 0;        ///< on the picture, which these are sums over
     HitNoise of_hits;      ///< as their cells expect it
 };
 PilotNoise pilot_noise(const World&, const RenderSettings&);
+
+/// Whether the light is nearly as quiet as if nothing were left to chance, so that pixels need no
+/// more samples than their contrast asks for.
+bool is_quiet(const PilotNoise&);
 
 /// Shadow rays that make the least noise in a given time: the root of (cost of a camera ray over
 /// that of a shadow ray) times (variance by light over variance by the camera), from 1 to 4. More
@@ -21,4 +27,8 @@ int best_shadow_rays(const PilotNoise&);
 
 /// What the settings say at each hit, or the best number for hits of usual noise. It does not
 /// depend on the number of samples, so that pictures can be continued.
-ShadowRays shadow_rays_per_hit(const World&, const RenderSettings&);
+struct Pilot {
+    ShadowRays shadow_rays;
+    bool quiet = false;  ///< see is_quiet(); false where no pixels were tried
+};
+Pilot pilot(const World&, const RenderSettings&);

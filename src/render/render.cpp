@@ -26,9 +26,14 @@ constexpr int small_tile = tile_size / 2;
 /// Whether to stop is asked so seldom, because to ask takes as long as a short ray.
 constexpr std::uint64_t samples_between_questions = 16;
 
-SampleRule sample_rule(const World& world, const RenderSettings& settings) {
+/// `quiet`: the light hardly differs from sample to sample.
+SampleRule sample_rule(const World& world, const RenderSettings& settings, bool quiet) {
     if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
     if (world.camera.blurs()) return world.camera.blur;
+    // As many as a pixel gets for its contrast.
+    const auto depth = static_cast<std::uint32_t>(settings.antialias_depth);
+    const std::uint32_t by_contrast = depth * depth + 1;
+    if (settings.antialias && world.left_to_chance() && quiet) return NoiseRule{by_contrast};
     if (!settings.antialias || world.left_to_chance() || world.camera.mesh) return NoiseRule();
     if (settings.sampling_method > 1) return corner_rule(settings, world.settings.assumed_gamma);
     return contrast_rule(settings, world.settings.assumed_gamma);
@@ -60,6 +65,9 @@ int first_samples(const World& world, const RenderSettings& settings, const Samp
     // To have one sample more than the first is to be compared, whatever comes of it.
     if (std::holds_alternative<ContrastRule>(rule)) return 2;
     const int usual = usual_samples(world, settings, rays);
+    constexpr int first_of_quiet = 4;
+    const auto* const noise = std::get_if<NoiseRule>(&rule);
+    if (noise && noise->at_most > 0) return std::min(usual, first_of_quiet);
     if (settings.samples > 0 || settings.noise > 0) return usual;
     const int moments = 1 + static_cast<int>(world.other_moments.size());
     return std::max({usual, moments, world.camera.mesh ? world.camera.mesh->rays_per_pixel() : 1});
@@ -315,11 +323,12 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    const ShadowRays rays = shadow_rays_per_hit(world, settings);
-    const int shared = follows_shadow_rays(world, settings) ? rays.usual : 1;
-    const SampleRule rule = sample_rule(world, settings);
+    const Pilot tried = pilot(world, settings);
+    const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
+    const SampleRule rule = sample_rule(
+        world, settings, tried.quiet && !world.lights.empty() && world.sky_light.empty());
     const int samples = first_samples(world, settings, rule, shared);
-    return {world, settings, rays, static_cast<std::uint32_t>(samples), rule};
+    return {world, settings, tried.shadow_rays, static_cast<std::uint32_t>(samples), rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, RayCounts& rays,

@@ -23,18 +23,20 @@ void for_pixels(Film& film, const Set& set) {
         for (int x = 0; x < film.width(); ++x) set(x, y, film.at(x, y));
 }
 
-AdaptiveRule rule_of(const RenderSettings& settings) {
+AdaptiveRule rule_of(const RenderSettings& settings, const NoiseRule& rule) {
     if (settings.noise > 0)
         return {settings.noise, settings.samples > 0 ? static_cast<std::uint32_t>(settings.samples)
                                                      : most_for_noise};
     // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
     // than that. Its recursive method makes up to so many rays of a pixel.
-    return {settings.antialias_threshold / 10, std::uint32_t{1} << (2 * settings.antialias_depth)};
+    const std::uint32_t most = std::uint32_t{1} << (2 * settings.antialias_depth);
+    return {settings.antialias_threshold / 10,
+            rule.at_most > 0 ? std::min(most, rule.at_most) : most};
 }
 
-void refine(RenderState& state, const RenderSettings& settings, const NoiseRule&) {
+void refine(RenderState& state, const RenderSettings& settings, const NoiseRule& noise) {
     if (settings.noise == 0 && state.rounds > 1) return;
-    const AdaptiveRule rule = rule_of(settings);
+    const AdaptiveRule rule = rule_of(settings, noise);
     std::vector<std::uint32_t> more(state.film.pixels().size());
     for_pixels(state.film, [&](int x, int y, const PixelSum& pixel) {
         if (!state.share.owns(x, y)) return;
@@ -107,7 +109,7 @@ std::uint32_t most_wanted(const RenderSettings& settings, std::uint32_t samples,
     if (is_even(settings, rule) || is_settled_by_tiles(rule)) return samples;
     if (const auto* const blur = std::get_if<BlurRule>(&rule))
         return std::max(samples, static_cast<std::uint32_t>(blur->most));
-    return std::max(samples, rule_of(settings).at_most);
+    return std::max(samples, rule_of(settings, std::get<NoiseRule>(rule)).at_most);
 }
 
 Wanted wanted_samples(const Film& film) {

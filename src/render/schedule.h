@@ -27,7 +27,9 @@ struct RenderState {
 RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
 
 /// Pixels get more samples by the noise of those around them.
-struct NoiseRule {};
+struct NoiseRule {
+    std::uint32_t at_most = 0;  ///< altogether; 0: as many as the settings allow
+};
 
 /// What decides how many samples follow those of the first round. BlurRule: the camera's own;
 /// ContrastRule and CornerRule: none do.

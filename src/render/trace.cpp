@@ -162,7 +162,8 @@ Vec3 Tracer::follow(const Path& path) {
     if (!world_.has_air() || !in_the_open(path)) return met ? surface(path, hit) : beyond(path);
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double distance = met ? length(hit.position - path.ray.origin) : infinity;
-    const bool splits = clear_sky_ || !rays_.lights.empty();
+    // What share is left tells how many shadow rays are worth their while.
+    const bool splits = clear_sky_ || !rays_.lights.empty() || world_.light_is_drawn();
     const Vec3 left =
         splits ? veiled(path, distance, Vec3(1)) - veiled(path, distance, Vec3(0)) : Vec3(1);
     const Scaled scaled(rays_, left);

@@ -33,7 +33,14 @@ std::string settings_text(const Scene& scene) {
     if (scene.gamma_handling && scene.language_version < 3.7 && settings.assumed_gamma == 1 &&
         !srgb)
         text += message(text.empty() ? "" : " ", "assumed_gamma 1");
-    if (settings.ambient_luminaires) text += message(text.empty() ? "" : " ", "luminaires ambient");
+    const auto luminaires = [&](auto... rule) {
+        text += message(text.empty() ? "" : " ", "luminaires ", rule...);
+    };
+    if (settings.ambient_luminaires) luminaires("ambient");
+    if (std::isinf(settings.luminaires_above))
+        luminaires("none");
+    else if (settings.luminaires_above > 0)
+        luminaires("above ", settings.luminaires_above);
     if (settings.subsurface.on) {
         const std::string fields =
             written_fields(SubsurfaceSettings::vocabulary, &settings.subsurface);

@@ -84,6 +84,7 @@ struct Switches {
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
+    bool no_luminaire = false;
     bool hollow = false;
     bool inverse = false;
     bool double_illuminate = false;

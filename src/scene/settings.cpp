@@ -84,3 +84,10 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
         F{"threads", &RenderSettings::threads, item, "threads that work; 0: one for each core",
           between(0, 4096)});
 });
+
+void settle_luminaires(GlobalSettings& scene, const RenderSettings& run) {
+    scene.ambient_luminaires |= run.ambient_luminaires;
+    if (!run.luminaires_above) return;
+    scene.luminaires_above = *run.luminaires_above;
+    scene.luminaires_said = true;
+}

@@ -20,8 +20,11 @@ struct GlobalSettings {
     Vec3 irid_wavelength = Vec3(0.7, 0.52, 0.48);
     double adc_bailout = 1.0 / 255;
     bool ambient_luminaires = false;  ///< objects with ambient of 1 or more are luminaires
-    double mm_per_unit = 10;          ///< millimetres; for translucency
-    SubsurfaceSettings subsurface;    ///< from the block of that name
+    /// Luminaires have a greater radiance somewhere, in some channel. Infinite: nothing is one.
+    double luminaires_above = 0;
+    bool luminaires_said = false;   ///< the scene says what is one
+    double mm_per_unit = 10;        ///< millimetres; for translucency
+    SubsurfaceSettings subsurface;  ///< from the block of that name
     LightSampler light_sampler =
         LightOctree{};  ///< from the block of that name, which the evaluator reads
     RayIndex index;     ///< the same
@@ -50,6 +53,10 @@ struct RenderSettings {
     int threads = 0;                            ///< 0: one per core
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
     std::optional<RayIndex> index;              ///< the same
+    std::optional<double> luminaires_above;     ///< the same
 
     static const ItemInfo vocabulary;
 };
+
+/// Gives the scene the run's rule of what is a luminaire.
+void settle_luminaires(GlobalSettings&, const RenderSettings&);

@@ -49,6 +49,8 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
                     "share of ambient_light that it seems to reflect everywhere"}),
         as_colour(F{"emission", &Finish::emission, item,
                     "radiance that it emits, times the pigment: makes it a luminaire"}),
+        F{"no_luminaire", &Finish::no_luminaire, flag,
+          "glows where it is seen, but lights nothing: no shadow rays are sent to it"},
         F{"diffuse", &Finish::diffuse, item,
           "share of the light that it scatters in all directions, times the pigment"},
         maybe(F{"diffuse_back", &Finish::diffuse_back, following,

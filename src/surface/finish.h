@@ -44,6 +44,7 @@ struct Microfacet {
 struct Finish {
     Vec3 ambient = Vec3(0.1);
     Vec3 emission = Vec3(0);
+    bool no_luminaire = false;  ///< the emission makes no luminaire
     double diffuse = 0.6;
     double diffuse_back = 0;  ///< for light that comes from behind
     double brilliance = 1;

@@ -156,15 +156,30 @@ Texture uv_mapped_with_frame(Texture texture) {
     return texture;
 }
 
-Vec3 greatest_emission(const Texture& texture) {
+namespace {
+
+/// Of the finishes that count.
+Vec3 most_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
     if (texture.choice) {
         Vec3 greatest(0);
         for (const TextureStop& stop : texture.choice->map)
-            greatest = glm::max(greatest, greatest_emission(*stop.texture));
+            greatest = glm::max(greatest, most_emitted(*stop.texture, counts));
         return greatest;
     }
-    const Vec3 own = glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
-    return texture.below ? own + greatest_emission(*texture.below) : own;
+    Vec3 sum(0);
+    if (counts(texture.finish))
+        sum = glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
+    return texture.below ? sum + most_emitted(*texture.below, counts) : sum;
+}
+
+}  // namespace
+
+Vec3 greatest_emission(const Texture& texture) {
+    return most_emitted(texture, [](const Finish&) { return true; });
+}
+
+Vec3 lighting_emission(const Texture& texture) {
+    return most_emitted(texture, [](const Finish& finish) { return !finish.no_luminaire; });
 }
 
 Handle<Texture> kindled(const Handle<Texture>& texture, const Vec3& ambient_light) {

@@ -33,8 +33,11 @@ Texture uv_mapped(Texture);
 /// although their places stay on u and v.
 Texture uv_mapped_with_frame(Texture);
 
-/// Radiance that the surface emits at most; 0 when it is no luminaire.
+/// Radiance that the surface emits at most.
 Vec3 greatest_emission(const Texture&);
+
+/// The same of what makes a luminaire of it: without finishes that say no_luminaire.
+Vec3 lighting_emission(const Texture&);
 
 /// The texture with all ambient light of 1 or more as emission; the same one when it has none.
 Handle<Texture> kindled(const Handle<Texture>&, const Vec3& ambient_light);

@@ -44,6 +44,8 @@ constexpr auto infos = std::array{
     FaultInfo{Fault::no_object, "no-object", "a scene without an object"},
     FaultInfo{Fault::no_light, "no-light", "a scene that nothing lights"},
     FaultInfo{Fault::camera_inside, "camera-inside", "a camera inside an object"},
+    FaultInfo{Fault::glowing_dome, "glowing-dome",
+              "an object around the camera whose emission lights the scene"},
     FaultInfo{Fault::user_error, "user-error"},
     FaultInfo{Fault::user_warning, "user-warning", "what the scene itself says by #warning"},
 };

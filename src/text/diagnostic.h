@@ -53,6 +53,7 @@ enum class Fault {
     no_object,
     no_light,
     camera_inside,
+    glowing_dome,
     user_error,
     user_warning,
 };

@@ -66,6 +66,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "the object that is seen in a light's place; or the one that the light has to pass"},
     {"no_shadow no_image no_reflection", "sphere { ... no_shadow }",
      "an object that throws no shadow, that the camera does not see, or that mirrors do not see"},
+    {"no_luminaire", "sphere { ... no_luminaire }",
+     "an object that glows, but lights nothing; in a finish: its emission does not"},
     {"hollow inverse double_illuminate", "sphere { ... hollow }",
      "the inside is empty; inside and outside are exchanged; light on the back counts as well"},
     {"cutaway_textures", "difference { ... cutaway_textures }",

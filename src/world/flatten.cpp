@@ -172,12 +172,12 @@ private:
         if (has_component_looks(object)) here.inner = nullptr;
         if (object.interior) {
             const auto* group = std::get_if<Union>(&object.form);
-            const bool shared = group && group->csg == Csg::together;
             here.interior = &object.interior;
-            here.shared_interior = shared ? ++shared_interiors_ : 0;
+            here.shared_interior = group && group->csg == Csg::together ? ++shared_interiors_ : 0;
         }
         here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection};
         static_cast<Hidden&>(here) = outer | (here.said & outer.heeded);
+        here.no_luminaire |= object.no_luminaire;
         here.double_illuminate |= object.double_illuminate;
         here.hollow |= object.hollow;
         return here;

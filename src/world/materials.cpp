@@ -25,7 +25,7 @@ Handle<Interior> settled(const Handle<Interior>& interior, const Texture& textur
 std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
-                         key.double_illuminate << 3 | key.hollow << 4;
+                         key.double_illuminate << 3 | key.hollow << 4 | key.no_luminaire << 5;
     return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
            std::size_t{key.shared_interior} * 4096 + static_cast<std::size_t>(switches);
 }
@@ -53,6 +53,7 @@ std::uint32_t Materials::index(const Inherited& look) {
                   look.no_shadow,
                   look.no_image,
                   look.no_reflection,
+                  look.no_luminaire,
                   look.double_illuminate,
                   look.hollow};
     if (last_key_ != key) {
@@ -93,7 +94,8 @@ void Materials::add(const Inherited& look) {
     world_.any_clear |= material.transparent || material.no_shadow;
     world_.any_left_out |= look.no_image || look.no_reflection;
     world_.any_scattering |= scatters(texture);
-    glows_.push_back(world_.quality >= quality_shadows && greatest_emission(texture) != Vec3(0));
+    glows_.push_back(world_.quality >= quality_shadows && !look.no_luminaire &&
+                     max_component(lighting_emission(texture)) > world_.settings.luminaires_above);
     world_.materials.push_back(std::move(material));
 }
 

@@ -36,7 +36,7 @@ struct Inherited : Hidden {
     std::uint32_t light_group = 0;
     bool named_group = false;           ///< a light group here comes by a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
-    bool double_illuminate = false, hollow = false, uv = false;
+    bool no_luminaire = false, double_illuminate = false, hollow = false, uv = false;
 };
 
 class Materials {
@@ -73,7 +73,7 @@ private:
         const Texture* inner;
         const Interior* interior;
         std::uint32_t light_group, shared_interior;
-        bool no_shadow, no_image, no_reflection, double_illuminate, hollow;
+        bool no_shadow, no_image, no_reflection, no_luminaire, double_illuminate, hollow;
 
         friend bool operator==(const Key&, const Key&) = default;
     };

@@ -65,6 +65,21 @@ private:
     Solids solids_;
 };
 
+/// A dome that glows, which POV-Ray has as a backdrop only.
+const Luminaire* dome(const World& world) {
+    for (const Luminaire& luminaire : world.luminaires) {
+        const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter);
+        const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
+        const bool turned = composite && composite->composite->leaf_count() == 1,
+                   hidden = world.material(luminaire.primitive).no_image;
+        const bool within =
+            sphere ? length(world.camera.location - sphere->centre) < sphere->radius
+                   : (turned || hidden) && contains(bounds(luminaire).box, world.camera.location);
+        if (within) return &luminaire;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
@@ -83,6 +98,15 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
             warning(Fault::no_light, {}, "nothing lights this scene")
                 .with_help("light_source { <10, 20, -10>, rgb 1 }, or finish { emission 5 } in an "
                            "object"));
+    if (const Luminaire* around = world.settings.luminaires_said ? nullptr : dome(world)) {
+        const auto number = static_cast<std::size_t>(around - world.luminaires.data());
+        diagnostics.add(
+            warning(Fault::glowing_dome,
+                    world.light_statements[world.statement_of_luminaire[number]],
+                    "the emission of this object, which is around the camera, lights the scene")
+                .with_help("the word `no_luminaire` in the object stops that; global_settings { "
+                           "luminaires emission } says that it is meant"));
+    }
     const auto unused = [](const Material& m) { return lets_light_in(*m.texture); };
     if (!world.settings.subsurface.on && std::ranges::any_of(world.materials, unused))
         diagnostics.add(warning(Fault::no_effect, {},

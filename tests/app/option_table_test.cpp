@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_table.h"
 
+#include "app/help.h"
+
 #include <catch2/catch.hpp>
 
 #include <array>

@@ -34,6 +34,7 @@ const std::map<std::string_view, std::vector<std::string>>& careless() {
         {"no-object", {camera + light}},
         {"no-light", {camera + ball}},
         {"camera-inside", {all + "sphere { 0, 9 }"}},
+        {"glowing-dome", {all + "sphere { 0, 9 inverse pigment { rgb 1 } finish { emission 1 } }"}},
         {"user-warning", {all + "#warning \"mind the step\""}},
     };
     return scenes;

@@ -1,46 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/direct_light.h"
 
+#include "support/lit.h"
 #include "support/scripts.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
-
-namespace {
-
-/// Light at a point of a floor in y, over many keys.
-struct Lit {
-    double mean = 0;
-    double rays = 0;  ///< towards luminaires, at each hit
-    double noise = 0;
-};
-Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, int count) {
-    Hit hit;
-    const Ray ray{Vec3(x, 3, 0), Vec3(0, -1, 0)};
-    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
-    DirectLight light(world, shadow_rays);
-    RayCounts rays;
-    double sum = 0;
-    for (int i = 0; i < count; ++i) {
-        Key key;
-        key.sample = static_cast<std::uint32_t>(i);
-        const Shading s = shading_at(world, ray, hit);
-        const SurfacePlace place(world, hit, s);
-        for_layers(*world.material(hit.primitive).texture, s.position, s.normal, place.scene,
-                   [&](double, std::span<const Layer> layers) {
-                       sum += light(with_layer(world, s, layers.front()), key, rays).x;
-                   });
-    }
-    return {sum / count, static_cast<double>(rays.shadow) / count,
-            light.noise().sum / std::max(light.noise().hits, 1)};
-}
-
-/// At the origin.
-double mean_light(const World& world, int shadow_rays, int count) {
-    return lit_at(world, 0, shadow_rays, count).mean;
-}
-
-}  // namespace
 
 TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]") {
     // A sphere of radius r straight above at distance d: E = pi L (r/d)^2; albedo 0.8.
@@ -50,15 +15,6 @@ TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]")
     )");
     CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
     CHECK(mean_light(world, 4, 5000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
-}
-
-TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
-    const World world = world_of(R"(
-        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 0.5 } }
-        light_source { <0, 4, 3>, rgb 2 }
-        sphere { <0, 8, 6>, 1 }
-    )");
-    CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
 }
 
 TEST_CASE("luminaires that hide each other are counted once, whoever is chosen", "[render]") {
@@ -125,4 +81,26 @@ TEST_CASE("shadow rays go where there is noise, and change no mean", "[render][c
     CHECK(more.rays > 1.5 * bright.rays);
     CHECK(fewer.mean == Approx(dim.mean).epsilon(0.02));
     CHECK(more.mean == Approx(bright.mean).epsilon(0.02));
+}
+
+TEST_CASE(
+    "luminaires that give little beside other light are asked seldom, and give it all the same",
+    "[render]") {
+    const auto lit = [](const std::string& lights) {
+        return lit_at(
+            world_of("box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 "
+                     "diffuse 1 } }" +
+                     lights),
+            0, 1, 40000);
+    };
+    // E = pi L (r/d)^2
+    const std::string dim =
+                          "blob { threshold 0.5 sphere { <0, 5, 0>, 2, 2 } no_image pigment { rgb "
+                          "1 } finish { ambient 0 diffuse 0 emission 0.05 } }",
+                      lamp = "light_source { <3, 4, 0>, rgb 1 }";
+    const Lit alone = lit(dim), beside = lit(dim + lamp), without = lit(lamp);
+    REQUIRE(alone.mean < 0.02 * without.mean);
+    CHECK(beside.mean - without.mean == Approx(alone.mean).epsilon(0.15));
+    CHECK(alone.rays > 0.9);
+    CHECK(beside.rays - without.rays < 0.1);
 }

@@ -23,14 +23,43 @@ RenderSettings small(bool antialias) {
     return settings;
 }
 
+PilotNoise noise_of(double light, double camera) {
+    PilotNoise noise;
+    noise.of_light = light;
+    noise.of_camera = camera;
+    return noise;
+}
+
 }  // namespace
 
+TEST_CASE("light that hardly differs from sample to sample is quiet", "[render]") {
+    const auto quiet = [](const std::string& script) {
+        RenderSettings settings;
+        settings.width = settings.height = 48;
+        settings.shadow_rays = 0;
+        return pilot(
+                   world_of("camera { location <0, 3, -6> look_at 0 } box { <-9, -2, -9>, <9, -1, "
+                            "9> pigment { rgb 0.8 } } " +
+                            script),
+                   settings)
+            .quiet;
+    };
+    const std::string lamp = "light_source { <5, 9, -5>, rgb 1 } ";
+    const auto blob = [](double emission) {
+        return "blob { threshold 0.5 sphere { 0, 1, 2 } pigment { rgb 1 } finish { emission " +
+               std::to_string(emission) + " } }";
+    };
+    CHECK(quiet(lamp + blob(0.05)));
+    CHECK_FALSE(quiet(lamp + blob(20)));
+    CHECK_FALSE(quiet(lamp));  // nothing is left to chance, so nothing is tried
+}
+
 TEST_CASE("more shadow rays pay where light makes the noise", "[render]") {
-    CHECK(best_shadow_rays({0, 0, {}}) == 1);
-    CHECK(best_shadow_rays({0, 1, {}}) == 1);
-    CHECK(best_shadow_rays({0.1, 1, {}}) == 1);
-    CHECK(best_shadow_rays({5, 1, {}}) == 2);
-    CHECK(best_shadow_rays({1, 0, {}}) == 4);
+    CHECK(best_shadow_rays(noise_of(0, 0)) == 1);
+    CHECK(best_shadow_rays(noise_of(0, 1)) == 1);
+    CHECK(best_shadow_rays(noise_of(0.1, 1)) == 1);
+    CHECK(best_shadow_rays(noise_of(5, 1)) == 2);
+    CHECK(best_shadow_rays(noise_of(1, 0)) == 4);
 }
 
 TEST_CASE("the pilot tells the noise of light from that of camera rays", "[render]") {
@@ -40,16 +69,16 @@ TEST_CASE("the pilot tells the noise of light from that of camera rays", "[rende
     CHECK(middle.of_light > 0);
     CHECK(middle.of_camera < 0.2 * middle.of_light);
     CHECK(spread.of_camera > spread.of_light);
-    CHECK(shadow_rays_per_hit(plain, small(false)).usual == 4);
-    CHECK(shadow_rays_per_hit(checked, small(true)).usual < 4);
+    CHECK(pilot(plain, small(false)).shadow_rays.usual == 4);
+    CHECK(pilot(checked, small(true)).shadow_rays.usual < 4);
 }
 
 TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
     RenderSettings settings = small(false);
     settings.shadow_rays = 7;
-    const ShadowRays said = shadow_rays_per_hit(world_of(floor_and_lamps), settings);
+    const ShadowRays said = pilot(world_of(floor_and_lamps), settings).shadow_rays;
     CHECK(said.usual == 7);
     CHECK(said.usual_noise == 0);
     const World one = world_of("sphere { 0, 1 } light_source { y, 1 }");
-    CHECK(shadow_rays_per_hit(one, small(true)).usual == 1);
+    CHECK(pilot(one, small(true)).shadow_rays.usual == 1);
 }

@@ -73,3 +73,39 @@ TEST_CASE("ambient of 1 and more makes luminaires where that is wanted", "[world
         "texture_map { [0 pigment { rgb 1 } finish { ambient 1 }] [1 pigment { rgb 0 }] } } }");
     CHECK(map.luminaires.size() == 1);
 }
+
+TEST_CASE("what glows is a luminaire unless something says that it lights nothing", "[world]") {
+    const std::string dim = "sphere { 0, 1 pigment { rgb <0.5, 0, 0> } finish { emission 0.5 } }",
+                      bright = "sphere { 3*x, 1 pigment { rgb 1 } finish { emission 0.5 } }",
+                      both = dim + bright;
+    struct Case {
+        std::string script;
+        std::size_t luminaires;
+    };
+    const auto [script, luminaires] = GENERATE_COPY(values<Case>({
+        {both, 2},
+        {"global_settings { luminaires none } " + both, 0},
+        {"global_settings { luminaires above 0.25 } " + both, 1},
+        {"global_settings { luminaires above 0.24 } " + both, 2},
+        {"global_settings { luminaires none } global_settings { luminaires emission } " + both, 2},
+        {"object { " + dim + " no_luminaire } " + bright, 1},
+        {"union { " + both + " no_luminaire }", 0},
+        {"union { " + bright + " object { " + dim + " no_luminaire } }", 1},
+        {"difference { " + bright + " sphere { 4*x, 1 } no_luminaire }", 0},
+        {"sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 no_luminaire } }", 0},
+        {"sphere { 0, 1 texture { gradient y texture_map { [0 pigment { rgb 1 } finish { emission "
+         "1 "
+         "no_luminaire }] [1 pigment { rgb 1 } finish { emission 0.1 }] } } }",
+         1},
+    }));
+    INFO(script);
+    CHECK(world_of("#version 3.7; " + script).luminaires.size() == luminaires);
+}
+
+TEST_CASE("what lights nothing is seen to glow as before", "[world]") {
+    const World world = world_of(
+        "camera { location -3*z } sphere { 0, 1 pigment { rgb 1 } finish { emission 0.5 "
+        "no_luminaire } }");
+    REQUIRE(world.luminaires.empty());
+    CHECK(world.emission(0, Vec3(0, 0, -1)) == Vec3(0.5));
+}

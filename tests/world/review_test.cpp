@@ -64,6 +64,19 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"light_source { 0, 1 } intersection { box { 3, 4 inverse } sphere { 0, 9 } } camera { "
          "location z look_at 0 }",
          "camera-inside "},
+        {"camera { location -z } light_source { 0, 1 } sphere { 0, 9 inverse no_image pigment { "
+         "rgb "
+         "1 } finish { emission 1 } }",
+         "glowing-dome "},
+        {"camera { location -z } light_source { 0, 1 } box { -9, 9 hollow no_image pigment { rgb "
+         "1 } finish { emission 1 } }",
+         "glowing-dome "},
+        {"camera { location -z } light_source { 0, 1 } sphere { 0, 9 inverse no_luminaire pigment "
+         "{ rgb 1 } finish { emission 1 } }",
+         ""},
+        {"global_settings { luminaires emission } camera { location -z } light_source { 0, 1 } "
+         "sphere { 0, 9 inverse pigment { rgb 1 } finish { emission 1 } }",
+         ""},
         {"#default { camera { location -z } } plane { y, -1 } light_source { 0, 1 }", "no-camera "},
     }));
     INFO(script);
