@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes small files of every kind for the fuzz targets of files to begin with: seeds FOLDER makes
-// FOLDER/picture, FOLDER/mesh and FOLDER/density. The first byte of pictures and meshes says how
+// FOLDER/picture, FOLDER/mesh and so on. The first byte of pictures and meshes says how
 // the target names the file.
+#include "font/system_font.h"
 #include "picture/formats.h"
 
 #include <filesystem>
@@ -90,6 +91,13 @@ int main(int count, char** arguments) {
     const std::filesystem::path folder = arguments[1];
     put_pictures(folder / "picture");
     put_meshes(folder / "mesh");
+    // All of a font is more than most runs look at: its tables stand at its beginning.
+    for (const char* name : {"timrom.ttf", "cyrvetic.ttf"})
+        if (const auto font = system_font(name)) put(folder / "font" / name, *font);
+    put(folder / "font" / "none", "\0\1\0\0"s);
+    put(folder / "state" / "sound", "\1"s);
+    put(folder / "state" / "changed", "\1\20\1\7\0\2\377"s);
+    put(folder / "state" / "other", "\0v/1\1"s);
     put(folder / "density" / "bytes",
         "\0\2\0\1\0\3"
         "abcdef"s);
