@@ -71,6 +71,11 @@ Box bounds(const Source& f) {
 /// a + b s + c s^2.
 struct Quadratic {
     double a, b, c;
+
+    /// The same as a function of s - place.
+    Quadratic from(double place) const {
+        return {a + place * (b + place * c), b + 2 * place * c, c};
+    }
 };
 
 /// 1 - d^2 / radius^2 along the ray.
@@ -110,25 +115,33 @@ Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
 
 using FieldQuartic = std::array<double, 5>;
 
-/// A stretch of the ray on which a field is a polynomial.
+/// A stretch of the ray on which a field is a polynomial: strength times the square of a nearness.
+/// All is told from a place on the ray that is near to the field's middle: fourth powers of far
+/// places would leave no digits.
 struct FieldStretch {
     Interval range;
-    FieldQuartic field;
+    double place;
+    Quadratic nearness;  ///< of s - place
+    double strength;
     double greatest;  ///< what the field adds at most
 };
 
 std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
-    const Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
+    Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
+    const Vec3 middle = f.centre + 0.5 * f.length * f.axis;
+    const double place =
+        dot(middle - local.origin, local.direction) / dot(local.direction, local.direction);
+    local.origin = local.at(place);
     const Quadratic q = nearness(f, local);
     const Interval range = reach(f, local, q);
     if (!(range.min < range.max) || !std::isfinite(range.min) || !std::isfinite(range.max))
         return std::nullopt;
-    const double s = f.strength;
     const double nearest = q.c < 0 ? q.a - q.b * q.b / (4 * q.c) : q.a;
-    return FieldStretch{range,
-                        {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
-                         2 * s * q.b * q.c, s * q.c * q.c},
-                        std::fmax(0, s * nearest * nearest)};
+    return FieldStretch{{range.min + place, range.max + place},
+                        place,
+                        q,
+                        f.strength,
+                        std::fmax(0, f.strength * nearest * nearest)};
 }
 
 /// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
@@ -203,11 +216,19 @@ public:
         return sum;
     }
 
-    /// Their sum, less the threshold.
-    FieldQuartic sum(double threshold) const {
+    /// Their sum, less the threshold, as a function of s - place.
+    FieldQuartic sum(double threshold, double place) const {
         FieldQuartic sum{-threshold, 0, 0, 0, 0};
-        for (const std::uint32_t each : here_)
-            for (std::size_t i = 0; i < 5; ++i) sum[i] += stretches_[each].field[i];
+        for (const std::uint32_t each : here_) {
+            const FieldStretch& stretch = stretches_[each];
+            const auto [a, b, c] = stretch.nearness.from(place - stretch.place);
+            const double s = stretch.strength;
+            sum[0] += s * a * a;
+            sum[1] += 2 * s * a * b;
+            sum[2] += s * (b * b + 2 * a * c);
+            sum[3] += 2 * s * b * c;
+            sum[4] += s * c * c;
+        }
         return sum;
     }
 
@@ -242,16 +263,18 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
         if (parameter(range.min) >= wanted.max) return;
         const std::optional<double> known = std::exchange(before, std::nullopt);
         if (parameter(range.max) <= wanted.min) continue;
-        passage.move_to(0.5 * (range.min + range.max));
+        const double middle = 0.5 * (range.min + range.max);
+        passage.move_to(middle);
         if (passage.greatest() <= blob.threshold) continue;
-        const FieldQuartic sum = passage.sum(blob.threshold);
-        const double at_start = known ? *known : polynomial(sum, range.min);
-        before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, range.max);
+        const FieldQuartic sum = passage.sum(blob.threshold, middle);
+        const Interval around{range.min - middle, range.max - middle};
+        const double at_start = known ? *known : polynomial(sum, around.min);
+        before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, around.max);
         bool met = false;
-        for (const double s : sign_changes(sum, range, at_start, *before)) {
-            const double t = parameter(s);
+        for (const double s : sign_changes(sum, around, at_start, *before)) {
+            const double t = parameter(middle + s);
             if (!wanted.contains(t)) continue;
-            const Vec3 normal = unit(-gradient(blob, near.at(s)));
+            const Vec3 normal = unit(-gradient(blob, near.at(middle + s)));
             if (normal == Vec3(0)) continue;
             found.add({t, normal, dot(u, normal) < 0});
             met = true;
