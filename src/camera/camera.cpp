@@ -220,11 +220,9 @@ Projection projection(const Camera& camera) {
         const int most = both ? view.most_blur_samples : view.blur_samples;
         f.blur = {both ? std::min(most, view.blur_samples) : usual_blur_samples(most), most,
                   view.variance, view.confidence};
-        // As in POV-Ray, what scales the camera leaves its lens and the distance to a point as they
-        // are.
+        // As in POV-Ray, what scales the camera leaves its lens and what is sharp as they are.
         f.lens_radius = 0.25 * view.aperture;
-        f.focal_distance = view.focal_point ? length(*view.focal_point - f.location)
-                                            : length(view.transform.direction(f.direction));
+        f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : f.direction);
     }
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);

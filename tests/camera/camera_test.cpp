@@ -151,14 +151,14 @@ TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
     CHECK(rule.allowed(10) == Approx(0.01 * 15.987 / 62.038).epsilon(0.01));
 }
 
-TEST_CASE("the distance to a focal point is the same wherever the camera goes", "[camera]") {
+TEST_CASE("lens and focal distance are the same wherever the camera goes", "[camera]") {
     Perspective camera;
     camera.aperture = 1;
     camera.blur_samples = 40;
     camera.location = Vec3(0, 2, -10);
     camera.direction = Vec3(0, 0, 2);
     camera.transform = Transform::scaling(Vec3(3));
-    CHECK(projection(camera).focal_distance == Approx(6));
+    CHECK(projection(camera).focal_distance == Approx(2));
     camera.focal_point = Vec3(0, 2, -5);
     CHECK(projection(camera).focal_distance == Approx(5));
     CHECK(projection(camera).lens_radius == Approx(0.25));
