@@ -101,9 +101,11 @@ Interval between(const Source& f, const Ray& ray, double low, double high, Inter
 Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
     Interval range = whole_line;
     if (q.c < 0) {
-        const Roots ends = sign_changes(std::array{q.a, q.b, q.c}, whole_line);
-        if (ends.size() != 2) return {1, 0};
-        range = {ends[0], ends[1]};
+        const double square = q.b * q.b - 4 * q.a * q.c;
+        if (!(square > 0)) return {1, 0};
+        const double sum = -0.5 * (q.b + std::copysign(std::sqrt(square), q.b));
+        const double one = sum / q.c, other = q.a / sum;
+        range = {std::min(one, other), std::max(one, other)};
     } else if (!(q.a > 0)) {
         return {1, 0};
     }
@@ -115,15 +117,21 @@ Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
 
 using FieldQuartic = std::array<double, 5>;
 
-/// A stretch of the ray on which a field is a polynomial: strength times the square of a nearness.
-/// All is told from a place on the ray that is near to the field's middle: fourth powers of far
-/// places would leave no digits.
+/// A stretch of the ray on which a field is a polynomial: strength times the square of a nearness,
+/// which is told from a place that is near to the field's middle.
 struct FieldStretch {
     Interval range;
     double place;
     Quadratic nearness;  ///< of s - place
     double strength;
-    double greatest;  ///< what the field adds at most
+    double greatest;          ///< what the field adds at most
+    FieldQuartic field = {};  ///< of s - Passage::origin()
+
+    void tell_from(double origin) {
+        const auto [a, b, c] = nearness.from(origin - place);
+        const double s = strength;
+        field = {s * a * a, 2 * s * a * b, s * (b * b + 2 * a * c), 2 * s * b * c, s * c * c};
+    }
 };
 
 std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
@@ -201,13 +209,25 @@ public:
         std::sort(stretches_.begin(), stretches_.end(), by_start);
     }
 
-    /// Never back.
+    /// Never back. Fields are told from one place for as long as it is near: fourth powers of far
+    /// places would leave no digits.
     void move_to(double place) {
         const auto passed = [&](std::uint32_t i) { return stretches_[i].range.max < place; };
         here_.erase(std::remove_if(here_.begin(), here_.end(), passed), here_.end());
+        std::size_t known = here_.size();
         for (; next_ < stretches_.size() && stretches_[next_].range.min <= place; ++next_)
             if (stretches_[next_].range.max >= place) here_.push_back(next_);
+        double steepest = 0;
+        for (const std::uint32_t i : here_)
+            steepest = std::max(steepest, -stretches_[i].nearness.c);
+        constexpr double radii = 8;
+        if (const double away = place - origin_; !(away * away * steepest <= radii * radii)) {
+            origin_ = place;
+            known = 0;
+        }
+        for (std::size_t i = known; i < here_.size(); ++i) stretches_[here_[i]].tell_from(origin_);
     }
+    double origin() const { return origin_; }
 
     /// What the fields here add at most.
     double greatest() const {
@@ -216,19 +236,11 @@ public:
         return sum;
     }
 
-    /// Their sum, less the threshold, as a function of s - place.
-    FieldQuartic sum(double threshold, double place) const {
+    /// Their sum, less the threshold, as a function of s - origin().
+    FieldQuartic sum(double threshold) const {
         FieldQuartic sum{-threshold, 0, 0, 0, 0};
-        for (const std::uint32_t each : here_) {
-            const FieldStretch& stretch = stretches_[each];
-            const auto [a, b, c] = stretch.nearness.from(place - stretch.place);
-            const double s = stretch.strength;
-            sum[0] += s * a * a;
-            sum[1] += 2 * s * a * b;
-            sum[2] += s * (b * b + 2 * a * c);
-            sum[3] += 2 * s * b * c;
-            sum[4] += s * c * c;
-        }
+        for (const std::uint32_t each : here_)
+            for (std::size_t i = 0; i < 5; ++i) sum[i] += stretches_[each].field[i];
         return sum;
     }
 
@@ -236,6 +248,7 @@ private:
     ShortList<FieldStretch, 32> stretches_;
     ShortList<std::uint32_t, 32> here_;
     std::uint32_t next_ = 0;  ///< the first that the place has not come to
+    double origin_ = 0;
 };
 
 enum class ComponentsWanted { all, nearest };
@@ -263,18 +276,18 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
         if (parameter(range.min) >= wanted.max) return;
         const std::optional<double> known = std::exchange(before, std::nullopt);
         if (parameter(range.max) <= wanted.min) continue;
-        const double middle = 0.5 * (range.min + range.max);
-        passage.move_to(middle);
+        passage.move_to(0.5 * (range.min + range.max));
         if (passage.greatest() <= blob.threshold) continue;
-        const FieldQuartic sum = passage.sum(blob.threshold, middle);
-        const Interval around{range.min - middle, range.max - middle};
+        const FieldQuartic sum = passage.sum(blob.threshold);
+        const double origin = passage.origin();
+        const Interval around{range.min - origin, range.max - origin};
         const double at_start = known ? *known : polynomial(sum, around.min);
         before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, around.max);
         bool met = false;
         for (const double s : sign_changes(sum, around, at_start, *before)) {
-            const double t = parameter(middle + s);
+            const double t = parameter(origin + s);
             if (!wanted.contains(t)) continue;
-            const Vec3 normal = unit(-gradient(blob, near.at(middle + s)));
+            const Vec3 normal = unit(-gradient(blob, near.at(origin + s)));
             if (normal == Vec3(0)) continue;
             found.add({t, normal, dot(u, normal) < 0});
             met = true;
