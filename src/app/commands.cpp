@@ -9,6 +9,7 @@
 #include "app/lsp.h"
 #include "app/memory_limit.h"
 #include "app/merge.h"
+#include "app/mesh_export.h"
 #include "app/preview.h"
 #include "app/sandbox.h"
 #include "app/scene_run.h"
@@ -49,6 +50,19 @@ std::string ini_text(const Options& options) {
     std::string text;
     for (const std::string& line : options.given) text += line + "\n";
     return text;
+}
+
+/// Commands that nobody has permitted are warned of, and the picture is made without them.
+void leave_out_commands(Options& options, Diagnostics& diagnostics) {
+    if (options.commands.allowed) return;
+    for (const CommandSettings::One& one : options.commands.all)
+        if (!one.command.empty())
+            diagnostics.add(warning(Fault::option, {},
+                                    message(one.given,
+                                            " is not run: commands are run only when "
+                                            "that is permitted"))
+                                .with_help("--allow-commands"));
+    options.commands = {};
 }
 
 /// Confines the program to what the run needs. False after a report: a sandbox was asked for, and
@@ -117,6 +131,11 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     if (!options.movie.empty() && !animation)
         diagnostics.add(error(Fault::option, {}, "a film needs the frames of an animation")
                             .with_help("+KFF240"));
+    if (options.task == Task::export_mesh && !mesh_format(options.mesh_file))
+        diagnostics.add(error(Fault::option, {},
+                              message("a mesh is written as PLY or OBJ, which `",
+                                      harmless(options.mesh_file), "` is not by its ending"))
+                            .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe || options.task == Task::completion) {
@@ -129,11 +148,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     }
     if (options.ini_file && !write_file(*options.ini_file, ini_text(options), diagnostics))
         return end_with_errors(exit_status::file);
-    if (options.commands.any() && !options.commands.allowed) {
-        diagnostics.add(error(Fault::option, {}, "commands are run only when that is permitted")
-                            .with_help("--allow-commands"));
-        return end_with_errors(exit_status::usage);
-    }
+    leave_out_commands(options, diagnostics);
     Streams streams(options.streams, console.err);
     if (!streams.problem().empty()) {
         diagnostics.add(error(Fault::io, {},

@@ -27,6 +27,7 @@ void all_stream_files(Options&, const Given&, Diagnostics&);
 template <Moment moment>
 void command(Options& options, const Given& given, Diagnostics&) {
     options.commands[moment].command = *given.value;
+    options.commands[moment].given = shown(given);
 }
 
 /// Pre_Frame_Return and its relatives.

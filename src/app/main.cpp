@@ -6,6 +6,7 @@
 #include "app/signals.h"
 #include "text/message.h"
 
+#include <cerrno>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -37,7 +38,12 @@ int main(int count, char** arguments) {
     Signals signals;
     const std::vector<std::string_view> words(arguments + (count > 0 ? 1 : 0), arguments + count);
     Console console;
-    console.out = [](std::string_view text) { std::cout << text << std::flush; };
+    int wrong = 0;  // with the standard output, the first time
+    console.out = [&wrong](std::string_view text) {
+        errno = 0;
+        std::cout << text << std::flush;
+        if (!std::cout && wrong == 0) wrong = errno;
+    };
     console.err = [](std::string_view text) { std::cerr << text << std::flush; };
     console.terminal = ::isatty(STDERR_FILENO) != 0;
     console.coloured = colours_wanted(console.terminal);
@@ -53,7 +59,8 @@ int main(int count, char** arguments) {
     try {
         const int status = run(words, console);
         if (std::cout.good()) return status;
-        console.err("error: cannot write to standard output\n");
+        // Who has closed the pipe has read enough.
+        if (wrong != EPIPE) console.err("error: cannot write to standard output\n");
         return status == exit_status::done ? exit_status::file : status;
     } catch (const std::bad_alloc&) {
         console.err(no_memory_message);

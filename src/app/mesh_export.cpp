@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mesh_export.h"
 
+#include "modelling/obj.h"
 #include "modelling/object_mesh.h"
 #include "modelling/ply.h"
+#include "text/ascii.h"
 #include "text/message.h"
+
+#include <algorithm>
 
 namespace {
 
@@ -16,7 +20,14 @@ constexpr std::size_t most_faces = 100'000'000;
 
 }  // namespace
 
-std::string exported_mesh(const Scene& scene, Diagnostics& diagnostics) {
+std::optional<MeshFormat> mesh_format(std::string_view file) {
+    const std::string_view ending = file.substr(std::min(file.size(), file.rfind('.')));
+    if (same_letters(ending, ".ply")) return MeshFormat::ply;
+    if (same_letters(ending, ".obj")) return MeshFormat::obj;
+    return std::nullopt;
+}
+
+std::string exported_mesh(const Scene& scene, MeshFormat format, Diagnostics& diagnostics) {
     const Polyhedra* library = modelling_library(diagnostics, {});
     if (!library) return {};
     Mesh all;
@@ -37,7 +48,7 @@ std::string exported_mesh(const Scene& scene, Diagnostics& diagnostics) {
             return {};
         }
     }
-    if (!all.faces.empty()) return ply(all);
+    if (!all.faces.empty()) return format == MeshFormat::obj ? obj(all) : ply(all);
     diagnostics.add(error(Fault::degenerate, {}, "there is no surface to write"));
     return {};
 }

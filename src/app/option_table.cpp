@@ -239,9 +239,8 @@ constexpr auto rows = std::to_array<OptionRow>({
     stream_file<Stream::warning>("Warning_File"),
     that(Touches::permits,
          option("", "", "allow-commands", nothing, "", store::allow_commands,
-                "runs the commands of the following options, which are refused otherwise; no INI "
-                "file that "
-                "may come with a scene can say this or the two other permissions")),
+                "runs the commands of the following options, which are left out otherwise; no INI "
+                "file that may come with a scene can say this or the two other permissions")),
     command<Moment::pre_scene>("Pre_Scene_Command", "before everything"),
     command_return<Moment::pre_scene>("Pre_Scene_Return"),
     command<Moment::pre_frame>("Pre_Frame_Command", "before each picture"),
@@ -267,10 +266,11 @@ constexpr auto rows = std::to_array<OptionRow>({
         "", "", "dump", value, "stage", store::dump,
         "prints what the scene is at a stage: tokens, tree, scene, world, or index (a drawing in "
         "SVG of the cells that a slice cuts)"),
-    that(Touches::writes, option("", "", "export-mesh", value, "file", store::export_mesh,
-                                 "writes the scene's surfaces as triangles to a PLY file and "
-                                 "renders nothing; shapes are "
-                                 "taken apart, intersections and differences are exact")),
+    that(
+        Touches::writes,
+        option("", "", "export-mesh", value, "file", store::export_mesh,
+               "writes the scene's surfaces as triangles to a file, PLY or OBJ by its ending, and "
+               "renders nothing; shapes are taken apart, intersections and differences are exact")),
     option("", "", "export-object", value, "name", store::export_object,
            "what --export-mesh writes: a declared object in the place of the whole scene"),
     option("", "", "progress", value, "form", store::progress,

@@ -219,7 +219,8 @@ private:
     }
 
     int export_mesh(const Scene& scene) {
-        const std::string mesh = exported_mesh(scene, diagnostics_);
+        const std::string mesh = exported_mesh(
+            scene, mesh_format(options_.mesh_file).value_or(MeshFormat::ply), diagnostics_);
         if (!mesh.empty()) write_file(options_.mesh_file, mesh, diagnostics_);
         return say_diagnostics() ? exit_status::file : exit_status::done;
     }

@@ -26,6 +26,7 @@ enum class After : char {
 struct CommandSettings {
     struct One {
         std::string command;  ///< empty: none
+        std::string given;    ///< the option, with its place, for messages
         After after = After::ignore;
         bool inverted = false;  ///< a success has the consequence
     };

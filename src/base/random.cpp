@@ -44,6 +44,8 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::pixel_x), true};
         case Purpose::light_v:
             return {static_cast<std::uint32_t>(Purpose::light_u), true};
+        case Purpose::lens_v:
+            return {static_cast<std::uint32_t>(Purpose::lens_u), true};
         case Purpose::sky_v:
             return {static_cast<std::uint32_t>(Purpose::sky_u), true};
         case Purpose::facet_v:

@@ -44,7 +44,9 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
         maybe(F{"moments", &T::moments, following,
                 "moments of that time that the picture is made of, after a comma",
                 between(1, 1000)}),
-        F{"angle", &T::angle, item, "degrees from the left edge to the right; 0: as without",
+        F{"angle", &T::angle, item,
+          "degrees from the left edge to the right; 0: as without, but look_at says how much "
+          "parallel rays see",
           between(0, 360)}};
     Schema<T, N + common.size() + M> result{name, help, {}};
     auto to = std::copy(before.begin(), before.end(), result.fields.begin());
@@ -99,8 +101,12 @@ const ItemInfo SphericalCamera::vocabulary = described<SphericalCamera>([] {
 
 namespace {
 
-/// How many rays a blurred pixel gets at least when the scene does not say.
-constexpr int usual_blur_samples = 4;
+/// How many rays a blurred pixel gets at least when the scene does not say, as in POV-Ray: fewer
+/// are too often equal by chance.
+int usual_blur_samples(int most) {
+    constexpr int few = 4, usual = 7;
+    return most >= usual ? usual : std::min(most, few);
+}
 
 // Which lens each camera has.
 Lens lens_of(const Perspective&) { return Lens::flat; }
@@ -126,9 +132,10 @@ Projection untransformed(const View& view, Lens lens, bool sizes = true) {
         view.up.value_or(Vec3(0, 1, 0)),
         parallel || lens == Lens::cylinder3 || lens == Lens::cylinder4 || lens == Lens::mesh,
         lens};
-    f.angle = view.angle.value_or(lens == Lens::spherical ? 360 : 90) * radians_per_degree;
+    const bool narrows = view.angle && *view.angle > 0;
+    f.angle = (narrows ? *view.angle : lens == Lens::spherical ? 360 : 90) * radians_per_degree;
     f.vertical_angle = f.angle / 2;
-    if (view.angle && flat)
+    if (narrows && flat)
         f.direction = unit(f.direction) *
                       (0.5 * length(f.right) / std::tan(0.5 * *view.angle * radians_per_degree));
     if (view.look_at) {
@@ -211,12 +218,11 @@ Projection projection(const Camera& camera) {
     if (view.aperture > 0 && view.blur_samples > 0) {
         const bool both = view.most_blur_samples > 0;
         const int most = both ? view.most_blur_samples : view.blur_samples;
-        f.blur = {std::min(most, both ? view.blur_samples : usual_blur_samples), most,
+        f.blur = {both ? std::min(most, view.blur_samples) : usual_blur_samples(most), most,
                   view.variance, view.confidence};
-        const double scale = view.transform.uniform_scale();
-        f.lens_radius = 0.25 * view.aperture * (scale > 0 ? scale : 1);
-        const Vec3 ahead = view.focal_point ? *view.focal_point - f.location : f.direction;
-        f.focal_distance = length(view.transform.direction(ahead));
+        // As in POV-Ray, what scales the camera leaves its lens and what is sharp as they are.
+        f.lens_radius = 0.25 * view.aperture;
+        f.focal_distance = length(view.focal_point ? *view.focal_point - f.location : f.direction);
     }
     f.location = view.transform.point(f.location);
     f.direction = view.transform.direction(f.direction);

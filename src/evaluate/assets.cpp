@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/assets.h"
 
+#include "evaluate/pictures.h"
 #include "font/outlines.h"
 #include "formula/formula.h"
 #include "picture/heights.h"
@@ -88,7 +89,8 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
         return;
     }
     if (field->file.empty()) return;
-    const auto path = block.binder.evaluator.find_data(field->file, block.file_place());
+    const auto path = block.binder.evaluator.find_data(field->file, block.file_place(),
+                                                       picture_endings(block.file_kind));
     std::optional<Heights> heights;
     if (path)
         heights = read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(),

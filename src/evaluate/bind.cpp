@@ -300,7 +300,7 @@ void ItemReader::store(int field, const Element& element) {
     if (value && field < positional_ && offender(info.range, *value))
         if (const auto bare = bare_vectors(element, *info_)) return block_.report(*bare);
     if (info.type == FieldType::text && info.name != "text")  // others name files
-        block_.file_span = element.span;
+        block_.note_file(element.span, info.is_word() ? info.name : std::string_view());
     if (value && in_range(info.range, {name, way_out}, *value, element.span))
         set(field, *value, element.span);
 }

@@ -36,6 +36,11 @@ public:
     bool broken = false;  ///< something has been reported: do not speak of what follows from it
     int taken = 0;        ///< elements that readers took
     Span file_span = {};  ///< of the name of a file that the block has given
+    std::string_view file_kind = {};  ///< the word before that name: `png`; empty: none
+    void note_file(Span name, std::string_view kind) {
+        file_span = name;
+        if (!kind.empty()) file_kind = kind;
+    }
     /// Where to report what is wrong with that file.
     Span file_place() const { return file_span.known() ? file_span : span; }
     /// Textures of the parts of a shape; null where parts have none.

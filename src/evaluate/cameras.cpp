@@ -150,7 +150,7 @@ private:
     bool take_field(const Element& element) {
         const bool taken = fields_.take(element);
         std::optional<double>& angle = view_of(camera_).angle;
-        if (angle == 0.0) angle.reset();
+        if (angle == 0.0 && in_order()) angle.reset();
         if (!taken || !in_order()) return taken;
         looked_at_ = view_of(camera_).look_at.value_or(looked_at_);
         settle(camera_);

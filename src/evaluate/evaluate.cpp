@@ -137,7 +137,7 @@ private:
 
     void take_block(const Element& element) {
         top_.resume();
-        const bool light = element.word == "light_source"_word;
+        const bool light = element.word == "light_source"_word && !is_lamp(binder_, element);
         if (light || makes_object(element.word)) binder_.evaluator.count_object(element.word_span);
         if (light) {
             if (const auto light = read_light(binder_, element)) add_light(*light);
@@ -215,7 +215,8 @@ private:
 
     Value one(const Element& element) {
         const NameId word = element.word;
-        if (word == "light_source"_word) return handle(read_light(binder_, element));
+        if (word == "light_source"_word && !is_lamp(binder_, element))
+            return handle(read_light(binder_, element));
         if (makes_object(word)) {
             ObjectHandle object = read_object(binder_, element);
             return object ? Value(std::move(object)) : Value(Absence::broken);

@@ -80,10 +80,19 @@ std::optional<std::string> Evaluator::load_data(const std::string& name, Span sp
     return std::nullopt;
 }
 
-std::optional<std::string> Evaluator::find_data(const std::string& name, Span span) {
+std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
+                                                std::span<const std::string_view> endings) {
     if (!state_->count_file(span)) return std::nullopt;
     const std::string directory = directory_of(state_->sources.name(span.source));
-    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
+    const Loader& loader = state_->loader;
+    const auto is_there = [&](const std::string& file) {
+        return loader.finds(file, directory, FileKind::data);
+    };
+    std::string file = name;
+    if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
+        for (const std::string_view ending : endings)
+            if (file == name && is_there(message(name, ending))) file = message(name, ending);
+    std::optional<Found> found = loader.load(file, directory, FileKind::data);
     if (found) return std::move(found->path);
     report(state_->loader.problem(name, span, FileKind::data, directory));
     return std::nullopt;

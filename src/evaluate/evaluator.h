@@ -133,8 +133,10 @@ public:
 
     /// A file of data that the scene names; nothing after a report.
     std::optional<std::string> load_data(const std::string& name, Span);
-    /// Where it is; nothing after a report.
-    std::optional<std::string> find_data(const std::string& name, Span);
+    /// Where it is; nothing after a report. A name without an ending may stand for one with one of
+    /// these.
+    std::optional<std::string> find_data(const std::string& name, Span,
+                                         std::span<const std::string_view> endings = {});
     /// The same for a font, which may also be one of the system's: it is looked for and read once,
     /// and stays as long as the evaluator. Null after a report.
     const std::string* load_font(const std::string& name, Span);

@@ -199,7 +199,8 @@ bool read_old_finish(Binder& binder, const ElementList& words, Span span, Finish
 bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     OpenBlock block(binder, "interior", element.word_span);
     block.item = &Interior::vocabulary;
-    block.effectless = "photons";
+    // In POV-Ray the finish alone says how much is let through.
+    block.effectless = "photons refraction";
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
     ItemReader fields(block, *block.item, &interior);

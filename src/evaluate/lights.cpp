@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "evaluate/lights.h"
 
+#include "evaluate/array_data.h"
 #include "evaluate/objects.h"
 #include "evaluate/transforms.h"
 
@@ -69,6 +70,19 @@ private:
 };
 
 }  // namespace
+
+bool is_lamp(const Binder& binder, const Element& element) {
+    const auto& [tree, first] = element.body;
+    if (element.word != "light_source"_word || !tree || first == no_node) return false;
+    const auto* name = tree->get_if<node::Name>(first);
+    const auto* index = tree->get_if<node::Index>(first);
+    const Value* value = name    ? binder.evaluator.find(name->name)
+                         : index ? binder.evaluator.find(index->name)
+                                 : nullptr;
+    if (!value) return false;
+    const ArrayData* array = index ? value->array() : nullptr;
+    return (array ? array->other(array->size()) : *value).handle<Object>() != nullptr;
+}
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);

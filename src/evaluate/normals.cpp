@@ -194,6 +194,14 @@ bool read_old_normal(Binder& binder, const ElementList& words, Span span, Bump& 
     return !block.broken;
 }
 
+void keep_heights(Bump& bump) {
+    BumpDraft draft(bump);
+    draft.settings.no_bump_scale = true;
+    Bump kept = draft.made();
+    kept.frame = bump.frame;
+    bump = std::move(kept);
+}
+
 bool read_normal_map(Binder& binder, const Element& element, NormalMap& map) {
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         EntryNumber number(entry);

@@ -11,3 +11,6 @@ bool read_normal(Binder&, const Element& block, Bump&);
 bool read_old_normal(Binder&, const ElementList&, Span, Bump&);
 bool read_normal_map(Binder&, const Element& block, NormalMap&);
 bool read_slope_map(Binder&, const Element& block, SlopeMap&);
+
+/// As if the normal had said `no_bump_scale`.
+void keep_heights(Bump&);

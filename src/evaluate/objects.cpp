@@ -381,7 +381,7 @@ std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
 }
 
 ObjectHandle read_object(Binder& binder, const Element& element) {
-    if (element.word == "light_source"_word) {
+    if (element.word == "light_source"_word && !is_lamp(binder, element)) {
         std::optional<PlacedLight> light = read_light(binder, element);
         return light ? as_object(std::move(*light)) : nullptr;
     }

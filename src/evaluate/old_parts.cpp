@@ -31,6 +31,15 @@ bool of_pigment(NameId word) {
                             "quick_color"_word, "quick_colour"_word});
 }
 
+/// How many values stand behind a word of an old texture.
+int values_behind(NameId word) {
+    if (word == "metallic"_word) return 0;
+    const std::size_t pattern = Kinds<Pattern>::find(word);
+    const bool bump = of_normal(word) && word != "bump_map"_word;
+    return bump || pattern == Kinds<Pattern>::count ? 1
+                                                    : Kinds<Pattern>::infos[pattern]->positional;
+}
+
 /// A word that has no place in the text.
 Element word_behind(const Element& element, NameId word) {
     Element result;
@@ -54,13 +63,7 @@ void OldPartsReader::put(ElementList& part, const Element& element) {
 bool OldPartsReader::take(const Element& element) {
     if (!known_to(block_.binder)) return false;
     if (element.kind == Element::Kind::value) {
-        const Numbers* numbers = element.value.numbers();
-        const bool amount = numbers && numbers->is_scalar();
-        if (!part_ && amount) put(finish_, word_behind(element, "crand"_word));
-        if (part_ == &normal_ && !amount) part_ = nullptr;
-        put(part_ ? *part_ : pigment_, element);
-        // Words of finishes and normals have one value each.
-        if (part_ != &pigment_) part_ = nullptr;
+        take_value(element);
         return true;
     }
     if (element.kind != Element::Kind::word && element.kind != Element::Kind::block) return false;
@@ -72,10 +75,25 @@ bool OldPartsReader::take(const Element& element) {
         put(pigment_, element);
     else
         return false;
+    missing_ = element.kind == Element::Kind::word ? values_behind(element.word) : 0;
     // As in POV-Ray, their veins have one steep side when they are written so.
     if (element.word == "marble"_word || element.word == "wood"_word)
         put(pigment_, word_behind(element, "ramp_wave"_word));
     return true;
+}
+
+/// A value of the word before it; else a colour, or the grain of the whole texture: a number that
+/// no word waits for.
+void OldPartsReader::take_value(const Element& element) {
+    const Numbers* numbers = element.value.numbers();
+    const bool amount = numbers && numbers->is_scalar();
+    if (part_ == &normal_ && !amount) missing_ = 0;
+    if (missing_ > 0) {
+        --missing_;
+        return put(*part_, element);
+    }
+    if (amount) put(finish_, word_behind(element, "crand"_word));
+    put(amount ? finish_ : pigment_, element);
 }
 
 bool OldPartsReader::move(const Transform& transform) {
@@ -88,7 +106,7 @@ bool OldPartsReader::move(const Transform& transform) {
 
 /// What has come so far is in the texture from here on.
 void OldPartsReader::settle() {
-    part_ = nullptr;
+    missing_ = 0;
     const auto read = [&](ElementList& part, auto reader, auto& result) {
         if (!reader(block_.binder, std::exchange(part, {}), block_.span, result))
             block_.broken = true;

@@ -20,11 +20,13 @@ public:
 
 private:
     void settle();
+    void take_value(const Element&);
     void put(ElementList& part, const Element&);
 
     OpenBlock& block_;
     TextureDraft& draft_;
     ElementList pigment_, normal_, finish_;
-    ElementList* part_ = nullptr;  ///< where the last word belongs, if it misses a value
+    ElementList* part_ = nullptr;  ///< where the last word belongs
+    int missing_ = 0;              ///< values of the last word that may still come
     Transform ahead_;              ///< what has moved it so far
 };

@@ -72,6 +72,30 @@ std::optional<Texels> texels_of(const Formula& function, Evaluator& evaluator, S
 
 }  // namespace
 
+std::span<const std::string_view> picture_endings(std::string_view kind) {
+    struct Endings {
+        std::string_view kind;
+        std::array<std::string_view, 4> endings;
+        std::size_t count;
+    };
+    static constexpr auto known =
+        std::to_array<Endings>({{"png", {".png", ".PNG"}, 2},
+                                {"jpeg", {".jpg", ".JPG", ".jpeg", ".JPEG"}, 4},
+                                {"tiff", {".tif", ".TIF", ".tiff", ".TIFF"}, 4},
+                                {"gif", {".gif", ".GIF"}, 2},
+                                {"tga", {".tga", ".TGA"}, 2},
+                                {"iff", {".iff", ".IFF"}, 2},
+                                {"pot", {".pot", ".POT"}, 2},
+                                {"pgm", {".pgm", ".PGM"}, 2},
+                                {"ppm", {".ppm", ".PPM"}, 2},
+                                {"bmp", {".bmp", ".BMP"}, 2},
+                                {"exr", {".exr", ".EXR"}, 2},
+                                {"hdr", {".hdr", ".HDR"}, 2}});
+    const auto* const found = std::ranges::find(known, kind.empty() ? "png" : kind, &Endings::kind);
+    if (found == known.end()) return {};
+    return std::span(found->endings).first(found->count);
+}
+
 PictureReader::PictureReader(OpenBlock& block, Pattern& pattern)
     : block_(block),
       pattern_(pattern),
@@ -96,8 +120,10 @@ bool PictureReader::take(const Element& element) {
         return true;
     }
     if (element.kind == Element::Kind::word && !fields_.waiting() &&
-        std::ranges::find(file_kinds, element.word) != file_kinds.end())
+        std::ranges::find(file_kinds, element.word) != file_kinds.end()) {
+        block_.file_kind = block_.spelling(element.word);
         return true;
+    }
     if (element.kind == Element::Kind::word && element.word == "srgb"_word &&
         fields_.expected() == "gamma") {
         Element value = element;
@@ -193,7 +219,8 @@ void PictureReader::load() {
         return;
     } else {
         Binder& binder = block_.binder;
-        const auto path = binder.evaluator.find_data(map_.file, block_.file_place());
+        const auto path = binder.evaluator.find_data(map_.file, block_.file_place(),
+                                                     picture_endings(block_.file_kind));
         block_.broken |= !path;
         if (!path) return;
         const TexelCoding how = coding(binder, pattern_, map_);

@@ -6,6 +6,12 @@
 #include "evaluate/bind.h"
 #include "pattern/pattern.h"
 
+#include <span>
+
+/// Endings that the file of a picture may have when its name leaves them out, by the word before
+/// the name: `tga`; without a word, as with `png`. None: the kind has no ending of its own.
+std::span<const std::string_view> picture_endings(std::string_view kind);
+
 /// What stands in the braces, apart from what other readers take.
 class PictureReader {
 public:

@@ -294,6 +294,7 @@ bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
         }
     OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
+    block.effectless = "no_bump_scale";
     read_content(block, element.body, pigment);
     return !block.broken;
 }

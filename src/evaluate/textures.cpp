@@ -55,6 +55,35 @@ private:
     TextureDraft& draft_;
 };
 
+/// `no_bump_scale`, which may stand at any place in a texture.
+class BumpScaleReader : public SimpleReader {
+public:
+    explicit BumpScaleReader(OpenBlock& block) : block_(block) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::word || element.word != "no_bump_scale"_word)
+            return false;
+        word_ = element.word_span;
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("no_bump_scale"); }
+
+    /// The normal of the uppermost layer keeps its heights when it is scaled.
+    void apply(TextureDraft& draft, bool patterned) const {
+        if (!word_) return;
+        if (patterned)
+            return block_.report(warning(Fault::no_effect, *word_,
+                                         "`no_bump_scale` has no effect in a texture that chooses "
+                                         "by a pattern")
+                                     .with_help("it belongs in the normals that are chosen"));
+        keep_heights(draft.edit().normal);
+    }
+
+private:
+    OpenBlock& block_;
+    std::optional<Span> word_;
+};
+
 /// tiles { texture { A } tile2 texture { B } }
 class TilesReader : public SimpleReader {
 public:
@@ -254,8 +283,10 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
     };
     TransformReader moves(block, apply);
     UvReader uv(block);
-    block.read(body, first..., declared, uv, choice, parts, moves, old);
+    BumpScaleReader heights(block);
+    block.read(body, first..., declared, uv, choice, parts, moves, old, heights);
     if (block.broken) return;
+    heights.apply(draft, choice.named());
     if (choice.named()) draft.edit().choice = choice.made();
     if (uv.given) draft.edit() = uv_mapped_with_frame(draft.now());
     if (nesting(draft.now()).too_deep())

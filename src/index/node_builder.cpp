@@ -173,9 +173,10 @@ std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
     Part below, above;
     std::size_t count = all.size() / 2;
     if (part.kind == Part::Kind::divided) {
-        const auto second = std::ranges::partition(
-            all, [&](const Fragment& f) { return part.split.puts_below(f.box); });
-        count = all.size() - second.size();
+        const auto second = std::partition(all.begin(), all.end(), [&](const Fragment& f) {
+            return part.split.puts_below(f.box);
+        });
+        count = static_cast<std::size_t>(second - all.begin());
         below.box = part.split.below;
         above.box = part.split.above;
     } else {
@@ -249,7 +250,10 @@ void NodeBuilder::finish_leaf(Part& part) {
     double passing = 1;
     for (const Fragment& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
     std::ranges::sort(held, {}, &Fragment::item);
-    held = held.first(held.size() - std::ranges::unique(held, {}, &Fragment::item).size());
+    const auto end =
+        std::unique(held.begin(), held.end(),
+                    [](const Fragment& a, const Fragment& b) { return a.item == b.item; });
+    held = held.first(static_cast<std::size_t>(end - held.begin()));
     part.child = TreeChild::leaf(made_.leaves.size());
     made_.leaves.push_back(static_cast<std::uint32_t>(held.size()));
     for (const Fragment& f : held) made_.leaves.push_back(f.item);
@@ -262,7 +266,8 @@ Prospect NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& fra
     const bool many = whole.items.size() > fork_limit;
     Parts parts = parts_of(std::move(whole), depth);
     // Parts that are nodes come first, as long as these are numbered.
-    std::ranges::stable_partition(parts, &Part::inner);
+    std::stable_partition(parts.begin(), parts.end(),
+                          [](const Part& part) { return part.inner(); });
     const auto count = static_cast<std::size_t>(std::ranges::count_if(parts, &Part::inner));
     const std::span<Part> inner(parts.data(), count);
     for (std::size_t i = count; i < parts.size(); ++i) finish_leaf(parts[i]);

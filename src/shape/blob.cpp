@@ -71,6 +71,11 @@ Box bounds(const Source& f) {
 /// a + b s + c s^2.
 struct Quadratic {
     double a, b, c;
+
+    /// The same as a function of s - place.
+    Quadratic from(double place) const {
+        return {a + place * (b + place * c), b + 2 * place * c, c};
+    }
 };
 
 /// 1 - d^2 / radius^2 along the ray.
@@ -96,9 +101,11 @@ Interval between(const Source& f, const Ray& ray, double low, double high, Inter
 Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
     Interval range = whole_line;
     if (q.c < 0) {
-        const Roots ends = sign_changes(std::array{q.a, q.b, q.c}, whole_line);
-        if (ends.size() != 2) return {1, 0};
-        range = {ends[0], ends[1]};
+        const double square = q.b * q.b - 4 * q.a * q.c;
+        if (!(square > 0)) return {1, 0};
+        const double sum = -0.5 * (q.b + std::copysign(std::sqrt(square), q.b));
+        const double one = sum / q.c, other = q.a / sum;
+        range = {std::min(one, other), std::max(one, other)};
     } else if (!(q.a > 0)) {
         return {1, 0};
     }
@@ -110,25 +117,39 @@ Interval reach(const Source& f, const Ray& ray, const Quadratic& q) {
 
 using FieldQuartic = std::array<double, 5>;
 
-/// A stretch of the ray on which a field is a polynomial.
+/// A stretch of the ray on which a field is a polynomial: strength times the square of a nearness,
+/// which is told from a place that is near to the field's middle.
 struct FieldStretch {
     Interval range;
-    FieldQuartic field;
-    double greatest;  ///< what the field adds at most
+    double place;
+    Quadratic nearness;  ///< of s - place
+    double strength;
+    double greatest;          ///< what the field adds at most
+    FieldQuartic field = {};  ///< of s - Passage::origin()
+
+    void tell_from(double origin) {
+        const auto [a, b, c] = nearness.from(origin - place);
+        const double s = strength;
+        field = {s * a * a, 2 * s * a * b, s * (b * b + 2 * a * c), 2 * s * b * c, s * c * c};
+    }
 };
 
 std::optional<FieldStretch> stretch(const Source& f, const Ray& ray) {
-    const Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
+    Ray local = f.transform ? f.transform->inverse_ray(ray) : ray;
+    const Vec3 middle = f.centre + 0.5 * f.length * f.axis;
+    const double place =
+        dot(middle - local.origin, local.direction) / dot(local.direction, local.direction);
+    local.origin = local.at(place);
     const Quadratic q = nearness(f, local);
     const Interval range = reach(f, local, q);
     if (!(range.min < range.max) || !std::isfinite(range.min) || !std::isfinite(range.max))
         return std::nullopt;
-    const double s = f.strength;
     const double nearest = q.c < 0 ? q.a - q.b * q.b / (4 * q.c) : q.a;
-    return FieldStretch{range,
-                        {s * q.a * q.a, 2 * s * q.a * q.b, s * (q.b * q.b + 2 * q.a * q.c),
-                         2 * s * q.b * q.c, s * q.c * q.c},
-                        std::fmax(0, s * nearest * nearest)};
+    return FieldStretch{{range.min + place, range.max + place},
+                        place,
+                        q,
+                        f.strength,
+                        std::fmax(0, f.strength * nearest * nearest)};
 }
 
 /// A point as a source sees it: where it is from the centre or axis, and 1 - d^2 / radius^2;
@@ -188,13 +209,25 @@ public:
         std::sort(stretches_.begin(), stretches_.end(), by_start);
     }
 
-    /// Never back.
+    /// Never back. Fields are told from one place for as long as it is near: fourth powers of far
+    /// places would leave no digits.
     void move_to(double place) {
         const auto passed = [&](std::uint32_t i) { return stretches_[i].range.max < place; };
         here_.erase(std::remove_if(here_.begin(), here_.end(), passed), here_.end());
+        std::size_t known = here_.size();
         for (; next_ < stretches_.size() && stretches_[next_].range.min <= place; ++next_)
             if (stretches_[next_].range.max >= place) here_.push_back(next_);
+        double steepest = 0;
+        for (const std::uint32_t i : here_)
+            steepest = std::max(steepest, -stretches_[i].nearness.c);
+        constexpr double radii = 8;
+        if (const double away = place - origin_; !(away * away * steepest <= radii * radii)) {
+            origin_ = place;
+            known = 0;
+        }
+        for (std::size_t i = known; i < here_.size(); ++i) stretches_[here_[i]].tell_from(origin_);
     }
+    double origin() const { return origin_; }
 
     /// What the fields here add at most.
     double greatest() const {
@@ -203,7 +236,7 @@ public:
         return sum;
     }
 
-    /// Their sum, less the threshold.
+    /// Their sum, less the threshold, as a function of s - origin().
     FieldQuartic sum(double threshold) const {
         FieldQuartic sum{-threshold, 0, 0, 0, 0};
         for (const std::uint32_t each : here_)
@@ -215,6 +248,7 @@ private:
     ShortList<FieldStretch, 32> stretches_;
     ShortList<std::uint32_t, 32> here_;
     std::uint32_t next_ = 0;  ///< the first that the place has not come to
+    double origin_ = 0;
 };
 
 enum class ComponentsWanted { all, nearest };
@@ -245,13 +279,15 @@ void search(const BuiltBlob& blob, const Ray& ray, const Interval& wanted, Compo
         passage.move_to(0.5 * (range.min + range.max));
         if (passage.greatest() <= blob.threshold) continue;
         const FieldQuartic sum = passage.sum(blob.threshold);
-        const double at_start = known ? *known : polynomial(sum, range.min);
-        before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, range.max);
+        const double origin = passage.origin();
+        const Interval around{range.min - origin, range.max - origin};
+        const double at_start = known ? *known : polynomial(sum, around.min);
+        before = i + 2 == ends.size() ? -blob.threshold : polynomial(sum, around.max);
         bool met = false;
-        for (const double s : sign_changes(sum, range, at_start, *before)) {
-            const double t = parameter(s);
+        for (const double s : sign_changes(sum, around, at_start, *before)) {
+            const double t = parameter(origin + s);
             if (!wanted.contains(t)) continue;
-            const Vec3 normal = unit(-gradient(blob, near.at(s)));
+            const Vec3 normal = unit(-gradient(blob, near.at(origin + s)));
             if (normal == Vec3(0)) continue;
             found.add({t, normal, dot(u, normal) < 0});
             met = true;

@@ -26,6 +26,8 @@ std::optional<Plane> half_space(const CompositeLeaf& leaf) {
     return leaf.inverse ? Plane{-normal, -plane->distance} : Plane{normal, plane->distance};
 }
 
+double l1_norm(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
 Interval common(const Interval& a, const Interval& b) {
     return {std::max(a.min, b.min), std::min(a.max, b.max)};
 }
@@ -34,8 +36,7 @@ Interval common(const Interval& a, const Interval& b) {
 /// runs along, nearly, do not count.
 Interval within(std::span<const Plane> half_spaces, const Ray& ray) {
     constexpr double slack = 1e-9, least_rise = 1e-5;
-    const auto sum = [](const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
-    const double size = sum(ray.origin), least = least_rise * sum(ray.direction);
+    const double size = l1_norm(ray.origin), least = least_rise * l1_norm(ray.direction);
     Interval left{-infinity, infinity};
     for (const Plane& plane : half_spaces) {
         const double rise = dot(ray.direction, plane.normal);
@@ -302,10 +303,20 @@ void Composite::meet_leaf(std::uint32_t index, const Ray& ray, const Interval& r
     Crossings found;
     all_crossings_in(leaf.shape, transform ? transform->inverse_ray(ray) : ray, seen, found);
     bool limits_asked = !limited_;
+    // Faces of two parts in one place hide each other by rounding alone, here one and there the
+    // other: what is not seen may be so right before or behind. So a skin stays, as in POV-Ray.
+    const auto seen_near = [&](double t) {
+        constexpr double rounding = 1e-13;
+        const Vec3 point = ray.at(t);
+        if (seen_at(index, point)) return true;
+        const double size = l1_norm(point) + l1_norm(ray.origin);
+        const Vec3 aside = rounding * size / l1_norm(ray.direction) * ray.direction;
+        return seen_at(index, point - aside) || seen_at(index, point + aside);
+    };
     for (std::size_t i = 0; i < found.size(); ++i) {
         const Crossing& c = found[i];
         if (!range.contains(c.t)) continue;
-        if (parents_[index] != nothing && !seen_at(index, ray.at(c.t))) continue;
+        if (parents_[index] != nothing && !seen_near(c.t)) continue;
         if (!limits_asked && !within_limits(index, ray)) return;
         limits_asked = true;
         const Vec3 normal = transform ? unit(transform->normal(c.normal)) : c.normal;

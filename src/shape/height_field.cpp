@@ -94,9 +94,8 @@ Vec3 normal_at(const BuiltHeightField& field, const Half& half, int x, int z, co
     const Vec3 flat = slope_normal(grid, half.rise_x, half.rise_z);
     if (!field.smooth) return flat;
     const auto corner = [&](int dx, int dz) {
-        return field
-            .normals[static_cast<std::size_t>(z + dz) * static_cast<std::size_t>(grid.width) +
-                     static_cast<std::size_t>(x + dx)];
+        const Vec3 normal = pixel_normal(grid, x + dx, z + dz);
+        return field.stretched ? normal / length(field.stretched->normal(normal)) : normal;
     };
     const double u = in_cell.x, v = in_cell.y;
     return unit((1 - v) * ((1 - u) * corner(0, 0) + u * corner(1, 0)) +
@@ -255,13 +254,8 @@ std::string problem(const HeightField& field) {
 BuiltHeightField build(const HeightField& field) {
     const HeightGrid& grid = *field.grid;
     const auto [low, high] = std::ranges::minmax_element(grid.values);
-    BuiltHeightField result{field.grid,     field.water_level, field.smooth,
-                            *low / highest, *high / highest,   {},
-                            levels_of(grid)};
-    if (!field.smooth) return result;
-    for (int z = 0; z < grid.height; ++z)
-        for (int x = 0; x < grid.width; ++x) result.normals.push_back(pixel_normal(grid, x, z));
-    return result;
+    return {field.grid,      field.water_level, field.smooth, *low / highest,
+            *high / highest, levels_of(grid),   nullptr};
 }
 
 Box bounds(const BuiltHeightField& field) {

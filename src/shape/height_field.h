@@ -5,6 +5,7 @@
 
 #include "base/handle.h"
 #include "base/ray.h"
+#include "base/transform.h"
 #include "vocabulary/item_info.h"
 
 #include <cstdint>
@@ -54,8 +55,10 @@ struct BuiltHeightField {
     double water_level = 0;
     bool smooth = false;
     double low = 0, high = 0;               ///< of all heights, up to 1
-    std::vector<Vec3> normals;              ///< of the pixels, when it is smooth
     std::vector<HeightBlocks> levels = {};  ///< from the smallest blocks on
+    /// The place of a smooth one that is stretched there: as in POV-Ray, the normals of pixels are
+    /// of length 1 there when they are mixed, not in the unit square. Null: none.
+    Handle<Transform> stretched = nullptr;
 };
 
 /// What is wrong beyond the ranges of single fields (no heights), as a sentence; empty when nothing

@@ -16,10 +16,9 @@ const void* shared_content(const Shape& shape) {
         shape);
 }
 
-/// A landscape for a place that stretches it: as in POV-Ray, the normals of pixels are of length 1
-/// there when they are mixed, not in the unit square.
-BuiltHeightField stretched(BuiltHeightField field, const Transform& place) {
-    for (Vec3& normal : field.normals) normal /= length(place.normal(normal));
+/// A landscape for a place that stretches it.
+BuiltHeightField stretched(BuiltHeightField field, const Handle<Transform>& place) {
+    field.stretched = place;
     return field;
 }
 
@@ -51,7 +50,7 @@ BuiltShape ShapeStore::built(const Shape& shape, const Handle<Transform>& place)
     };
     const auto* field = std::get_if<Shared<BuiltHeightField>>(&result);
     if (field && (*field)->smooth && place->uniform_scale() == 0)
-        return made(*field, [&](const auto& each) { return stretched(each, *place); });
+        return made(*field, [&](const auto& each) { return stretched(each, place); });
     const auto* patch = std::get_if<Shared<BuiltBicubicPatch>>(&result);
     if (patch && place->determinant() < 0) return made(*patch, mirrored);
     return result;

@@ -173,7 +173,8 @@ private:
         if (object.interior) {
             const auto* group = std::get_if<Union>(&object.form);
             here.interior = &object.interior;
-            here.shared_interior = group && group->csg == Csg::together ? ++shared_interiors_ : 0;
+            const bool shared = outer.of_several || (group && group->csg == Csg::together);
+            here.shared_interior = shared ? ++shared_interiors_ : 0;
         }
         here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection};
         static_cast<Hidden&>(here) = outer | (here.said & outer.heeded);
@@ -307,13 +308,12 @@ private:
     struct LeafVisitor {
         Flattener& flattener;
         std::vector<Inherited> around;
-        std::uint32_t shared_interior;  ///< of the whole, which is one solid
         bool transparent = false;
 
         void enter(const Object& object) {
             around.push_back(flattener.inherit(object, around.back()));
-            around.back().shared_interior = shared_interior;
             const Union* group = std::get_if<Union>(&object.form);
+            around.back().of_several = group && group->children.size() > 1;
             if (!group) return;
             around.back().heeded = heeded_in(group->csg);
             flattener.enter_group(*group, around.back());
@@ -339,7 +339,7 @@ private:
     void add_composite(const Object& object, const Inherited& outer) {
         const auto first = static_cast<PrimitiveIndex>(leaf_materials_.size());
         CompositeBuilder builder(world_.settings.index);
-        LeafVisitor visitor{*this, {outer}, object.interior ? 0 : outer.shared_interior};
+        LeafVisitor visitor{*this, {outer}};
         const PartRef root =
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));

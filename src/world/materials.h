@@ -37,6 +37,9 @@ struct Inherited : Hidden {
     bool named_group = false;           ///< a light group here comes by a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
     bool no_luminaire = false, double_illuminate = false, hollow = false, uv = false;
+    /// One of the parts of a composite. As in POV-Ray, a part with an interior of its own is a
+    /// solid of its own: who enters it does not leave it through the others.
+    bool of_several = false;
 };
 
 class Materials {

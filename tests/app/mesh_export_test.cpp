@@ -35,3 +35,19 @@ TEST_CASE("what has no end is left out of a mesh, and said") {
     CHECK(run({}) == 3);
     CHECK(has(shell.err, "there is no surface to write"));
 }
+
+TEST_CASE("the ending of a mesh's file says its format") {
+    CHECK(mesh_format("a.ply") == MeshFormat::ply);
+    CHECK(mesh_format("a.b/c.OBJ") == MeshFormat::obj);
+    for (const char* other : {"a.stl", "a", "", "obj", "a.obj.gz"}) CHECK_FALSE(mesh_format(other));
+    Shell shell;
+    shell.write("a.pov", "#version 3.7; box { 0, 1 }");
+    REQUIRE(shell({shell.path("a.pov"), "--export-mesh", shell.path("a.obj"), "-V"}) == 0);
+    CHECK(shell.content("a.obj").starts_with("v "));
+    CHECK(has(shell.content("a.obj"), "\nf "));
+    shell.write("b.pov", "#version 3.7; mesh { file \"a.obj\" }");
+    CHECK(shell({shell.path("b.pov"), "--check"}) == 0);
+    CHECK(shell({shell.path("a.pov"), "--export-mesh", shell.path("a.stl")}) == exit_status::usage);
+    CHECK(has(shell.err, "a mesh is written as PLY or OBJ"));
+    CHECK(shell.content("a.stl").empty());
+}

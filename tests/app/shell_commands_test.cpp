@@ -31,9 +31,26 @@ struct Commanded : Shell {
 
 TEST_CASE("commands need a permission") {
     Commanded shell;
-    CHECK(shell.run_with({}) == exit_status::usage);
+    CHECK(shell.run_with({}) == exit_status::done);
+    CHECK(has(shell.err, "warning"));
+    CHECK(has(shell.err, "Post_Frame_Command"));
     CHECK(has(shell.err, "--allow-commands"));
     CHECK(shell.content("log").empty());
+    CHECK_FALSE(shell.content("p.png").empty());
+}
+
+TEST_CASE("of a command that is not run the message names the line") {
+    Shell shell;
+    shell.write("a.ini",
+                "; a film\nWidth=4\nHeight=4\nPost_Scene_Command=rm %o\n"
+                "Pre_Frame_Command=false\nPre_Frame_Return=F\n");
+    CHECK(shell({shell.path("lit.pov"), shell.path("a.ini"), "-V", "--samples", "1",
+                 "+O" + shell.path("p.png"), "+KFF2"}) == exit_status::done);
+    CHECK(has(shell.err, "a.ini:4: `Post_Scene_Command=rm %o` is not run"));
+    CHECK(has(shell.err, "a.ini:5: `Pre_Frame_Command=false` is not run"));
+    // Once, not for each frame.
+    CHECK(shell.err.find("Pre_Frame_Command") == shell.err.rfind("Pre_Frame_Command"));
+    CHECK_FALSE(shell.content("p2.png").empty());
 }
 
 TEST_CASE("commands are run around pictures and frames") {

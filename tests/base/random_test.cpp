@@ -63,15 +63,20 @@ TEST_CASE("the samples of a pixel are spread evenly", "[base]") {
     // into 2^n equal rectangles, and one in each part of the line.
     for (std::uint64_t pixel = 0; pixel < 20; ++pixel)
         for (int wide = 0; wide <= 8; ++wide) {
-            std::set<int> cells, parts;
+            std::set<int> cells, places, parts;
             for (std::uint32_t i = 256; i < 512; ++i) {
                 const Key key{pixel, i, 3, 1};
-                const int x = static_cast<int>(uniform(key, Purpose::light_u) * (1 << wide));
-                const int y = static_cast<int>(uniform(key, Purpose::light_v) * (256 >> wide));
-                cells.insert(x * 256 + y);
+                const auto note = [&](std::set<int>& met, Purpose across, Purpose along) {
+                    const int x = static_cast<int>(uniform(key, across) * (1 << wide));
+                    const int y = static_cast<int>(uniform(key, along) * (256 >> wide));
+                    met.insert(x * 256 + y);
+                };
+                note(cells, Purpose::light_u, Purpose::light_v);
+                note(places, Purpose::lens_u, Purpose::lens_v);
                 parts.insert(static_cast<int>(256 * uniform(key, Purpose::light_choice)));
             }
             CHECK(cells.size() == 256);
+            CHECK(places.size() == 256);
             CHECK(parts.size() == 256);
         }
 }

@@ -150,3 +150,49 @@ TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
     // 0.9 quantiles of the chi-squared distribution with 10 and 49 degrees of freedom.
     CHECK(rule.allowed(10) == Approx(0.01 * 15.987 / 62.038).epsilon(0.01));
 }
+
+TEST_CASE("lens and focal distance are the same wherever the camera goes", "[camera]") {
+    Perspective camera;
+    camera.aperture = 1;
+    camera.blur_samples = 40;
+    camera.location = Vec3(0, 2, -10);
+    camera.direction = Vec3(0, 0, 2);
+    camera.transform = Transform::scaling(Vec3(3));
+    CHECK(projection(camera).focal_distance == Approx(2));
+    camera.focal_point = Vec3(0, 2, -5);
+    CHECK(projection(camera).focal_distance == Approx(5));
+    CHECK(projection(camera).lens_radius == Approx(0.25));
+}
+
+TEST_CASE("the least number of rays follows from the greatest", "[camera]") {
+    Perspective camera;
+    camera.aperture = 1;
+    const auto least = [&](int most) {
+        camera.blur_samples = most;
+        return projection(camera).blur.least;
+    };
+    CHECK(least(3) == 3);
+    CHECK(least(4) == 4);
+    CHECK(least(6) == 4);
+    CHECK(least(7) == 7);
+    CHECK(least(200) == 7);
+    camera.most_blur_samples = 300;
+    CHECK(least(20) == 20);
+}
+
+TEST_CASE("parallel rays with an angle see as much as others do at what is looked at", "[camera]") {
+    Orthographic camera;
+    camera.location = Vec3(0, 0, -10);
+    camera.look_at = Vec3(0);
+    camera.right = Vec3(0.4, 0, 0);
+    CHECK(length(projection(camera).right) == Approx(0.4));
+    camera.angle = 0;
+    CHECK(length(projection(camera).right) == Approx(4));
+    camera.direction = Vec3(0, 0, 2);
+    CHECK(length(projection(camera).right) == Approx(2));
+    camera.angle = 90;
+    CHECK(length(projection(camera).right) == Approx(20));
+    SphericalCamera around;
+    around.angle = 0;
+    CHECK(projection(around).angle == Approx(projection(SphericalCamera()).angle));
+}

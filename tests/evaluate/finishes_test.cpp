@@ -61,6 +61,13 @@ TEST_CASE("an interior adds up", "[evaluate]") {
         sphere_with("interior { I }", "#declare I = interior { ior 1.3 }").object().interior->ior ==
         1.3);
     CHECK(sphere_with("interior { ior 2 } interior { }").object().interior->ior == 2);
+    for (const std::string version : {"3.7", "3.1"}) {
+        const Script old =
+            run("#version " + version + "; sphere { 0, 1 interior { refraction 0.85 ior 1.5 } }");
+        CHECK(old.object().interior->ior == 1.5);
+        REQUIRE(old.said.size() == 1);
+        CHECK(old.said[0].message == "`refraction` has no effect in this version");
+    }
 }
 
 TEST_CASE("albedo is turned into amounts when the finish is complete", "[evaluate]") {

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <regex>
+
 namespace {
 
 const PointLight& light(const Script& done, std::size_t i = 0) {
@@ -87,4 +89,30 @@ TEST_CASE("a light may look like an object, which moves with it", "[evaluate]") 
     REQUIRE(done.scene.objects.size() == 1);
     CHECK(done.object().transform->point(Vec3(0)) == Vec3(6, 2, 3));
     CHECK(done.object().no_shadow);
+}
+
+TEST_CASE("a light source may be a declared object with lights in it", "[evaluate]") {
+    const std::string script =
+        "#version 3.7; #declare U = union { sphere { 0, 1 } light_source { y, 1 } }"
+        "#declare O = object { light_source { z, 1 } } #declare A = array[2] { U, O }"
+        "light_source { U translate x } light_source { O scale 2 } light_source { A[1] }"
+        "union { light_source { A[0] translate -x } sphere { 9, 1 } }"
+        "#declare X = light_source { U pigment { rgb x } no_shadow } object { X }"
+        "#declare S = sphere { 0, 1 } light_source { S }";
+    const Script done = run(script);
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.lights.size() == 5);
+    CHECK(light(done, 0).location == Vec3(1, 1, 0));
+    CHECK(light(done, 1).location == Vec3(0, 0, 2));
+    CHECK(light(done, 2).location == Vec3(0, 0, 1));
+    CHECK(light(done, 3).location == Vec3(-1, 1, 0));
+    CHECK(light(done, 4).location == Vec3(0, 1, 0));
+    const Script plain =
+        run(std::regex_replace(script, std::regex("light_source \\{ (U|O|S|A)"), "object { $1"));
+    CHECK(plain.text.empty());
+    CHECK(plain.scene.lights.size() == 5);
+    CHECK(done.scene.objects.size() == plain.scene.objects.size());
+    CHECK(complaint("#declare S = sphere { 0, 1 } light_source { S fade_power 2 }") ==
+          "error misplaced: `fade_power` has no place in `light_source`");
 }

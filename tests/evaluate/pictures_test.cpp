@@ -2,13 +2,19 @@
 #include "evaluate/pictures.h"
 
 #include "evaluate/script.h"
+#include "support/folder.h"
+#include "support/scripts.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "surface/texture_map.h"
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 namespace {
+
+namespace fs = std::filesystem;
 
 Script with(const std::string& pigment) {
     return run("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }");
@@ -119,4 +125,35 @@ TEST_CASE("uv_mapping may stand in textures and in what they consist of", "[eval
     CHECK(done.texture(1).normal.uv);
     CHECK(done.object(2).uv_mapping);
     CHECK(done.texture(2).pigment.transform == Transform());
+}
+
+TEST_CASE("the ending of a picture's name may be left out", "[evaluate]") {
+    CHECK(picture_endings("png")[1] == ".PNG");
+    CHECK(picture_endings("")[0] == ".png");
+    CHECK(picture_endings("jpeg").size() == 4);
+    CHECK(picture_endings("sys").empty());
+    const Folder folder;
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/p.tga", folder / "a.TGA");
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/p.ppm", folder / "a.ppm");
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/g1.png", folder / "b.png");
+    const auto said = [&](const std::string& picture) {
+        const std::size_t name = picture.find('"') + 1;
+        const std::string text = std::string(picture).insert(name, folder.path().string() + "/");
+        const std::string script = text.starts_with("height_field")
+                                       ? text
+                                       : "sphere { 0, 1 pigment { image_map { " + text + " } } }";
+        return evaluated("#version 3.7; " + script).diagnostics;
+    };
+    for (const std::string good :
+         {"tga \"a\"", "ppm \"a\"", "png \"b\"", "\"b\"", "\"b.png\"", "height_field { tga \"a\" }",
+          "height_field { png \"b\" }", "height_field { \"b\" smooth }"}) {
+        INFO(good);
+        CHECK(said(good).empty());
+    }
+    for (const std::string bad :
+         {"png \"a\"", "\"a\"", "jpeg \"b\"", "sys \"b\"", "tga \"b.png.tga\"", "png \"b.\"",
+          "height_field { png \"a\" }", "height_field { sys \"b\" }"}) {
+        INFO(bad);
+        CHECK(said(bad).find("there is no file") != std::string::npos);
+    }
 }

@@ -2,6 +2,7 @@
 #include "evaluate/textures.h"
 
 #include "evaluate/looks.h"
+#include "surface/normal_map.h"
 #include "surface/texture_map.h"
 
 #include <catch2/catch.hpp>
@@ -97,4 +98,31 @@ TEST_CASE("wrong textures are told of once", "[evaluate]") {
           "error misplaced: `texture_map` needs a pattern before it");
     CHECK(complaint("sphere { 0, 1 texture { checker texture { } texture { } texture { } } }") ==
           "error wrong-count: this pattern takes 2 textures, but here is one more");
+}
+
+TEST_CASE("no_bump_scale may stand anywhere in a texture", "[evaluate]") {
+    const std::string declared =
+        "#declare T = texture { pigment { rgb 1 } normal { bumps 0.3 scale 2 } }";
+    for (const std::string text :
+         {"no_bump_scale normal { bumps 0.3 }", "normal { bumps 0.3 } scale 2 no_bump_scale",
+          "pigment { rgb 1 } no_bump_scale normal { bumps }", "T no_bump_scale scale 3"}) {
+        INFO(text);
+        const Script done = sphere_with("texture { " + text + " }", declared);
+        CHECK(done.texture().normal.pattern->settings.no_bump_scale);
+    }
+    const Script kept = sphere_with("texture { T no_bump_scale }", declared);
+    CHECK(kept.texture().normal.transform.point(Vec3(1)) == Vec3(2));
+    CHECK(kept.texture().normal.pattern->settings.bump_size == 0.3);
+    const Script later = sphere_with("texture { no_bump_scale } normal { bumps 0.3 }");
+    CHECK(later.texture().normal.pattern->settings.no_bump_scale);
+    const Script layers =
+        sphere_with("texture { L no_bump_scale }",
+                    declared +
+                        "#declare L = texture { T } texture { pigment { rgbt 0.5 } normal "
+                        "{ bumps } }");
+    CHECK(layers.texture().normal.pattern->settings.no_bump_scale);
+    CHECK_FALSE(layers.texture().below->normal.pattern->settings.no_bump_scale);
+    CHECK(complaint("sphere { 0, 1 texture { checker texture { } texture { } no_bump_scale } }") ==
+          "warning no-effect: `no_bump_scale` has no effect in a texture that chooses by a "
+          "pattern");
 }

@@ -97,3 +97,19 @@ TEST_CASE("a blob needs a component", "[shape]") {
     // One whose fields are all 0 is never met.
     CHECK(hits(build(blob(1, {ball(o, 1, 0)})), {-5.0 * x, x}).empty());
 }
+
+TEST_CASE("components far apart are met as well as near ones", "[shape]") {
+    const double r = std::sqrt(1 - std::sqrt(0.5));
+    for (const double far : {1.0, 40.0, 200.0, 1e4}) {
+        const Blob apart = blob(0.5, {ball(-far * x, 1, 1), ball(far * x, 1, 1)},
+                                {{Vec3(-3 * far, -1, 0), Vec3(-3 * far, 1, 0), 1, 1, {}, -1}});
+        const auto met = hits(build(apart), {-5.0 * far * x, x});
+        INFO(far);
+        REQUIRE(met.size() == 6);
+        const double places[] = {2, 4, 6};
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(met[2 * i].t == Approx(places[i] * far - r).epsilon(1e-13));
+            CHECK(met[2 * i + 1].t == Approx(places[i] * far + r).epsilon(1e-13));
+        }
+    }
+}

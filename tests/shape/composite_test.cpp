@@ -272,6 +272,26 @@ TEST_CASE("a composite of many parts asks few of them", "[shape]") {
     CHECK_FALSE(sieve.inside(Vec3(7.1, 0.5, 8)));
 }
 
+TEST_CASE("faces of two parts in one place leave no holes in the skin between them", "[shape]") {
+    // The second box is scaled, so that its faces are met where rounding leads.
+    for (const double scale : {1.0, 1.001, 1.1}) {
+        CompositeBuilder builder;
+        const PartRef body = builder.add({Cuboid{Vec3(0), Vec3(1)}, nullptr, false});
+        const PartRef cut =
+            builder.add({Cuboid{Vec3(0), Vec3(1, 0.5, 0.5)},
+                         make_handle<Transform>(Transform::scaling(Vec3(scale))), true});
+        const Composite made = builder.finish(builder.add(Combination::common, {body, cut}));
+        Draw draw(7);
+        for (int i = 0; i < 20000; ++i) {
+            const Vec3 to(draw.between(0.01, 0.99), draw.between(0.01, 0.49), 0);
+            const Vec3 from(draw.between(-3, 3), draw.between(-3, 3), draw.between(-5, -1));
+            const auto met = made.first({from, unit(to - from)}, ahead, everything);
+            REQUIRE(met);
+            REQUIRE(met->t == Approx(length(to - from)));
+        }
+    }
+}
+
 TEST_CASE("a composite without parts is empty", "[shape]") {
     CompositeBuilder builder;
     const Composite nothing = builder.finish(builder.add(Combination::together, {}));

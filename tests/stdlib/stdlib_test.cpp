@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each file of the standard library can be included alone and twice, says nothing, and declares
 // what it documents.
+#include "support/draw.h"
 #include "support/scripts.h"
 #include "support/vectors.h"
+#include "surface/texture.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 namespace fs = std::filesystem;
 
@@ -104,5 +107,68 @@ TEST_CASE("the library declares every name of POV-Ray's file of the same name", 
                       name.get<std::string>() + " \" #end\n";
         INFO(include);
         CHECK(evaluated(script).printed == "");
+    }
+}
+
+namespace {
+
+Texture library_texture(const std::string& include, const std::string& name) {
+    return *scene_of("#version 3.7; #include \"" + include + "\" sphere { 0, 1 texture { " + name +
+                     " } }")
+                .objects.at(0)
+                ->texture;
+}
+
+/// The mean over many places of what a function makes of a colour there.
+Vec3 mean(const Pigment& pigment, const std::function<Vec3(const Colour&)>& share) {
+    constexpr int count = 40000;
+    Draw draw(1);
+    Vec3 sum(0);
+    for (int i = 0; i < count; ++i) sum += share(evaluate(pigment, draw.point(20)));
+    return sum / double{count};
+}
+
+}  // namespace
+
+TEST_CASE("as many places of a starfield are lit as in POV-Ray, and in its colours", "[stdlib]") {
+    const double lit[] = {0.0331, 0.0494, 0.0664, 0.0984, 0.1289, 0.1583};
+    for (int i = 0; i < 6; ++i) {
+        const Pigment stars =
+            library_texture("stars.inc", "Starfield" + std::to_string(i + 1)).pigment;
+        const auto is = [](bool yes) { return Vec3(yes ? 1 : 0, 0, 0); };
+        const double all = mean(stars, [&](const Colour& c) { return is(c.rgb != Vec3(0)); }).x;
+        CHECK(all == Approx(lit[i]).margin(0.004));
+        const Vec3 colour = mean(stars, [](const Colour& c) { return c.rgb; }) / all;
+        CHECK(colour.r == Approx(0.664).margin(0.02));
+        CHECK(colour.g == Approx(0.61).margin(0.02));
+        CHECK(colour.b == Approx(0.613).margin(0.02));
+    }
+}
+
+TEST_CASE("a finish that is put on a stone reaches its upper layer, as in POV-Ray", "[stdlib]") {
+    struct Case {
+        const char* stone;
+        Vec3 upper, lower;  ///< what each adds in POV-Ray, in 255ths
+    };
+    const Case cases[] = {{"T_Stone1", {73, 64, 59}, {60, 44, 33}},
+                          {"T_Stone21", {10, 10, 10}, {88, 43, 48}},
+                          {"T_Stone30", {16, 10, 18}, {100, 97, 61}},
+                          {"T_Stone44", {37, 21, 3}, {55, 55, 55}}};
+    for (const Case& c : cases) {
+        INFO(c.stone);
+        const Texture stone =
+            library_texture("stones.inc", std::string(c.stone) + " finish { ambient 1 diffuse 0 }");
+        REQUIRE(stone.below);
+        CHECK_FALSE(stone.below->below);
+        CHECK(stone.below->finish.diffuse + stone.below->finish.ambient.x == Approx(0.7));
+        const Vec3 upper =
+            mean(stone.pigment, [](const Colour& at) { return (1 - at.transmit) * at.rgb; });
+        const double through = evaluate(stone.pigment, Vec3(0)).transmit;
+        const Vec3 lower =
+            0.7 * through * mean(stone.below->pigment, [](const Colour& at) { return at.rgb; });
+        for (int i = 0; i < 3; ++i) {
+            CHECK(255 * upper[i] == Approx(c.upper[i]).margin(3));
+            CHECK(255 * lower[i] == Approx(c.lower[i]).margin(4));
+        }
     }
 }

@@ -95,4 +95,11 @@ TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
     CHECK(solids("union { " + parts + "sphere { 2, 1 " + glass + glass) == 2);
     CHECK(solids("union { " + parts + "}") == 2);
     CHECK(solids("union { union { " + parts + "} difference { " + parts + "} " + glass) == 1);
+    // Parts of a composite are solids of their own where they have interiors of their own.
+    CHECK(solids("intersection { " + parts + glass) == 1);
+    CHECK(solids("intersection { sphere { 0, 1 " + glass + "box { 0, 1 } }") == 2);
+    CHECK(solids("difference { union { " + parts + glass + "box { 0, 1 " + glass + glass) == 2);
+    CHECK(solids("#declare B = box { 0, 1 " + glass +
+                 "merge { object { B } object { B translate x } }") == 2);
+    CHECK(solids("#declare D = difference { " + parts + glass + "object { D } object { D }") == 2);
 }
