@@ -99,7 +99,11 @@ std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std:
     Numbers numbers;
     const bool computed = compute(tree, id, numbers);
     if (computed && numbers.is_scalar()) return numbers.at[0];
-    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
+    return number_in(computed ? Value(numbers) : walk_expression(tree, id), tree, id, what, word);
+}
+
+std::optional<double> Evaluator::State::number_in(const Value& value, const Tree& tree, NodeId id,
+                                                  std::string_view what, NameId word) {
     if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
     const std::string named =
         word == no_name ? std::string() : message(" `", names.spelling(word), "`");

@@ -68,25 +68,26 @@ bool Evaluator::may_have_parts(const Object& object, Span span) {
 }
 bool Evaluator::spend(std::uint64_t amount, Span span) { return state_->spend(amount, span); }
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
+SourceStore& Evaluator::sources() { return state_->sources; }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
 
-std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+std::optional<Found> Evaluator::load_found(const std::string& name, Span span) {
     if (!state_->count_file(span)) return std::nullopt;
     const std::string directory = directory_of(state_->sources.name(span.source));
     std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
-    if (found) return std::move(found->text);
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return std::nullopt;
+    if (!found) report(state_->loader.problem(name, span, FileKind::data, directory));
+    return found;
+}
+
+std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+    std::optional<Found> found = load_found(name, span);
+    return found ? std::optional(std::move(found->text)) : std::nullopt;
 }
 
 std::optional<std::string> Evaluator::find_data(const std::string& name, Span span) {
-    if (!state_->count_file(span)) return std::nullopt;
-    const std::string directory = directory_of(state_->sources.name(span.source));
-    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
-    if (found) return std::move(found->path);
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return std::nullopt;
+    std::optional<Found> found = load_found(name, span);
+    return found ? std::optional(std::move(found->path)) : std::nullopt;
 }
 
 const std::string* Evaluator::load_font(const std::string& name, Span span) {
@@ -141,6 +142,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     meaning.function = [](const Element&) { return Handle<Formula>(nullptr); };
     meaning.set_default = [](const Element&) {};
     meaning.print = [](std::string_view) {};
+    world.evaluator = &evaluator;
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };
     world.file_exists = [this](std::string_view name) {
         constexpr std::uint64_t asking = 100'000;

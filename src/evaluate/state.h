@@ -10,6 +10,7 @@
 #include "evaluate/files.h"
 #include "evaluate/frames.h"
 #include "evaluate/functions.h"
+#include "evaluate/indices.h"
 #include "evaluate/macro.h"
 #include "evaluate/scope.h"
 #include "evaluate/sink.h"
@@ -33,21 +34,6 @@ struct OpenLoop {
     std::uint64_t passes = 0;
 
     Span place() const;
-};
-
-/// `[i][j]`, computed.
-struct Indices {
-    std::array<double, 16> values;
-    std::size_t count = 0;
-    const Tree* tree = nullptr;
-    NodeId first = no_node;
-
-    /// The place of one of them.
-    Span span(std::size_t i) const {
-        NodeId id = first;
-        for (; i > 0; --i) id = (*tree)[id].next;
-        return tree->span(id);
-    }
 };
 
 /// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
@@ -111,6 +97,9 @@ struct Evaluator::State {
     /// A number, or nothing when that has been reported. `what` and the word begin the message:
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
+    /// The same for a value that is there already.
+    std::optional<double> number_in(const Value&, const Tree&, NodeId, std::string_view what,
+                                    NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);
     Value with_sign(Operator, Value, Span);
     Value binary(const Tree&, const node::Binary&, NodeId);
@@ -157,16 +146,20 @@ struct Evaluator::State {
     bool indices(const Tree&, NodeId first, Indices& result);
     /// The element that indices lead to, through arrays of arrays: uninitialised when it is not
     /// set, broken when that has been reported.
-    Value element(const Value& array, const Indices&, Span);
+    Value element(const Value& array, Indices&, Span);
     /// An element for writing.
     struct Place {
         ArrayData* array = nullptr;  ///< null when reported
         std::size_t element = 0;
     };
-    Place edit_element(Value& array, const Indices&, Span);
+    Place edit_element(Value& array, Indices&, Span);
     /// The place of an element in its array, or nothing when reported; `used` moves past the
     /// indices that it took.
-    std::optional<std::size_t> place(const ArrayData&, const Indices&, std::size_t& used, Span);
+    std::optional<std::size_t> place(const ArrayData&, Indices&, std::size_t& used, Span);
+    /// One index of a dimension of that size; nothing when reported.
+    std::optional<int> index_in(const ArrayData&, std::size_t dimension, Indices&,
+                                std::size_t used);
+    void report_unknown_name(const IndexNames*, const std::string& name, Span);
     bool check_array(const Value&, Span);
 
     // ---- call.cpp
