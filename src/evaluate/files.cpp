@@ -2,6 +2,7 @@
 #include "evaluate/files.h"
 
 #include "evaluate/state.h"
+#include "text/harmless.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -146,12 +147,26 @@ void Evaluator::State::read_values(const Tree& tree, const node::Read& node, Nod
                    .pointing(file->opened, "opened here"));
         return;
     }
-    for (NodeId target = tree[node.content].next; target != no_node; target = tree[target].next) {
+    const NodeId first = tree[node.content].next;
+    for (NodeId target = first; target != no_node; target = tree[target].next) {
+        const Span before = file->reader->place();
         if (!read_into(tree, target, *file->reader)) return;
+        if (target != first && file->reader->behind_line_end())
+            warn_of_line_end(*file, tree.span(target), before);
         if (!file->reader->at_end()) continue;
         scope.undefine(tree.get<node::Name>(node.content).name);
         return;
     }
+}
+
+/// A row that is short gives its place to what stands in the next one. Said once of each file.
+void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span before) {
+    if (!crossed_lines.insert(file.name).second) return;
+    report(warning(Fault::wrong_count, target,
+                   message("this #read goes on in the next line of `", harmless(file.name), "`"))
+               .with_label("this is in the next line")
+               .pointing({before.source, before.last, before.last}, "here a line ends")
+               .with_help("read_csv(\"...\") reads tables, and tells of rows that are short"));
 }
 
 /// Reads one value; false when reading cannot go on.

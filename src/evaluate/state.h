@@ -308,6 +308,7 @@ struct Evaluator::State {
     void check_written_files();
     void read_values(const Tree&, const node::Read&, NodeId);
     bool read_into(const Tree&, NodeId target, DataReader&);
+    void warn_of_line_end(const DataFile&, Span target, Span before);
     void write_values(const Tree&, const node::Write&, NodeId);
     void write_value(DataWriter&, const Value&, const std::optional<BinaryForm>&, Span);
 
@@ -351,6 +352,7 @@ struct Evaluator::State {
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;                ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
+    std::set<std::string> crossed_lines;     ///< files of which a #read went on in the next line
     std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
     std::uint64_t work = 0;
     double version = 3.7;
