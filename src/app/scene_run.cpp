@@ -244,6 +244,7 @@ private:
         const Door scene_door = door(picture_folder, library);
         Loader loader(noted(scene_reader(scene_door)), scene_folder_, library, scene_door,
                       disk_lister());
+        loader.set_standard_library(console_.library);
         // Files are written once, not at each moment of an open shutter.
         if ((options_.task != Task::render && options_.task != Task::export_mesh) ||
             clock_ahead > 0)

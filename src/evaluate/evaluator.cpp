@@ -54,6 +54,15 @@ Value Evaluator::value_of(const Element& element) {
 double Evaluator::version() const { return state_->version; }
 void Evaluator::set_working_gamma(double gamma) { state_->working_gamma = gamma; }
 bool Evaluator::version_given() const { return state_->version_given; }
+bool Evaluator::has_foreign_strings() const {
+    const auto is_foreign = [](const std::string& text) {
+        return std::ranges::any_of(text,
+                                   [](char c) { return static_cast<unsigned char>(c) > 127; });
+    };
+    return std::ranges::any_of(state_->files.all(), [&](const Tree& tree) {
+        return std::ranges::any_of(tree.texts, is_foreign);
+    });
+}
 const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
@@ -74,7 +83,9 @@ Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
 
 std::optional<Found> Evaluator::load_found(const std::string& name, Span span) {
     if (!state_->count_file(span)) return std::nullopt;
-    const std::string directory = directory_of(state_->sources.name(span.source));
+    // A macro of the library is given names as from where it is called.
+    const SourceId from = state_->outside_library(span).source;
+    const std::string directory = directory_of(state_->sources.name(from));
     std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
     if (!found) report(state_->loader.problem(name, span, FileKind::data, directory));
     return found;
@@ -116,7 +127,8 @@ std::vector<std::string_view> Evaluator::declared_names() const {
 void Evaluator::run(SourceId main) {
     State& state = *state_;
     state.diagnostics.set_frames(
-        [&state] { return state.frames.list(state.names, state.sources); });
+        [&state] { return state.frames.list(state.names, state.sources); },
+        [&state](Diagnostic& diagnostic) { state.point_at_scene(diagnostic); });
     on_deep_stack(state.limits.stack_bytes, [&](std::size_t bytes) {
         const char here = 0;
         // What runs between two checks, the binder included, fits into the margin.

@@ -125,6 +125,9 @@ public:
 
     /// The value of `#version`.
     double version() const;
+    /// Whether a string of the scene has other characters than those of ASCII, so far as it is
+    /// read.
+    bool has_foreign_strings() const;
     /// What assumed_gamma has said: colours by srgb are converted to it from here on.
     void set_working_gamma(double);
     /// Whether `#version` has occurred.

@@ -59,6 +59,9 @@ struct Evaluator::State {
         diagnostics.add(std::move(diagnostic));
         if (diagnostics.full()) stopped_ = true;
     }
+    /// What is wrong in the library is told of where the scene calls it.
+    void point_at_scene(Diagnostic&) const;
+    Span outside_library(Span) const;
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);

@@ -22,8 +22,8 @@ Evaluated evaluate_text(const std::string& name, const std::string& text,
                         const Declares& declares) {
     SourceStore sources;
     Diagnostics diagnostics;
-    const Loader loader(disk_reader(), root,
-                        {root + "/stdlib", root + "/tests/conformance/pictures"});
+    Loader loader(disk_reader(), root, {root + "/stdlib", root + "/tests/conformance/pictures"});
+    loader.set_standard_library(root + "/stdlib");
     Evaluated result;
     EvaluateOptions options;
     options.declares = declares;
