@@ -107,12 +107,16 @@ bool Evaluator::State::indices(const Tree& tree, NodeId first, Indices& result) 
     result.tree = &tree;
     result.first = first;
     for (NodeId id = first; id != no_node; id = tree[id].next) {
-        const Value value = evaluate(tree, id);
+        Value other = Absence::nothing;
+        std::optional<double> number = number_or(tree, id, other);
+        const std::string* const text = number ? nullptr : other.text();
         bool room = true;
-        if (const std::string* text = value.text()) {
+        if (text) {
+            constexpr std::uint64_t asking = 200, each_letter = 20;
+            if (!spend(asking + each_letter * text->size(), tree.span(id))) return false;
             room = result.add(*text);
         } else {
-            const std::optional<double> number = number_in(value, tree, id, "an index");
+            if (!number) number = number_in(other, tree, id, "an index");
             if (!number) return false;
             room = result.add(*number);
         }
@@ -173,10 +177,14 @@ std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, Indic
                            dimension == 1 ? "is 1 index" : message("are ", dimension, " indices")));
             return std::nullopt;
         }
-        const std::optional<int> index = index_in(array, dimension, indices, used);
-        if (!index) return std::nullopt;
-        result = result * static_cast<std::size_t>(array.sizes()[dimension]) +
-                 static_cast<std::size_t>(*index);
+        const int size = array.sizes()[dimension];
+        double whole = indices.values[used] + tolerance;
+        if (!indices.texts.empty() || !(whole >= 0 && whole < size)) {
+            const std::optional<int> index = index_in(array, dimension, indices, used);
+            if (!index) return std::nullopt;
+            whole = *index;
+        }
+        result = result * static_cast<std::size_t>(size) + static_cast<std::size_t>(whole);
         ++used;
     }
     return result;
@@ -200,6 +208,7 @@ Value Evaluator::State::element(const Value& array, Indices& indices, Span span)
     Value at = array;
     for (std::size_t used = 0; used < indices.count;) {
         if (indices.asking && at.absent()) return at;
+        if (indices.asking && !at.array() && !indices.texts.empty()) return Absence::uninitialised;
         if (!check_array(at, span)) return Absence::broken;
         const std::optional<std::size_t> i = place(*at.array(), indices, used, span);
         if (!i) return Absence::broken;

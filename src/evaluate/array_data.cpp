@@ -37,9 +37,9 @@ Value ArrayData::at(std::size_t i) const {
 
 bool ArrayData::fits(std::size_t i, const Value& value) const {
     if (set_ <= (has(i) ? 1u : 0u)) return true;
+    if (values_.empty()) return value.numbers() != nullptr;
     // Tables may have columns of several kinds.
-    if (has(i) && at(i).same_kind(value)) return true;
-    return values_.empty() ? value.numbers() != nullptr : other(i).same_kind(value);
+    return other(i).same_kind(value) || values_[i].same_kind(value);
 }
 
 Value ArrayData::other(std::size_t i) const {

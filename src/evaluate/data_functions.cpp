@@ -24,8 +24,8 @@ public:
         const std::string name(call_.text(0));
         if (call_.failed()) return false;
         std::optional<Found> found = evaluator_.load_found(name, call_.place(0));
-        // Its text is looked at, and copied into numbers.
-        if (!found || !evaluator_.spend(found->text.size() / 2, call_.place(0))) {
+        // Its text is looked at, and made into numbers.
+        if (!found || !evaluator_.spend(4 * found->text.size(), call_.place(0))) {
             call_.fail_silently();
             return false;
         }
@@ -124,7 +124,9 @@ Value csv_file(FunctionCall& call) {
                             message("cells are separated by one sign and may stand in double "
                                     "quotes; read_csv(name, options) takes ",
                                     csv_words));
-    if (!evaluator.spend(table->rows * table->columns, call.place(0))) return call.fail_silently();
+    constexpr std::uint64_t each_string = 150;
+    if (!evaluator.spend(each_string * table->cells.size(), call.place(0)))
+        return call.fail_silently();
     ArrayData result = array_of_table(*table, evaluator);
     if (!table->names.empty())
         result.set_names(std::make_shared<const IndexNames>(std::move(table->names)));
@@ -136,8 +138,11 @@ Value json_file(FunctionCall& call) {
     DataText file(call, evaluator);
     if (call.count() > 1) call.text(1);
     if (call.failed() || !file.load()) return Absence::broken;
-    // Reading it takes several times as long as reading numbers only.
-    if (!evaluator.spend(4 * file.text().size(), call.place(0))) return call.fail_silently();
+    constexpr std::uint64_t each_value = 100;
+    const auto values =
+        std::ranges::count_if(file.text(), [](char c) { return c == ',' || c == '[' || c == '{'; });
+    if (!evaluator.spend(each_value * static_cast<std::uint64_t>(values), call.place(0)))
+        return call.fail_silently();
     JsonProblem problem;
     std::optional<Value> result = read_json(file.text(), file.most(), problem);
     if (!result && problem.placed)
@@ -156,6 +161,9 @@ Value column_names(FunctionCall& call) {
     if (!array) return Absence::broken;
     if (!array->names()) return call.fail(Fault::missing, 0, "nothing in this array has a name");
     const std::vector<std::string>& names = array->names()->all();
+    constexpr std::uint64_t making = 300, each_name = 100;
+    if (!call.world.evaluator->spend(making + each_name * names.size(), call.place(0)))
+        return call.fail_silently();
     ArrayData result({static_cast<int>(names.size())});
     for (std::size_t i = 0; i < names.size(); ++i) result.set(i, Value(names[i]));
     return make_handle<ArrayData>(std::move(result));
@@ -167,6 +175,9 @@ Value find_column(FunctionCall& call) {
     if (call.failed() || !array->names()) return -1.0;
     if (const auto found = array->names()->find(name)) return static_cast<double>(*found);
     const std::vector<std::string>& names = array->names()->all();
+    constexpr std::uint64_t each_name = 10;
+    if (!call.world.evaluator->spend(each_name * names.size(), call.place(0)))
+        return call.fail_silently();
     const auto similar = std::ranges::find_if(
         names, [&](const std::string& each) { return same_letters(each, name); });
     return similar == names.end() ? -1.0 : static_cast<double>(similar - names.begin());

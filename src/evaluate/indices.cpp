@@ -13,12 +13,6 @@ Span Indices::span(std::size_t i) const {
     return tree->span(id);
 }
 
-bool Indices::add(double value) {
-    if (count == values.size()) return false;
-    values[count++] = value;
-    return true;
-}
-
 bool Indices::add(std::string text) {
     texts.push_back({count, std::move(text)});
     return add(0.0);
@@ -30,11 +24,6 @@ bool Indices::add_part(std::string_view part) {
     const char* const end = part.data() + part.size();
     if (digits && std::from_chars(part.data(), end, number).ec == std::errc()) return add(number);
     return add(std::string(part));
-}
-
-const std::string* Indices::text(std::size_t i) const {
-    const auto found = std::ranges::find(texts, i, &Text::index);
-    return found == texts.end() ? nullptr : &found->text;
 }
 
 bool Indices::expand(std::size_t i) {

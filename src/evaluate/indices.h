@@ -27,12 +27,20 @@ struct Indices {
     /// The place of one of them.
     Span span(std::size_t i) const;
     /// False: there are too many.
-    bool add(double value);
+    bool add(double value) {
+        if (count == values.size()) return false;
+        values[count++] = value;
+        return true;
+    }
     bool add(std::string text);
     /// A part of a path: a whole number is one.
     bool add_part(std::string_view part);
     /// Null: it is a number.
-    const std::string* text(std::size_t i) const;
+    const std::string* text(std::size_t i) const {
+        for (const Text& each : texts)
+            if (each.index == i) return &each.text;
+        return nullptr;
+    }
     /// Puts the parts of a path into its place, whole numbers as numbers. False, and nothing has
     /// happened: it is no path, or there are too many parts.
     bool expand(std::size_t i);

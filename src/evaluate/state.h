@@ -100,7 +100,9 @@ struct Evaluator::State {
     /// A number, or nothing when that has been reported. `what` and the word begin the message:
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
-    /// The same for a value that is there already.
+    /// The number of an expression that most often is one; nothing: it has this other value, of
+    /// which number_in() makes a number or says that it is none.
+    std::optional<double> number_or(const Tree&, NodeId, Value& other);
     std::optional<double> number_in(const Value&, const Tree&, NodeId, std::string_view what,
                                     NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);

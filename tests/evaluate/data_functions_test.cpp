@@ -101,6 +101,7 @@ TEST_CASE("JSON is asked by paths", "[json]") {
     CHECK(told(R"x(#declare J = read_json("scene.json");
         #ifdef (J["none"]) P(1) #end #ifdef (J["lamps.0.off"]) P(2) #end
         #ifdef (J["gone"]) P(3) #end #ifdef (J["none.x"]) P(4) #end
+        #ifdef (J["title.x"]) P(6) #end #ifdef (J["lamps.0.on.x"]) P(7) #end
         #ifdef (J["lamps.0.on"]) P(5) #end)x") == "5.0 ");
     CHECK(told(R"x(P(read_json("scene.json", "lamps.0.onn")))x") ==
           "! there is nothing called `onn` here");
