@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 file(READ ${INPUT} page)
 string(REPLACE "@VERSION@" "${VERSION}" page "${page}")
-foreach(part options compatibility items functions words warnings)
+foreach(part options compatibility items functions glossary library words warnings)
   string(TOUPPER "@${part}@" place)
   string(FIND "${page}" "${place}" found)
   if(found EQUAL -1)

@@ -25,11 +25,12 @@
 
 namespace {
 
-std::string explanation(const Options& options, Diagnostics& diagnostics) {
+std::string explanation(const Options& options, const std::string& library,
+                        Diagnostics& diagnostics) {
     if (options.task == Task::version) return version_text();
     if (options.task == Task::completion) return completion(options.topic).value_or("");
-    if (options.task == Task::help) return help_text(options.topic, diagnostics);
-    return description(options.topic, options.form, diagnostics);
+    if (options.task == Task::help) return help_text(options.topic, library, diagnostics);
+    return description(options.topic, options.form, library, diagnostics);
 }
 
 int run_task(const Options& options, const std::optional<Animation>& animation,
@@ -139,7 +140,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
         options.task == Task::describe || options.task == Task::completion) {
-        console.out(explanation(options, diagnostics));
+        console.out(explanation(options, console.library, diagnostics));
         return diagnostics.failed() ? end_with_errors(exit_status::usage) : exit_status::done;
     }
     if (!options.scene) {

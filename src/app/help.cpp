@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
+#include "app/library_guide.h"
 #include "editor/textmate.h"
 #include "evaluate/functions.h"
 #include "scene/catalogue.h"
@@ -66,7 +67,7 @@ std::string overview() {
         "\n\n",
         wrapped("--help compatibility lists POV-Ray's other options; --help with a word explains "
                 "it: sphere, finish, union, #for, light_octree, vrotate, +A, --samples, shapes, "
-                "light samplers ...",
+                "light samplers, Light_Ring, light_arrays.inc ...",
                 0),
         "\n");
 }
@@ -132,11 +133,43 @@ std::string option_help(std::string_view topic) {
     return {};
 }
 
-std::vector<std::string_view> topics() {
+/// How a macro is called, and what the library says of it.
+ManualEntry manual_entry(const LibraryMacro& macro, std::string_view file) {
+    return {macro.form, macro.help.empty() ? message("a macro of ", file) : macro.help};
+}
+
+std::string macro_help(const LibraryMacro& macro, std::string_view file) {
+    const ManualEntry entry = manual_entry(macro, file);
+    return message(wrapped(entry.term, 4), "\n  ", wrapped(entry.help, 2), "\n  in ", file,
+                   ": #include \"", file, "\"\n");
+}
+
+/// A file of the library, or a macro in it.
+std::string library_help(std::string_view topic, const LibraryGuide& library) {
+    std::string text;
+    for (const LibraryFile& file : library) {
+        if (same_letters(file.name, topic) || same_letters(file.name, message(topic, ".inc"))) {
+            std::vector<ManualEntry> macros;
+            for (const LibraryMacro& each : file.macros)
+                macros.push_back(manual_entry(each, file.name));
+            text += message("#include \"", file.name, "\"\n  ", wrapped(file.about, 2), "\n",
+                            manual(macros, ManualForm::text));
+        }
+        for (const LibraryMacro& each : file.macros)
+            if (same_letters(each.name, topic)) text += macro_help(each, file.name);
+    }
+    return text;
+}
+
+std::vector<std::string_view> topics(const LibraryGuide& library) {
     std::vector<std::string_view> names = {"options", "compatibility", "warnings"};
     for (const ItemGroup& group : catalogue()) {
         names.push_back(group.name);
         for (const ItemInfo* item : group.items) names.push_back(item->name);
+    }
+    for (const LibraryFile& file : library) {
+        names.push_back(file.name);
+        for (const LibraryMacro& each : file.macros) names.push_back(each.name);
     }
     for (const FunctionInfo& each : functions()) names.push_back(each.name);
     for (const Word& word : reserved_words()) names.push_back(word.spelling);
@@ -151,6 +184,34 @@ std::vector<ManualEntry> function_entries() {
     std::vector<ManualEntry> result;
     for (const FunctionInfo& each : functions())
         result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help)});
+    return result;
+}
+
+/// The words of the glossary, those of directives with their sign.
+std::vector<ManualEntry> glossary_entries() {
+    std::vector<ManualEntry> result;
+    for (const GlossaryEntry& entry : glossary()) {
+        std::string term;
+        for (std::string_view rest = entry.words; !rest.empty();) {
+            const std::string_view word = rest.substr(0, rest.find(' '));
+            const auto known = std::ranges::find(reserved_words(), word, &Word::spelling);
+            const bool directive =
+                known != reserved_words().end() && known->word_class == WordClass::directive;
+            term += message(term.empty() ? "" : ", ", directive ? "#" : "", word);
+            rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+        }
+        result.push_back({term, message(entry.form, ": ", entry.help)});
+    }
+    return result;
+}
+
+std::vector<ManualEntry> library_entries(const std::string& folder) {
+    std::vector<ManualEntry> result;
+    for (const LibraryFile& file : library_guide(folder)) {
+        result.push_back({file.name, file.about});
+        for (const LibraryMacro& each : file.macros)
+            result.push_back(manual_entry(each, file.name));
+    }
     return result;
 }
 
@@ -230,7 +291,8 @@ std::string short_usage() {
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
 }
 
-std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
+std::string help_text(std::string_view topic, const std::string& library,
+                      Diagnostics& diagnostics) {
     if (topic.empty() || same_letters(topic, "options")) return overview();
     if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
     if (same_letters(topic, "warnings")) return manual(warning_entries(), ManualForm::text);
@@ -238,12 +300,14 @@ std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
     for (const FunctionInfo& each : functions())
         if (same_letters(each.name, topic))
             text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
-    for (const std::string& more : {glossary_help(topic), field_help(topic), option_help(topic)}) {
+    const LibraryGuide guide = library_guide(library);
+    for (const std::string& more : {glossary_help(topic), field_help(topic), option_help(topic),
+                                    library_help(topic, guide)}) {
         if (!text.empty() && !more.empty()) text += "\n";
         text += more;
     }
     if (text.empty()) {
-        const std::string meant = nearest(topic, topics());
+        const std::string meant = nearest(topic, topics(guide));
         diagnostics.add(
             error(Fault::option, {}, message("there is no help on `", harmless(topic), "`"))
                 .with_help(meant.empty() ? "--help lists the options"
@@ -252,11 +316,14 @@ std::string help_text(std::string_view topic, Diagnostics& diagnostics) {
     return text;
 }
 
-std::string description(std::string_view part, ManualForm form, Diagnostics& diagnostics) {
+std::string description(std::string_view part, ManualForm form, const std::string& library,
+                        Diagnostics& diagnostics) {
     if (part == "items") return manual(catalogue(), form);
     if (part == "options") return manual(entries(true), form);
     if (part == "compatibility") return manual(entries(false), form);
     if (part == "functions") return manual(function_entries(), form);
+    if (part == "glossary") return manual(glossary_entries(), form);
+    if (part == "library") return manual(library_entries(library), form);
     if (part == "words") return words(form);
     if (part == "warnings") return manual(warning_entries(), form);
     if (part == "textmate") return textmate_grammar();
@@ -264,8 +331,8 @@ std::string description(std::string_view part, ManualForm form, Diagnostics& dia
         diagnostics.add(
             error(Fault::option, {},
                   message("there is nothing called `", harmless(part), "` to describe"))
-                .with_help(
-                    "items, functions, options, compatibility, words, warnings or textmate"));
+                .with_help("items, functions, glossary, library, options, compatibility, words, "
+                           "warnings or textmate"));
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);

@@ -17,10 +17,11 @@ std::string short_usage();
 /// How the option is written, and what it means.
 ManualEntry manual_entry(const OptionRow&);
 
-/// The options, or what there is to say about a topic: an option, an item, a group of items.
-/// Reports unknown topics.
-std::string help_text(std::string_view topic, Diagnostics&);
+/// The options, or what there is to say about a topic: an option, an item, a group of items, a file
+/// of the library or a macro in it. Reports unknown topics. `library`: its folder, or "".
+std::string help_text(std::string_view topic, const std::string& library, Diagnostics&);
 
-/// Tables for the manual and for editors. Part: items, functions, options, compatibility, words,
-/// warnings, textmate (a grammar), or nothing for items (in JSON: for all).
-std::string description(std::string_view part, ManualForm, Diagnostics&);
+/// Tables for the manual and for editors. Part: items, functions, glossary, library, options,
+/// compatibility, words, warnings, textmate (a grammar), or nothing for items (in JSON: for all).
+std::string description(std::string_view part, ManualForm, const std::string& library,
+                        Diagnostics&);

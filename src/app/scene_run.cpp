@@ -245,10 +245,10 @@ private:
         const Door scene_door = door(picture_folder, library);
         Loader loader(noted(scene_reader(scene_door)), scene_folder_, library, scene_door,
                       disk_lister());
+        loader.set_standard_library(console_.library);
         // Files are written once, not at each moment of an open shutter.
-        if ((options_.task != Task::render && options_.task != Task::export_mesh) ||
-            clock_ahead > 0)
-            loader.keep_off_disk();
+        const bool makes = options_.task == Task::render || options_.task == Task::export_mesh;
+        if (!makes || clock_ahead > 0) loader.keep_off_disk();
         bool line_is_open = false;
         EvaluateOptions options;
         options.limits = options_.limits;

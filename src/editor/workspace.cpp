@@ -40,7 +40,9 @@ Loader Workspace::loader(const std::string& folder) const {
 Loader Workspace::loader(const std::string& folder, const Door& door) const {
     std::vector<std::string> library;
     if (!library_.empty()) library.push_back(library_);
-    return Loader(reader(door), folder, std::move(library), door, disk_lister());
+    Loader result(reader(door), folder, std::move(library), door, disk_lister());
+    result.set_standard_library(library_);
+    return result;
 }
 
 bool Workspace::in_library(const std::string& path) const {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arrays: making them, and finding elements in them.
 #include "evaluate/state.h"
+#include "text/ascii.h"
+#include "text/harmless.h"
 #include "text/message.h"
+#include "text/nearest.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -103,39 +107,85 @@ bool Evaluator::State::indices(const Tree& tree, NodeId first, Indices& result) 
     result.tree = &tree;
     result.first = first;
     for (NodeId id = first; id != no_node; id = tree[id].next) {
-        const std::optional<double> value = number(tree, id, "an index");
-        if (!value) return false;
-        if (result.count == result.values.size()) {
+        Value other = Absence::nothing;
+        std::optional<double> number = number_or(tree, id, other);
+        const std::string* const text = number ? nullptr : other.text();
+        bool room = true;
+        if (text) {
+            constexpr std::uint64_t asking = 200, each_letter = 20;
+            if (!spend(asking + each_letter * text->size(), tree.span(id))) return false;
+            room = result.add(*text);
+        } else {
+            if (!number) number = number_in(other, tree, id, "an index");
+            if (!number) return false;
+            room = result.add(*number);
+        }
+        if (!room) {
             broken(Fault::wrong_count, tree.span(id),
                    message("at most ", result.values.size(), " indices can follow each other"));
             return false;
         }
-        result.values[result.count++] = *value;
     }
     return true;
 }
 
-std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, const Indices& indices,
+void Evaluator::State::report_unknown_name(const IndexNames* names, const std::string& name,
+                                           Span span) {
+    if (!names)
+        return report(error(Fault::bad_index, span,
+                            message("this index must be a number: nothing here has a name")));
+    const std::vector<std::string_view> known(names->all().begin(), names->all().end());
+    Diagnostic problem = error(Fault::bad_index, span,
+                               message("there is nothing called `", harmless(name), "` here"));
+    std::string help = nearest(name, known);
+    if (!help.empty()) {
+        help = message("did you mean \"", harmless(help), "\"?");
+    } else {
+        constexpr std::size_t most = 8;
+        for (std::size_t i = 0; i < std::min(most, known.size()); ++i)
+            help += message(i == 0 ? "the names here are " : ", ", harmless(known[i]));
+        if (known.size() > most) help += ", ...";
+    }
+    report(problem.with_help(std::move(help)));
+}
+
+std::optional<int> Evaluator::State::index_in(const ArrayData& array, std::size_t dimension,
+                                              Indices& indices, std::size_t used) {
+    if (const std::string* text = indices.text(used)) {
+        const bool last = dimension + 1 == array.sizes().size();
+        const IndexNames* const names = last ? array.names().get() : nullptr;
+        if (const auto found = names ? names->find(*text) : std::nullopt) return found;
+        if (indices.expand(used)) return index_in(array, dimension, indices, used);
+        if (!indices.asking) report_unknown_name(names, *text, indices.span(used));
+        return std::nullopt;
+    }
+    const int size = array.sizes()[dimension];
+    const double whole = indices.values[used] + tolerance;
+    if (whole >= 0 && whole < size) return static_cast<int>(whole);
+    broken(Fault::bad_index, indices.span(used),
+           message("the index must be from 0 to ", size - 1, ", but it is ", indices.values[used]));
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, Indices& indices,
                                                    std::size_t& used, Span span) {
     std::size_t result = 0;
-    std::size_t dimension = 0;
-    for (const int size : array.sizes()) {
+    for (std::size_t dimension = 0; dimension < array.sizes().size(); ++dimension) {
         if (used == indices.count) {
             broken(Fault::wrong_count, span,
                    message("this array has ", array.sizes().size(), " dimensions, and here ",
                            dimension == 1 ? "is 1 index" : message("are ", dimension, " indices")));
             return std::nullopt;
         }
-        const double whole = indices.values[used] + tolerance;
-        if (!(whole >= 0 && whole < size)) {
-            broken(Fault::bad_index, indices.span(used),
-                   message("the index must be from 0 to ", size - 1, ", but it is ",
-                           indices.values[used]));
-            return std::nullopt;
+        const int size = array.sizes()[dimension];
+        double whole = indices.values[used] + tolerance;
+        if (!indices.texts.empty() || !(whole >= 0 && whole < size)) {
+            const std::optional<int> index = index_in(array, dimension, indices, used);
+            if (!index) return std::nullopt;
+            whole = *index;
         }
         result = result * static_cast<std::size_t>(size) + static_cast<std::size_t>(whole);
         ++used;
-        ++dimension;
     }
     return result;
 }
@@ -154,9 +204,11 @@ bool Evaluator::State::check_array(const Value& value, Span span) {
     return false;
 }
 
-Value Evaluator::State::element(const Value& array, const Indices& indices, Span span) {
+Value Evaluator::State::element(const Value& array, Indices& indices, Span span) {
     Value at = array;
     for (std::size_t used = 0; used < indices.count;) {
+        if (indices.asking && at.absent()) return at;
+        if (indices.asking && !at.array() && !indices.texts.empty()) return Absence::uninitialised;
         if (!check_array(at, span)) return Absence::broken;
         const std::optional<std::size_t> i = place(*at.array(), indices, used, span);
         if (!i) return Absence::broken;
@@ -165,8 +217,17 @@ Value Evaluator::State::element(const Value& array, const Indices& indices, Span
     return at;
 }
 
-Evaluator::State::Place Evaluator::State::edit_element(Value& array, const Indices& indices,
-                                                       Span span) {
+Value Evaluator::element_at(const Value& array, std::string_view path, Span span) {
+    Indices indices;
+    indices.path = span;
+    if (path.find('.') == path.npos)
+        indices.add_part(path);
+    else
+        indices.add(std::string(path));
+    return state_->element(array, indices, span);
+}
+
+Evaluator::State::Place Evaluator::State::edit_element(Value& array, Indices& indices, Span span) {
     Value* at = &array;
     for (std::size_t used = 0;;) {
         if (!at->array() && !check_array(*at, span)) return {};

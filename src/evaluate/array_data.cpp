@@ -2,10 +2,27 @@
 #include "evaluate/array_data.h"
 
 #include <algorithm>
+#include <cmath>
+
+IndexNames::IndexNames(std::vector<std::string> names) : all_(std::move(names)) {
+    for (std::size_t i = 0; i < all_.size(); ++i) places_.emplace(all_[i], static_cast<int>(i));
+}
+
+std::optional<int> IndexNames::find(std::string_view name) const {
+    const auto found = places_.find(name);
+    return found == places_.end() ? std::nullopt : std::optional(found->second);
+}
 
 ArrayData::ArrayData(std::vector<int> sizes) : sizes_(std::move(sizes)) {
     for (const int size : sizes_) size_ *= static_cast<std::size_t>(size);
     counts_.assign(size_, 0);
+}
+
+ArrayData::ArrayData(std::vector<int> sizes, std::vector<double> numbers)
+    : sizes_(std::move(sizes)), size_(numbers.size()), stride_(1), numbers_(std::move(numbers)) {
+    counts_.resize(size_);
+    for (std::size_t i = 0; i < size_; ++i) counts_[i] = !std::isnan(numbers_[i]);
+    set_ = static_cast<std::size_t>(std::ranges::count(counts_, 1));
 }
 
 Value ArrayData::at(std::size_t i) const {
@@ -20,7 +37,9 @@ Value ArrayData::at(std::size_t i) const {
 
 bool ArrayData::fits(std::size_t i, const Value& value) const {
     if (set_ <= (has(i) ? 1u : 0u)) return true;
-    return values_.empty() ? value.numbers() != nullptr : other(i).same_kind(value);
+    if (values_.empty()) return value.numbers() != nullptr;
+    // Tables may have columns of several kinds.
+    return other(i).same_kind(value) || values_[i].same_kind(value);
 }
 
 Value ArrayData::other(std::size_t i) const {

@@ -7,12 +7,39 @@
 #include "evaluate/value.h"
 
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
+
+/// Names for the last index of an array: the columns of a table, the members of an object.
+class IndexNames {
+public:
+    /// Of equal names the first counts.
+    explicit IndexNames(std::vector<std::string> names);
+    IndexNames(const IndexNames&) = delete;
+    IndexNames& operator=(const IndexNames&) = delete;
+
+    const std::vector<std::string>& all() const { return all_; }
+    std::optional<int> find(std::string_view name) const;
+
+private:
+    std::vector<std::string> all_;
+    std::unordered_map<std::string_view, int> places_;
+};
 
 class ArrayData {
 public:
     /// One to five sizes of at least 1. No element is set.
     explicit ArrayData(std::vector<int> sizes);
+    /// As many numbers as the array has elements; one that is not a number is not set.
+    ArrayData(std::vector<int> sizes, std::vector<double> numbers);
+
+    /// Names for the last index; null: there are none.
+    const std::shared_ptr<const IndexNames>& names() const { return names_; }
+    void set_names(std::shared_ptr<const IndexNames> names) { names_ = std::move(names); }
 
     const std::vector<int>& sizes() const { return sizes_; }
     /// The number of elements; the last index runs fastest.
@@ -32,7 +59,7 @@ public:
     /// The most numbers that an element has had; 0 for other kinds.
     int most_numbers() const { return values_.empty() ? stride_ : 0; }
 
-    /// Whether the value is of the kind of all elements but i.
+    /// Whether the value is of the kind of element i as it is, or of all others.
     bool fits(std::size_t i, const Value& value) const;
     /// An element other than i that is set, when there is one.
     Value other(std::size_t i) const;
@@ -58,4 +85,5 @@ private:
     std::vector<std::uint8_t> counts_;  ///< numbers of each element, 0: not set
     std::vector<double> numbers_;
     std::vector<Value> values_;  ///< not empty: elements are no numbers
+    std::shared_ptr<const IndexNames> names_;
 };

@@ -162,9 +162,9 @@ bool follows_message(const Element& element) {
 
 bool is_told_of(const Element& element, const Diagnostics& diagnostics) {
     const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::entry;
-    if (!value || diagnostics.all().empty()) return false;
-    const Diagnostic& last = diagnostics.all().back();
+    if (!value || diagnostics.count() == 0) return false;
+    const auto [fault, place] = diagnostics.last();
     constexpr std::uint32_t separator = 2;  // a comma and a blank
-    return last.fault == Fault::semicolon && last.span.source == element.span.source &&
-           last.span.last <= element.span.first && element.span.first - last.span.last <= separator;
+    return fault == Fault::semicolon && place.source == element.span.source &&
+           place.last <= element.span.first && element.span.first - place.last <= separator;
 }

@@ -60,6 +60,7 @@ bool Evaluator::State::defined(const Tree& tree, NodeId target) {
     const auto* index = tree.get_if<node::Index>(target);
     if (!index) return false;
     Indices places;
+    places.asking = true;
     if (!indices(tree, index->indices, places)) return false;
     const Value* array = scope.find(index->name);
     if (!array) return false;

@@ -80,6 +80,14 @@ Value Evaluator::State::prefixed(const Tree& tree, const node::Prefixed& node, N
     return result;
 }
 
+Numbers Evaluator::display_colour(const std::array<double, 4>& colour) const {
+    Numbers result = Numbers::colour({});
+    for (std::size_t i = 0; i < 3; ++i)
+        result.at[i] = from_linear(srgb_decode(colour[i]), state_->working_gamma);
+    result.at[4] = 1 - colour[3];
+    return result;
+}
+
 bool Evaluator::State::set_channel(const Tree& tree, const node::Channel& node, Numbers& colour) {
     const std::string_view name = names.spelling(node.channel);
     const std::optional<double> amount = number(tree, node.operand, "the amount of", node.channel);

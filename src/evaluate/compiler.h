@@ -60,6 +60,7 @@ struct Evaluator::State::Compiler {
     Operands random(NodeId arguments);
     Operands array_size(std::string_view name, NodeId arguments);
     bool scalars(NodeId first, std::vector<Operand>& result);
+    bool indices_of(const ArrayData&, NodeId first, std::vector<Operand>& result, bool& named);
     Operands of_one(std::string_view name, std::uint16_t function, NodeId arguments);
     Operands of_numbers(std::string_view name, NodeId arguments);
     Operands of_vectors(std::string_view name, NodeId arguments);

@@ -122,19 +122,41 @@ Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
     return native(3, first_hit, ray);
 }
 
+/// The indices of an element, of which the last one may be a name among those of the array now.
+bool Evaluator::State::Compiler::indices_of(const ArrayData& now, NodeId first,
+                                            std::vector<Operand>& result, bool& named) {
+    NodeId last = first;
+    while (tree[last].next != no_node) last = tree[last].next;
+    const auto* const text = tree.get_if<node::Text>(last);
+    if (!text) return scalars(first, result);
+    for (NodeId id = first; id != last; id = tree[id].next) {
+        const Operands operand = compile(id);
+        if (operand.count != 1) return false;
+        result.push_back(operand.at[0]);
+    }
+    const auto place = now.names() ? now.names()->find(tree.texts[text->text]) : std::nullopt;
+    named = place.has_value();
+    if (named) result.push_back(builder.constant(*place));
+    return named;
+}
+
 /// An element of an array of numbers, all with as many components as those that it has now.
 Operands Evaluator::State::Compiler::index(const node::Index& node) {
-    std::vector<Operand> indices;
-    if (!scalars(node.indices, indices)) return {};
     const Value* found = state.scope.find(node.name);
     const ArrayData* now = found ? found->array() : nullptr;
-    if (!now || now->most_numbers() == 0 || now->sizes().size() != indices.size()) return {};
+    std::vector<Operand> indices;
+    bool named = false;
+    if (!now) return {};
+    if (!indices_of(*now, node.indices, indices, named)) return {};
+    const auto names = named ? now->names() : nullptr;
+    if (now->most_numbers() == 0 || now->sizes().size() != indices.size()) return {};
     const int count = now->count(0) > 0 ? now->count(0) : now->most_numbers();
-    const auto element = [&scope = state.scope, name = node.name, rank = indices.size(), count](
-                             const double* in, double* out) {
+    const auto element = [&scope = state.scope, name = node.name, rank = indices.size(), count,
+                          names](const double* in, double* out) {
         const Value* value = scope.find(name);
         const ArrayData* array = value ? value->array() : nullptr;
         if (!array || array->sizes().size() != rank) return false;
+        if (names && array->names() != names) return false;
         std::size_t at = 0;
         for (std::size_t i = 0; i < rank; ++i) {
             const int size = array->sizes()[i];

@@ -88,8 +88,7 @@ std::string about_axis(const Tree& tree, NodeId id) {
 
 }  // namespace
 
-std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
-                                               NameId word) {
+std::optional<double> Evaluator::State::number_or(const Tree& tree, NodeId id, Value& other) {
     if (const auto* name = tree.get_if<node::Name>(id)) {
         note_use(name->name, tree, id);
         const Value* found = scope.find(name->name);
@@ -99,7 +98,19 @@ std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std:
     Numbers numbers;
     const bool computed = compute(tree, id, numbers);
     if (computed && numbers.is_scalar()) return numbers.at[0];
-    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
+    other = computed ? Value(numbers) : walk_expression(tree, id);
+    return std::nullopt;
+}
+
+std::optional<double> Evaluator::State::number(const Tree& tree, NodeId id, std::string_view what,
+                                               NameId word) {
+    Value other = Absence::nothing;
+    if (const auto found = number_or(tree, id, other)) return found;
+    return number_in(other, tree, id, what, word);
+}
+
+std::optional<double> Evaluator::State::number_in(const Value& value, const Tree& tree, NodeId id,
+                                                  std::string_view what, NameId word) {
     if (const Numbers* found = value.numbers(); found && found->is_scalar()) return found->at[0];
     const std::string named =
         word == no_name ? std::string() : message(" `", names.spelling(word), "`");

@@ -8,6 +8,7 @@
 DataReader::DataReader(SourceId source, const SourceStore& sources, Names& names,
                        Diagnostics& diagnostics)
     : source_(source),
+      sources_(sources),
       diagnostics_(diagnostics),
       lexer_(source, sources, names, tree_, diagnostics) {
     advance();
@@ -17,15 +18,23 @@ void DataReader::advance() {
     // The token ahead is the only one whose number or string is still wanted.
     tree_.numbers.clear();
     tree_.texts.clear();
+    taken_ = ahead_.last;
     ahead_ = lexer_.next();
 }
 
 std::optional<Value> DataReader::next() {
     if (ahead_.kind == TokenKind::end_of_file) {
         after_comma_ = false;
+        behind_line_end_ = false;
         return std::nullopt;
     }
+    const std::uint32_t first = ahead_.first;
+    if (place_.known())
+        behind_line_end_ =
+            sources_.text(source_).substr(place_.last, first - place_.last).find_first_of("\n\r") !=
+            std::string_view::npos;
     Value result = value();
+    place_ = {source_, first, taken_};
     after_comma_ = ahead_.kind == TokenKind::comma;
     if (after_comma_) advance();
     return result;

@@ -17,6 +17,11 @@ public:
     /// what is there is none, which has been reported.
     std::optional<Value> next();
 
+    /// Where the last value stands.
+    Span place() const { return place_; }
+    /// Whether there is a line end between the last value and the one before it.
+    bool behind_line_end() const { return behind_line_end_; }
+
     /// Whether the file has been read to its end: a comma behind the last value says that there is
     /// more to come, as in POV-Ray.
     bool at_end() const { return ahead_.kind == TokenKind::end_of_file && !after_comma_; }
@@ -30,9 +35,13 @@ private:
     void advance();
 
     SourceId source_;
+    const SourceStore& sources_;
     Diagnostics& diagnostics_;
     Tree tree_;  ///< holds the numbers and strings of the tokens
     Lexer lexer_;
     Token ahead_;
     bool after_comma_ = true;  ///< or at the start
+    Span place_;
+    std::uint32_t taken_ = 0;  ///< where the last token that was taken ends
+    bool behind_line_end_ = false;
 };

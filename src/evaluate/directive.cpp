@@ -322,7 +322,7 @@ const Tree* Evaluator::State::load(const std::string& name, Span span) {
     const FileTrees::Included file = files.included(*found, span, version);
     if (file.first) {
         frames.push({Frame::include, no_name, file.tree->source, span});
-        for (const Diagnostic& each : file.found.all()) diagnostics.add(each);
+        diagnostics.add_all(file.found);
         frames.pop();
         codes.add(*file.tree);
         if (file.found.failed()) stopped_ = true;

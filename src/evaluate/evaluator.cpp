@@ -4,7 +4,6 @@
 #include "base/deep_stack.h"
 #include "evaluate/splines.h"
 #include "evaluate/state.h"
-#include "font/system_font.h"
 #include "syntax/foreign.h"
 #include "syntax/lint.h"
 #include "text/harmless.h"
@@ -54,6 +53,15 @@ Value Evaluator::value_of(const Element& element) {
 double Evaluator::version() const { return state_->version; }
 void Evaluator::set_working_gamma(double gamma) { state_->working_gamma = gamma; }
 bool Evaluator::version_given() const { return state_->version_given; }
+bool Evaluator::has_foreign_strings() const {
+    const auto is_foreign = [](const std::string& text) {
+        return std::ranges::any_of(text,
+                                   [](char c) { return static_cast<unsigned char>(c) > 127; });
+    };
+    return std::ranges::any_of(state_->files.all(), [&](const Tree& tree) {
+        return std::ranges::any_of(tree.texts, is_foreign);
+    });
+}
 const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
@@ -68,52 +76,9 @@ bool Evaluator::may_have_parts(const Object& object, Span span) {
 }
 bool Evaluator::spend(std::uint64_t amount, Span span) { return state_->spend(amount, span); }
 std::string_view Evaluator::spelling(NameId name) const { return state_->names.spelling(name); }
+SourceStore& Evaluator::sources() { return state_->sources; }
 Names& Evaluator::names() { return state_->names; }
 Diagnostics& Evaluator::diagnostics() { return state_->diagnostics; }
-
-std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
-    if (!state_->count_file(span)) return std::nullopt;
-    const std::string directory = directory_of(state_->sources.name(span.source));
-    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
-    if (found) return std::move(found->text);
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return std::nullopt;
-}
-
-std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
-                                                std::span<const std::string_view> endings) {
-    if (!state_->count_file(span)) return std::nullopt;
-    const std::string directory = directory_of(state_->sources.name(span.source));
-    const Loader& loader = state_->loader;
-    const auto is_there = [&](const std::string& file) {
-        return loader.finds(file, directory, FileKind::data);
-    };
-    std::string file = name;
-    if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
-        for (const std::string_view ending : endings)
-            if (file == name && is_there(message(name, ending))) file = message(name, ending);
-    std::optional<Found> found = loader.load(file, directory, FileKind::data);
-    if (found) return std::move(found->path);
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return std::nullopt;
-}
-
-const std::string* Evaluator::load_font(const std::string& name, Span span) {
-    const std::string directory = directory_of(state_->sources.name(span.source));
-    const std::pair key(directory, name);
-    if (const auto known = state_->fonts.find(key); known != state_->fonts.end())
-        return &known->second;
-    const auto keep = [&](std::string font) {
-        return &state_->fonts.emplace(key, std::move(font)).first->second;
-    };
-    for (const std::string& spelling : {name, name + ".ttf"})
-        if (auto found = state_->loader.load(spelling, directory, FileKind::data))
-            return keep(std::move(found->text));
-    for (const std::string& spelling : {name, name + ".ttf"})
-        if (auto found = system_font(spelling)) return keep(std::move(*found));
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return nullptr;
-}
 
 std::vector<std::string_view> Evaluator::declared_names() const {
     std::vector<std::string_view> result;
@@ -124,7 +89,8 @@ std::vector<std::string_view> Evaluator::declared_names() const {
 void Evaluator::run(SourceId main) {
     State& state = *state_;
     state.diagnostics.set_frames(
-        [&state] { return state.frames.list(state.names, state.sources); });
+        [&state] { return state.frames.list(state.names, state.sources); },
+        [&state](Diagnostic& diagnostic) { state.point_at_scene(diagnostic); });
     on_deep_stack(state.limits.stack_bytes, [&](std::size_t bytes) {
         const char here = 0;
         // What runs between two checks, the binder included, fits into the margin.
@@ -150,6 +116,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
     meaning.function = [](const Element&) { return Handle<Formula>(nullptr); };
     meaning.set_default = [](const Element&) {};
     meaning.print = [](std::string_view) {};
+    world.evaluator = &evaluator;
     world.report = [this](Diagnostic diagnostic) { report(std::move(diagnostic)); };
     world.file_exists = [this](std::string_view name) {
         constexpr std::uint64_t asking = 100'000;

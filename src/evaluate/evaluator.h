@@ -16,6 +16,7 @@
 #include "text/source.h"
 #include "vocabulary/words.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -124,6 +125,9 @@ public:
 
     /// The value of `#version`.
     double version() const;
+    /// Whether a string of the scene has other characters than those of ASCII, so far as it is
+    /// read.
+    bool has_foreign_strings() const;
     /// What assumed_gamma has said: colours by srgb are converted to it from here on.
     void set_working_gamma(double);
     /// Whether `#version` has occurred.
@@ -133,6 +137,8 @@ public:
 
     /// A file of data that the scene names; nothing after a report.
     std::optional<std::string> load_data(const std::string& name, Span);
+    /// The same, and where it is.
+    std::optional<Found> load_found(const std::string& name, Span);
     /// Where it is; nothing after a report. A name without an ending may stand for one with one of
     /// these.
     std::optional<std::string> find_data(const std::string& name, Span,
@@ -163,7 +169,14 @@ public:
     /// it is too much, which stops.
     bool spend(std::uint64_t amount, Span);
 
+    /// The element of an array, or what is in it, at a path such as "lamps.0.radiance". Broken
+    /// after a report, absent when it is not set.
+    Value element_at(const Value& array, std::string_view path, Span);
+    /// A colour in the values of displays, and its opacity, as a colour of the scene.
+    Numbers display_colour(const std::array<double, 4>&) const;
+
     std::string_view spelling(NameId) const;
+    SourceStore& sources();
     Names& names();
     Diagnostics& diagnostics();
 

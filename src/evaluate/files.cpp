@@ -2,6 +2,8 @@
 #include "evaluate/files.h"
 
 #include "evaluate/state.h"
+#include "font/system_font.h"
+#include "text/harmless.h"
 #include "text/message.h"
 
 #include <algorithm>
@@ -146,12 +148,26 @@ void Evaluator::State::read_values(const Tree& tree, const node::Read& node, Nod
                    .pointing(file->opened, "opened here"));
         return;
     }
-    for (NodeId target = tree[node.content].next; target != no_node; target = tree[target].next) {
+    const NodeId first = tree[node.content].next;
+    for (NodeId target = first; target != no_node; target = tree[target].next) {
+        const Span before = file->reader->place();
         if (!read_into(tree, target, *file->reader)) return;
+        if (target != first && file->reader->behind_line_end())
+            warn_of_line_end(*file, tree.span(target), before);
         if (!file->reader->at_end()) continue;
         scope.undefine(tree.get<node::Name>(node.content).name);
         return;
     }
+}
+
+/// A row that is short gives its place to what stands in the next one. Said once of each file.
+void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span before) {
+    if (!crossed_lines.insert(file.name).second) return;
+    report(warning(Fault::wrong_count, target,
+                   message("this #read goes on in the next line of `", harmless(file.name), "`"))
+               .with_label("this is in the next line")
+               .pointing({before.source, before.last, before.last}, "here a line ends")
+               .with_help("read_csv(\"...\") reads tables, and tells of rows that are short"));
 }
 
 /// Reads one value; false when reading cannot go on.
@@ -224,4 +240,55 @@ void Evaluator::State::write_value(DataWriter& writer, const Value& value,
         writer.write(*value.numbers(), *form);
     else
         writer.write(value);
+}
+
+std::optional<Found> Evaluator::load_found(const std::string& name, Span span) {
+    if (!state_->count_file(span)) return std::nullopt;
+    // A macro of the library is given names as from where it is called.
+    const SourceId from = state_->outside_library(span).source;
+    const std::string directory = directory_of(state_->sources.name(from));
+    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
+    if (!found) report(state_->loader.problem(name, span, FileKind::data, directory));
+    return found;
+}
+
+std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+    std::optional<Found> found = load_found(name, span);
+    return found ? std::optional(std::move(found->text)) : std::nullopt;
+}
+
+std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
+                                                std::span<const std::string_view> endings) {
+    if (!state_->count_file(span)) return std::nullopt;
+    const std::string directory =
+        directory_of(state_->sources.name(state_->outside_library(span).source));
+    const Loader& loader = state_->loader;
+    const auto is_there = [&](const std::string& file) {
+        return loader.finds(file, directory, FileKind::data);
+    };
+    std::string file = name;
+    if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
+        for (const std::string_view ending : endings)
+            if (file == name && is_there(message(name, ending))) file = message(name, ending);
+    std::optional<Found> found = loader.load(file, directory, FileKind::data);
+    if (found) return std::move(found->path);
+    report(state_->loader.problem(name, span, FileKind::data, directory));
+    return std::nullopt;
+}
+
+const std::string* Evaluator::load_font(const std::string& name, Span span) {
+    const std::string directory = directory_of(state_->sources.name(span.source));
+    const std::pair key(directory, name);
+    if (const auto known = state_->fonts.find(key); known != state_->fonts.end())
+        return &known->second;
+    const auto keep = [&](std::string font) {
+        return &state_->fonts.emplace(key, std::move(font)).first->second;
+    };
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = state_->loader.load(spelling, directory, FileKind::data))
+            return keep(std::move(found->text));
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = system_font(spelling)) return keep(std::move(*found));
+    report(state_->loader.problem(name, span, FileKind::data, directory));
+    return nullptr;
 }

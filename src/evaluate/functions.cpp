@@ -3,6 +3,7 @@
 
 #include "base/degrees.h"
 #include "evaluate/array_data.h"
+#include "evaluate/data_functions.h"
 #include "evaluate/modelling_functions.h"
 #include "evaluate/number_functions.h"
 #include "evaluate/object_functions.h"
@@ -26,16 +27,17 @@ void RandomStreams::take_back(std::size_t begin) {
 }
 
 Value FunctionCall::fail(Fault fault, std::size_t argument, std::string message) {
-    if (!failed_)
-        world.report(error(fault, argument < places_.size() ? places_[argument] : span_,
-                           std::move(message)));
+    if (!failed_) world.report(error(fault, place(argument), std::move(message)));
+    return fail_silently();
+}
+
+Value FunctionCall::fail_silently() {
     failed_ = true;
     return Absence::broken;
 }
 
 void FunctionCall::warn(Fault fault, std::size_t argument, std::string message) {
-    world.report(
-        warning(fault, argument < places_.size() ? places_[argument] : span_, std::move(message)));
+    world.report(warning(fault, place(argument), std::move(message)));
 }
 
 Value FunctionCall::wrong_kind(std::size_t i, std::string_view wanted) {
@@ -141,6 +143,10 @@ constexpr auto table = std::array{
     FunctionInfo{"ceil", 1, 1, "x", "the next whole number, upwards",
                  Unary([](double x) { return std::ceil(x); })},
     FunctionInfo{"chr", 1, 1, "code", "the character with this code", General(character)},
+    FunctionInfo{"column_names", 1, 1, "array",
+                 "the names in the header of a table, or of the members of an object: an array of "
+                 "strings",
+                 General(column_names)},
     FunctionInfo{"concat", 1, FunctionInfo::any, "text, ...", "the strings joined",
                  General(concatenated)},
     FunctionInfo{"cos", 1, 1, "x", "cosine of radians",
@@ -162,6 +168,9 @@ constexpr auto table = std::array{
     FunctionInfo{"exp", 1, 1, "x", "e to the power of x",
                  Unary([](double x) { return std::exp(x); })},
     FunctionInfo{"file_exists", 1, 1, "name", "whether the file can be read", General(file_exists)},
+    FunctionInfo{"find_column", 2, 2, "array, name",
+                 "the number of the column that the header of a table calls so, -1: there is none",
+                 General(find_column)},
     FunctionInfo{"floor", 1, 1, "x", "the next whole number, downwards",
                  Unary([](double x) { return std::floor(x); })},
     FunctionInfo{"inside", 2, 2, "object, point", "whether the point is inside",
@@ -183,6 +192,15 @@ constexpr auto table = std::array{
                  Unary([](double x) { return x * radians_per_degree; })},
     FunctionInfo{"rand", 1, 1, "stream", "the next random number of a stream, 0 to 1",
                  General(next_random)},
+    FunctionInfo{"read_csv", 1, 2, "name[, options]",
+                 "the rows of a table in a file: an array of rows by columns, of numbers and "
+                 "strings; A[row][\"name\"] asks by the header; options are words in a string: "
+                 "header, no_header, text, comma, semicolon, tab, bar, blank",
+                 General(csv_file)},
+    FunctionInfo{"read_json", 1, 2, "name[, path]",
+                 "what is in a JSON file, or in one place of it: a number, a string, or an array, "
+                 "whose members are asked by name: A[\"lamps.0.radiance\"]",
+                 General(json_file)},
     FunctionInfo{"scatter", 2, 3, "object, distance[, seed]",
                  "places all over a surface, no two nearer than the distance: an array of n by 2, "
                  "a point and the normal there",

@@ -16,6 +16,8 @@
 #include <variant>
 #include <vector>
 
+class Evaluator;
+
 /// POV-Ray's random numbers: seed() opens a stream, rand() advances one.
 class RandomStreams {
 public:
@@ -60,6 +62,7 @@ private:
 
 /// What functions can see and change beside their arguments.
 struct FunctionWorld {
+    Evaluator* evaluator = nullptr;
     RandomStreams random;
     std::function<bool(std::string_view)> file_exists;
     std::function<void(Diagnostic)> report;
@@ -90,7 +93,13 @@ public:
 
     Value fail(Fault, std::size_t argument, std::string message);
     void warn(Fault, std::size_t argument, std::string message);
+    /// The same for what has been reported already.
+    Value fail_silently();
     bool failed() const { return failed_; }
+    /// Where an argument stands.
+    Span place(std::size_t argument) const {
+        return argument < places_.size() ? places_[argument] : span_;
+    }
 
     FunctionWorld& world;
 

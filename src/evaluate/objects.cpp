@@ -349,9 +349,9 @@ std::optional<ObjectHandle> by_plan(const Planned& planned, const RowEnd* row,
     std::optional<ObjectHandle> made = by_plan(planned, row, variation);
     if (!made || *made) return made;
     const Diagnostics& diagnostics = binder.evaluator.diagnostics();
-    const std::size_t said = diagnostics.all().size();
+    const std::size_t said = diagnostics.count();
     made = item ? read_shape(binder, element) : read_nested(binder, element);
-    if (*made && variation && diagnostics.all().size() == said)
+    if (*made && variation && diagnostics.count() == said)
         plan.learn(binder.evaluator, binder.default_texture, *variation, *made);
     return made;
 }

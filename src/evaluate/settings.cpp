@@ -168,6 +168,8 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     block.effectless =
         "charset utf8 ascii sys hf_gray_16 max_intersections "
         "radiosity photons";
+    // Strings are read as UTF-8, and ASCII is the same in any coding.
+    if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
     const double gamma = settings.assumed_gamma;
     SettingsFields fields(block, settings);
     auto sampler = sampler_block(block, settings.light_sampler);

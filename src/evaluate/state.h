@@ -10,6 +10,7 @@
 #include "evaluate/files.h"
 #include "evaluate/frames.h"
 #include "evaluate/functions.h"
+#include "evaluate/indices.h"
 #include "evaluate/macro.h"
 #include "evaluate/scope.h"
 #include "evaluate/sink.h"
@@ -35,21 +36,6 @@ struct OpenLoop {
     Span place() const;
 };
 
-/// `[i][j]`, computed.
-struct Indices {
-    std::array<double, 16> values;
-    std::size_t count = 0;
-    const Tree* tree = nullptr;
-    NodeId first = no_node;
-
-    /// The place of one of them.
-    Span span(std::size_t i) const {
-        NodeId id = first;
-        for (; i > 0; --i) id = (*tree)[id].next;
-        return tree->span(id);
-    }
-};
-
 /// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
 int component_of(std::string_view member);
 inline constexpr int grey_component = 5;
@@ -73,6 +59,9 @@ struct Evaluator::State {
         diagnostics.add(std::move(diagnostic));
         if (diagnostics.full()) stopped_ = true;
     }
+    /// What is wrong in the library is told of where the scene calls it.
+    void point_at_scene(Diagnostic&) const;
+    Span outside_library(Span) const;
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);
@@ -111,6 +100,11 @@ struct Evaluator::State {
     /// A number, or nothing when that has been reported. `what` and the word begin the message:
     /// "the argument of `sin`".
     std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
+    /// The number of an expression that most often is one; nothing: it has this other value, of
+    /// which number_in() makes a number or says that it is none.
+    std::optional<double> number_or(const Tree&, NodeId, Value& other);
+    std::optional<double> number_in(const Value&, const Tree&, NodeId, std::string_view what,
+                                    NameId word = no_name);
     Value unary(const Tree&, const node::Unary&, NodeId);
     Value with_sign(Operator, Value, Span);
     Value binary(const Tree&, const node::Binary&, NodeId);
@@ -157,16 +151,20 @@ struct Evaluator::State {
     bool indices(const Tree&, NodeId first, Indices& result);
     /// The element that indices lead to, through arrays of arrays: uninitialised when it is not
     /// set, broken when that has been reported.
-    Value element(const Value& array, const Indices&, Span);
+    Value element(const Value& array, Indices&, Span);
     /// An element for writing.
     struct Place {
         ArrayData* array = nullptr;  ///< null when reported
         std::size_t element = 0;
     };
-    Place edit_element(Value& array, const Indices&, Span);
+    Place edit_element(Value& array, Indices&, Span);
     /// The place of an element in its array, or nothing when reported; `used` moves past the
     /// indices that it took.
-    std::optional<std::size_t> place(const ArrayData&, const Indices&, std::size_t& used, Span);
+    std::optional<std::size_t> place(const ArrayData&, Indices&, std::size_t& used, Span);
+    /// One index of a dimension of that size; nothing when reported.
+    std::optional<int> index_in(const ArrayData&, std::size_t dimension, Indices&,
+                                std::size_t used);
+    void report_unknown_name(const IndexNames*, const std::string& name, Span);
     bool check_array(const Value&, Span);
 
     // ---- call.cpp
@@ -315,6 +313,7 @@ struct Evaluator::State {
     void check_written_files();
     void read_values(const Tree&, const node::Read&, NodeId);
     bool read_into(const Tree&, NodeId target, DataReader&);
+    void warn_of_line_end(const DataFile&, Span target, Span before);
     void write_values(const Tree&, const node::Write&, NodeId);
     void write_value(DataWriter&, const Value&, const std::optional<BinaryForm>&, Span);
 
@@ -358,6 +357,7 @@ struct Evaluator::State {
     std::uint64_t objects = 0;
     std::uint64_t placed = 0;                ///< objects in the scene with all their parts
     std::vector<WrittenFile> written_files;  ///< that are still to be checked
+    std::set<std::string> crossed_lines;     ///< files of which a #read went on in the next line
     std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
     std::uint64_t work = 0;
     double version = 3.7;

@@ -395,6 +395,6 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
         early = pass.early;
         if (!pass.found.failed()) best = std::move(pass);
     }
-    for (const Diagnostic& each : best.found.all()) diagnostics.add(each);
+    diagnostics.add_all(best.found);
     return std::move(best.tree);
 }

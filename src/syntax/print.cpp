@@ -102,7 +102,9 @@ struct Print {
         return {say(spell(n.name)), joined(n.indices)};
     }
     Pieces operator()(const node::Member& n) const {
-        return {one(n.operand), say(message(".", spell(n.member)))};
+        // A number would take the point for its own.
+        const bool number = tree.get_if<node::Number>(n.operand);
+        return {one(n.operand), say(message(number ? " ." : ".", spell(n.member)))};
     }
     Pieces operator()(const node::Call& n) const {
         return {say(message(spell(n.name), "(")), commas(n.arguments), say(")")};

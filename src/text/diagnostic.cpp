@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/diagnostic.h"
 
+#include "text/message.h"
+
 #include <array>
 #include <utility>
 
@@ -43,7 +45,8 @@ constexpr auto infos = std::array{
               "a scene without a camera, which gets the default one"},
     FaultInfo{Fault::no_object, "no-object", "a scene without an object"},
     FaultInfo{Fault::no_light, "no-light", "a scene that nothing lights"},
-    FaultInfo{Fault::camera_inside, "camera-inside", "a camera inside an object"},
+    FaultInfo{Fault::camera_inside, "camera-inside",
+              "a camera inside an object that keeps out fog or all light"},
     FaultInfo{Fault::glowing_dome, "glowing-dome",
               "an object around the camera whose emission lights the scene"},
     FaultInfo{Fault::user_error, "user-error"},
@@ -116,6 +119,19 @@ std::size_t Diagnostics::KeyHash::operator()(const Key& key) const {
     return hash;
 }
 
+bool Diagnostics::among_first(Fault fault) {
+    auto& [count, rest_at] = warnings_[static_cast<std::size_t>(fault)];
+    if (++count <= most_warnings) return true;
+    if (count == most_warnings + 1) {
+        rest_at = all_.size();
+        all_.push_back(
+            warning(fault, {}, {})
+                .with_help(message("--warn no-", ::name(fault), " switches all of them off")));
+    }
+    all_[rest_at].message = message("and ", count - most_warnings, " more of this kind");
+    return false;
+}
+
 void Diagnostics::add(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::warning) {
         if (muted_[static_cast<std::size_t>(diagnostic.fault)]) return;
@@ -123,8 +139,23 @@ void Diagnostics::add(Diagnostic diagnostic) {
     }
     const bool is_error = diagnostic.severity == Severity::error;
     if (is_error && full()) return;
+    if (settle_) settle_(diagnostic);
     if (!seen_.insert({diagnostic.span, diagnostic.message}).second) return;
+    last_ = {diagnostic.fault, diagnostic.span};
     if (is_error) ++errors_;
+    if (diagnostic.severity == Severity::warning && !among_first(diagnostic.fault)) return;
     if (frames_ && diagnostic.frames.empty()) diagnostic.frames = frames_();
     all_.push_back(std::move(diagnostic));
+}
+
+void Diagnostics::add_all(const Diagnostics& other) {
+    for (std::size_t i = 0; i < other.all_.size(); ++i) {
+        const Diagnostic& each = other.all_[i];
+        const auto& [count, rest_at] = other.warnings_[static_cast<std::size_t>(each.fault)];
+        if (count <= most_warnings || rest_at != i) {
+            add(each);
+            continue;
+        }
+        for (std::size_t k = most_warnings; k < count; ++k) among_first(each.fault);
+    }
 }

@@ -7,6 +7,7 @@
 
 #include "text/span.h"
 
+#include <array>
 #include <bitset>
 #include <cstddef>
 #include <functional>
@@ -109,13 +110,17 @@ Diagnostic note(Fault fault, Span span, std::string message);
 class Diagnostics {
 public:
     using Frames = std::function<std::vector<Frame>()>;
+    using Settle = std::function<void(Diagnostic&)>;
 
     static constexpr std::size_t most_errors = 20;
+    static constexpr std::size_t most_warnings = 20;  ///< of a kind
 
     /// Keeps the diagnostic unless the same message was given for the same span, or it is a warning
     /// that is switched off, or an error and the collector is full. One without frames gets those
-    /// of the provider.
+    /// of the provider. Of warnings of a kind beyond the twentieth one tells how many there are.
     void add(Diagnostic diagnostic);
+    /// Adds all that another one has.
+    void add_all(const Diagnostics& other);
 
     /// Whether warnings of a kind are kept; at first all are.
     void set_warning(Fault fault, bool kept) { muted_[static_cast<std::size_t>(fault)] = !kept; }
@@ -137,10 +142,18 @@ public:
     bool full() const { return errors_ >= most_errors; }
 
     const std::vector<Diagnostic>& all() const { return all_; }
+    /// How many were new, whether they were kept or only counted.
+    std::size_t count() const { return seen_.size(); }
+    /// The kind and the place of the last of these. Precondition: count() > 0.
+    std::pair<Fault, Span> last() const { return last_; }
 
-    /// Called for each kept diagnostic to learn how its place was reached, innermost first. Whoever
-    /// sets it takes it away again, with {}, before what it looks at goes out of life.
-    void set_frames(Frames frames) { frames_ = std::move(frames); }
+    /// Called for each kept diagnostic to learn how its place was reached, innermost first; and to
+    /// point it, before it is compared with others, at a better place. Whoever sets them takes them
+    /// away again, with {}, before what they look at goes out of life.
+    void set_frames(Frames frames, Settle settle = {}) {
+        frames_ = std::move(frames);
+        settle_ = std::move(settle);
+    }
 
 private:
     struct Key {
@@ -153,10 +166,23 @@ private:
         std::size_t operator()(const Key& key) const;
     };
 
+    static constexpr std::size_t kinds = static_cast<std::size_t>(Fault::user_warning) + 1;
+
+    /// Warnings of a kind, and where it is told how many were too many.
+    struct Warnings {
+        std::size_t count = 0, rest_at = 0;
+    };
+
+    /// Whether a warning is one of the first of its kind; counts it in any case.
+    bool among_first(Fault);
+
     std::vector<Diagnostic> all_;
     std::unordered_set<Key, KeyHash> seen_;
+    std::pair<Fault, Span> last_;
     Frames frames_;
+    Settle settle_;
     std::size_t errors_ = 0;
-    std::bitset<static_cast<std::size_t>(Fault::user_warning) + 1> muted_;
+    std::array<Warnings, kinds> warnings_;
+    std::bitset<kinds> muted_;
     bool warnings_are_errors_ = false;
 };

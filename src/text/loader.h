@@ -99,6 +99,14 @@ public:
     /// The first file of the library that declares the name, or "". For messages.
     std::string library_file_declaring(std::string_view name) const;
 
+    /// The folder of the standard library; what is wrong in a file below it is told of where the
+    /// scene calls it.
+    void set_standard_library(std::string folder) { standard_ = std::move(folder); }
+    bool in_standard_library(std::string_view path) const {
+        return !standard_.empty() && path.size() > standard_.size() &&
+               path.starts_with(standard_) && path[standard_.size()] == '/';
+    }
+
     const Door& door() const { return door_; }
     /// The scene has written the file at this destination of the door: its text is found under this
     /// name from now on; `text`: it is there and not on the disk, and may still grow.
@@ -133,6 +141,7 @@ private:
     Reader reader_;
     std::string scene_directory_;
     std::vector<std::string> library_paths_;
+    std::string standard_;
     Door door_;
     Lister lister_;
     std::map<std::string, std::shared_ptr<const std::string>> written_;  ///< null: on the disk

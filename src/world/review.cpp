@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/review.h"
 
+#include "luminaire/luminaire.h"
 #include "solid/extent.h"
 #include "solid/solid.h"
 
@@ -27,16 +28,40 @@ bool dark(const World& world) {
 
 class Surroundings {
 public:
-    /// The first solid object of a scene around the point that does not say `hollow`. Null: none.
-    const Object* first(const Scene& scene, const Vec3& point) {
-        for (const ObjectHandle& object : scene.objects)
-            if (!object->hollow && !object->no_image && may_hold(*object, point) &&
-                has_inside(*object) && holds(object, point))
+    Surroundings(const Scene& scene, const World& world) : scene_(scene), world_(world) {}
+
+    /// The first solid object of the scene around the camera that does not say `hollow` and changes
+    /// the picture, as it keeps out fog or all light. Null: none.
+    const Object* first() {
+        const Vec3 camera = world_.camera.location;
+        for (const ObjectHandle& object : scene_.objects)
+            if (!object->hollow && !object->no_image && surrounds(object, camera) &&
+                (world_.has_air() || keeps_light_out(object)))
                 return object.get();
         return nullptr;
     }
 
 private:
+    bool surrounds(const ObjectHandle& object, const Vec3& point) {
+        return may_hold(*object, point) && has_inside(*object) && holds(object, point);
+    }
+
+    /// Whether something lights the scene, and all of it from outside of the object: a room and a
+    /// sky have their lights within them.
+    bool keeps_light_out(const ObjectHandle& object) {
+        if (object->no_shadow || (object->texture && transparent(*object->texture))) return false;
+        const auto reaches = [&](const PlacedLight& placed) {
+            const auto& light = std::get<PointLight>(placed.light);
+            return light.shadowless || (!light.along_axis() && surrounds(object, light.location));
+        };
+        const auto within = [&](const Luminaire& each) {
+            return surrounds(object, bounds(each).centre);
+        };
+        const bool lit = !scene_.lights.empty() || !world_.luminaires.empty() || world_.sky;
+        return lit && std::ranges::none_of(scene_.lights, reaches) &&
+               std::ranges::none_of(world_.luminaires, within);
+    }
+
     /// A quick answer, for most objects.
     static bool may_hold(const Object& object, const Vec3& point) {
         if (object.inverse) return contains(noticed_within(object), point);
@@ -62,6 +87,8 @@ private:
         });
     }
 
+    const Scene& scene_;
+    const World& world_;
     Solids solids_;
 };
 
@@ -87,10 +114,14 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
         diagnostics.add(
             warning(Fault::no_camera, {}, "there is no camera: the picture is seen from the origin")
                 .with_help("camera { location <0, 2, -10> look_at 0 }"));
-    if (const Object* object = Surroundings().first(scene, world.camera.location))
-        diagnostics.add(warning(Fault::camera_inside, object->span,
-                                "the camera is inside of this object, which is not hollow")
-                            .with_help("the word `hollow` in the object says that this is meant"));
+    if (const Object* object = Surroundings(scene, world).first())
+        diagnostics.add(
+            warning(
+                Fault::camera_inside, object->span,
+                world.has_air()
+                    ? "the camera is inside of this object, and fog is outside: it is not hollow"
+                    : "the camera is inside of this object, and all light is outside")
+                .with_help("the word `hollow` in the object says that this is meant"));
     if (world.objects == 0)
         diagnostics.add(warning(Fault::no_object, {}, "there is no object to be seen"));
     else if (dark(world))

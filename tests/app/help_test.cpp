@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
+#include "app/library_guide.h"
 #include "app/option_table.h"
+#include "evaluate/functions.h"
+#include "scene/catalogue.h"
 #include "support/shell.h"
+#include "text/ascii.h"
+#include "vocabulary/words.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <set>
+
 namespace {
+
+const std::string stdlib = CANDELABRA_SOURCE_DIR "/stdlib";
 
 std::string help(std::string_view topic) {
     Diagnostics diagnostics;
-    std::string text = help_text(topic, diagnostics);
+    std::string text = help_text(topic, stdlib, diagnostics);
     for (const Diagnostic& each : diagnostics.all())
         text += "! " + each.message + " | " + each.help;
     return text;
@@ -52,16 +65,25 @@ TEST_CASE("topics are items, groups, functions and options") {
     CHECK(has(help("max_trace_level"), "in global_settings"));
     CHECK(has(help("--samples"), "--samples n"));
     CHECK(has(help("compatibility"), "+UF, -UF, Field_Render=on"));
+    CHECK(has(help("Light_Ring"), "Light_Ring(Lamp, Count, Radius)\n  around y"));
+    CHECK(has(help("Light_Ring"), "#include \"light_arrays.inc\""));
+    CHECK(has(help("light_arrays.inc"), "Light_Matrix(Lamp, Colours, Radiance, Pitch)"));
+    CHECK(has(help("sunpos"), "SunPos(Year"));
+    CHECK(has(help("luminaires"), "luminaires ambient"));
+    CHECK(has(help("light_sampler"), "global_settings { light_sampler"));
+    CHECK(has(help("Light_Rnig"), "did you mean `Light_Ring`?"));
+    CHECK(has(help("shpere"), "did you mean `sphere`?"));
     CHECK(help("shpere") == "! there is no help on `shpere` | did you mean `sphere`?");
     CHECK(help("qqqqqq") == "! there is no help on `qqqqqq` | --help lists the options");
 }
 
 TEST_CASE("descriptions exist in all parts and forms") {
-    for (const char* part : {"", "items", "functions", "options", "compatibility", "words"}) {
+    for (const char* part :
+         {"", "items", "functions", "glossary", "library", "options", "compatibility", "words"}) {
         for (const ManualForm form : {ManualForm::text, ManualForm::roff, ManualForm::json}) {
             CAPTURE(part);
             Diagnostics diagnostics;
-            const std::string text = description(part, form, diagnostics);
+            const std::string text = description(part, form, stdlib, diagnostics);
             CHECK(diagnostics.all().empty());
             CHECK(text.size() > 500);
             CHECK(text.back() == '\n');
@@ -69,11 +91,77 @@ TEST_CASE("descriptions exist in all parts and forms") {
         }
     }
     Diagnostics diagnostics;
-    CHECK(description("colours", ManualForm::text, diagnostics).empty());
+    CHECK(description("colours", ManualForm::text, stdlib, diagnostics).empty());
     CHECK(diagnostics.error_count() == 1);
 }
 
 TEST_CASE("name and version") {
     CHECK(version_text().starts_with("Candelabra "));
     CHECK(version_text().back() == '\n');
+}
+
+namespace {
+
+/// The manual page of scenes as people read it.
+std::string page_of_scenes() {
+    std::ifstream file(CANDELABRA_SOURCE_DIR "/man/candelabra-scene.5.in");
+    std::string page(std::istreambuf_iterator<char>(file), {});
+    for (const std::string part : {"functions", "glossary", "items", "library"}) {
+        Diagnostics diagnostics;
+        std::string place = "@" + part + "@";
+        std::ranges::transform(place, place.begin(),
+                               [](unsigned char c) { return std::toupper(c); });
+        const std::size_t at = page.find(place);
+        REQUIRE(at != std::string::npos);
+        page.replace(at, place.size(), description(part, ManualForm::roff, stdlib, diagnostics));
+    }
+    std::string text;
+    for (std::size_t i = 0; i < page.size(); ++i)
+        if (page[i] != '\\') text += page[i];
+    return text;
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+    const auto in_word = [&](std::size_t i) {
+        return i < text.size() &&
+               (std::isalnum(static_cast<unsigned char>(text[i])) || text[i] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        if ((at == 0 || !in_word(at - 1)) && !in_word(at + word.size())) return true;
+    return false;
+}
+
+/// Every word that a scene may contain, and every file and macro of the library.
+std::set<std::string> words_of_scenes() {
+    std::set<std::string> words;
+    for (const Word& word : reserved_words())
+        if (in_name(word.spelling.front())) words.emplace(word.spelling);
+    for (const FunctionInfo& each : functions()) words.emplace(each.name);
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items) {
+            words.emplace(item->name);
+            for (const FieldInfo& field : item->fields)
+                if (!field.unnamed() && field.place != Placement::following)
+                    words.emplace(field.name);
+        }
+    for (const LibraryFile& file : library_guide(stdlib)) {
+        words.insert(file.name);
+        for (const LibraryMacro& macro : file.macros) words.insert(macro.name);
+    }
+    for (const char* each : {"light_sampler", "luminaires", "index"}) words.emplace(each);
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("--help and the manual of scenes know every word, file and macro") {
+    const std::string page = page_of_scenes();
+    const std::set<std::string> words = words_of_scenes();
+    CHECK(words.size() > 750);
+    for (const std::string& word : words) {
+        CAPTURE(word);
+        CHECK_FALSE(help(word).starts_with("! "));
+        CHECK(has_word(page, word));
+    }
+    for (const char* each : {"#fopen", "#read", "#write", "#fclose"}) CHECK(has(page, each));
 }

@@ -102,6 +102,24 @@ TEST_CASE("reading puts values into names and elements, and closes the file at i
               .printed == "1 1 0 ");
 }
 
+TEST_CASE("a list that goes on in the next line is warned of, once a file", "[files]") {
+    const SceneFolder folder;
+    folder.put("d.txt", "1, 2, 3,\n4, 5,\n6, 7, 8\n9, 10, 11\n");
+    const std::string warning =
+        "this #read goes on in the next line of `d.txt` | read_csv(\"...\") reads tables, and "
+        "tells of rows that are short\n";
+    const std::string open = "#fopen F \"d.txt\" read ";
+    const std::string read = "#while (defined(F)) #read(F, A, B, C) #end ";
+    CHECK(said(folder, open + read).messages == warning);
+    CHECK(said(folder, open + read + open + read).messages == warning);
+    CHECK(said(folder, open + "#while (defined(F)) #read(F, A) #end").messages == "");
+    CHECK(said(folder, open + "#read(F, A, B, C) #read(F, A, B) #read(F, A, B, C)").messages == "");
+    folder.put("d.txt", "1, 2,\n3, 4,\n");
+    CHECK(said(folder, open + "#while (defined(F)) #read(F, A, B) #end").messages == "");
+    folder.put("d.txt", "<1,\n2>, 3 4\n");
+    CHECK(said(folder, open + "#while (defined(F)) #read(F, A, B, C) #end").messages == "");
+}
+
 TEST_CASE("wrong uses of files say what is wrong", "[files]") {
     const SceneFolder folder;
     folder.put("d.txt", "1, 2");

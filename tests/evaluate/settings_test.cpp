@@ -47,9 +47,9 @@ TEST_CASE("each index can be chosen", "[evaluate]") {
         CHECK(run("#version 3.7; global_settings { index { " + name + " } }")
                   .scene.settings.index.index() == kind);
     }
-    const Script done = run(
-        "#version 3.7; global_settings { index { kd_tree { node_cost 2 } } light_sampler { "
-        "light_bvh } }");
+    const Script done =
+        run("#version 3.7; global_settings { index { kd_tree { node_cost 2 } } light_sampler { "
+            "light_bvh } }");
     REQUIRE(done.text.empty());
     CHECK(std::get<KdTree>(done.scene.settings.index).node_cost == 2);
     CHECK(std::holds_alternative<LightBvh>(done.scene.settings.light_sampler));
@@ -63,7 +63,8 @@ TEST_CASE("a background is one colour, the last one", "[evaluate]") {
 }
 
 TEST_CASE("wrong settings are told of once", "[evaluate]") {
-    CHECK(complaint("global_settings { charset utf8 }") ==
+    CHECK(complaint("global_settings { charset utf8 } #declare A = \"plain\";") == "nothing");
+    CHECK(complaint("global_settings { charset utf8 } #declare A = \"\xC3\xA9\";") ==
           "warning no-effect: `charset` has no effect in this version");
     CHECK(complaint("global_settings { radiosity { count 100 } }") ==
           "warning no-effect: `radiosity` has no effect in this version");

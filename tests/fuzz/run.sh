@@ -9,10 +9,10 @@ seconds=${1:-60}
 build=${BUILD_DIR:-build-fuzz}
 cmake -S . -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
       -DCANDELABRA_TESTS=OFF -DCANDELABRA_FUZZ=ON
-cmake --build "$build" --target lexer_fuzz parser_fuzz evaluate_fuzz fuzz_dictionary http_fuzz lsp_fuzz \
+cmake --build "$build" --target lexer_fuzz parser_fuzz evaluate_fuzz fuzz_dictionary http_fuzz lsp_fuzz data_fuzz \
       ini_fuzz scene_fuzz picture_fuzz mesh_fuzz density_fuzz font_fuzz state_fuzz fuzz_seed_files
 mkdir -p "$build/found"
-for target in lexer parser evaluate http lsp ini scene; do
+for target in lexer parser evaluate http lsp data ini scene; do
     corpus=$build/corpus/$target
     seeds=(tests/diagnostics examples/lights)
     words=$build/tests/fuzz/words.dict

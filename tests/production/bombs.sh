@@ -150,5 +150,22 @@ bomb trace limit- '#declare S = sphere { 0, 1 } #while (1) #declare N = <0, 0, 0
 bomb trace_isosurface limit- '#declare S = isosurface { function { x*x + y*y + z*z - 1 } accuracy 1e-12 max_gradient 1e12 contained_by { sphere { 0, 2 } } } #while (1) #declare P = trace(S, <1, 0.3, -5>, z); #end'
 bomb inside limit- '#declare S = union { #for (I, 1, 1000) sphere { I, 1 } #end } #while (1) #declare B = inside(S, <0.1, 0.2, 0.3>); #end'
 
+# Tables and JSON.
+yes '1.5,2.5,3.5,4.5' | head -n 4000000 > numbers.csv
+yes 'a,b' | head -n 300000 > strings.csv
+yes '1,2,3' | head -n 40000000 > wide.csv
+{ echo '['; yes '{"a":1},' | head -n 1000000; echo '1]'; } > objects.json
+head -c 1000000 /dev/zero | tr '\0' '[' > deep.json
+bomb table_again limit- '#while (1) #declare A = read_csv("numbers.csv"); #end'
+bomb strings_again limit- '#while (1) #declare A = read_csv("strings.csv"); #end'
+bomb table_too_large limit- '#declare A = read_csv("wide.csv");'
+bomb objects_again limit- '#while (1) #declare A = read_json("objects.json"); #end'
+bomb deep_json 'which is the limit' '#declare A = read_json("deep.json");'
+bomb names_again limit- '#declare A = read_csv("numbers.csv", "header"); #while (1) #declare N = column_names(A); #end'
+bomb columns_again limit- '#declare A = read_csv("numbers.csv", "header"); #while (1) #declare N = find_column(A, "x"); #end'
+bomb path_again limit- '#declare A = read_json("objects.json"); #while (1) #ifdef (A["0.a.b.c.d.e.f.g.h"]) #end #end'
+bomb named_again limit- '#declare A = read_csv("strings.csv", "header"); #while (1) #ifdef (A[1]["a"]) #end #end'
+rm -f numbers.csv strings.csv wide.csv objects.json deep.json
+
 echo "$count bombs, $failed failed"
 exit $((failed > 0))

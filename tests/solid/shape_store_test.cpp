@@ -30,7 +30,7 @@ TEST_CASE("a smooth landscape is made for the place that stretches it", "[solid]
     ShapeStore store;
     HeightField field;
     field.smooth = true;
-    field.grid = make_handle<HeightGrid>(HeightGrid{2, 2, {0, 30000, 60000, 10000}});
+    field.grid = make_handle<HeightGrid>(HeightGrid{2, 2, {0, 9000, 12000, 11000}});
     const Shape shape = Shared(field);
     const auto wide = make_handle<Transform>(Transform::scaling(Vec3(9, 1, 9)));
     const auto large = make_handle<Transform>(Transform::scaling(Vec3(9)));
@@ -46,7 +46,7 @@ TEST_CASE("a smooth landscape is made for the place that stretches it", "[solid]
         REQUIRE(found.size() == 1);
         return found[0].normal;
     };
-    CHECK(slope(wide) != slope(nullptr));
+    CHECK(length(slope(wide) - slope(nullptr)) > 1e-4);
 }
 
 TEST_CASE("a patch is made for a place that mirrors it", "[solid]") {

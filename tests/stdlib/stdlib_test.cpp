@@ -5,6 +5,7 @@
 #include "support/scripts.h"
 #include "support/vectors.h"
 #include "surface/texture.h"
+#include "text/message.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,55 @@ TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") 
         INFO(c.array);
         CHECK(world.luminaires.size() == c.lamps);
     }
+}
+
+namespace {
+
+/// The radiances of the luminaires that a macro makes, in their order.
+std::string radiances(const std::string& call) {
+    const World world = world_of(R"(#version 3.7; global_settings { assumed_gamma 1 }
+        #include "light_arrays.inc" #declare L = sphere { 0, 0.05 } object { )" +
+                                 call + " }");
+    std::string text;
+    for (const Luminaire& each : world.luminaires)
+        text += message(text.empty() ? "" : " | ", each.radiance.x, " ", each.radiance.y, " ",
+                        each.radiance.z);
+    return text;
+}
+
+std::string error_of(const std::string& script) {
+    const Evaluated result = evaluated("#version 3.7; #include \"light_arrays.inc\"\n" + script);
+    return result.diagnostics.substr(0, result.diagnostics.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("lamps come from tables", "[stdlib]") {
+    const std::string tables = "\"tests/stdlib/tables/";
+    CHECK(radiances("Light_From_CSV(L, " + tables + "lamps.csv\", 3)") == "6 0 0 | 1.5 1.5 1.5");
+    CHECK(radiances("Light_From_CSV(L, " + tables + "places.csv\", 3)") == "3 3 3 | 3 3 3 | 3 3 3");
+    CHECK(radiances("Light_From_CSV(L, " + tables + "bare.csv\", 5)") == "5 0 0 | 0 1 0");
+    const std::string film = tables + "places.csv\", " + tables + "film.csv\", ";
+    CHECK(radiances("Light_Frames(L, " + film + "0, 5)") == "5 0 0 | 0 1 0");
+    CHECK(radiances("Light_Frames(L, " + film + "1, 5)") == "0 0 5 | 0 0 5 | 0 0 5");
+    CHECK(radiances("Light_Frames(L, " + film + "102.5, 5)") == "5 0 0 | 0 1 0");
+    CHECK(radiances("Light_Frames(L, " + film + "-1, 5)") == "0 0 5 | 0 0 5 | 0 0 5");
+    CHECK(radiances("Light_Frames(L, " + tables + "places.csv\", " + tables +
+                    "dim_film.csv\", 0, 5)") == "2.5 0 0 | 0 5 0");
+}
+
+TEST_CASE("tables that do not fit say what is wrong", "[stdlib]") {
+    const std::string tables = "\"tests/stdlib/tables/";
+    CHECK(error_of("object { Light_From_CSV(sphere { 0, 1 }, " + tables + "unnamed.csv\", 1) }") ==
+          "error: the header of tests/stdlib/tables/unnamed.csv must name columns x, y and z, as "
+          "the table has 4 columns");
+    CHECK(error_of("object { Light_Frames(sphere { 0, 1 }, " + tables + "bare.csv\", " + tables +
+                   "places.csv\", 0, 1) }") ==
+          "error: tests/stdlib/tables/places.csv has 3 columns, and the 2 LEDs of "
+          "tests/stdlib/tables/bare.csv need 6");
+    CHECK(error_of("#declare P = array[3] { x, y, z } #declare C = array[2] { x, y }\n"
+                   "object { Light_Positions_Coloured(sphere { 0, 1 }, P, C, 1) }") ==
+          "error: Light_Positions_Coloured: Points has 3 entries and Colours has 2");
 }
 
 TEST_CASE("a light array that cannot be meant says the rule", "[stdlib]") {

@@ -3,6 +3,7 @@
 
 #include "evaluate/evaluate.h"
 #include "text/excerpt.h"
+#include "text/message.h"
 #include "world/compile.h"
 
 #include <fstream>
@@ -22,8 +23,9 @@ Evaluated evaluate_text(const std::string& name, const std::string& text,
                         const Declares& declares) {
     SourceStore sources;
     Diagnostics diagnostics;
-    const Loader loader(disk_reader(), root,
-                        {root + "/stdlib", root + "/tests/conformance/pictures"});
+    Loader loader(disk_reader(), message(root, "/", directory_of(name)),
+                  {root, root + "/stdlib", root + "/tests/conformance/pictures"});
+    loader.set_standard_library(root + "/stdlib");
     Evaluated result;
     EvaluateOptions options;
     options.declares = declares;

@@ -30,7 +30,8 @@ TEST_CASE("printed text parses to the same tree", "[syntax]") {
         "1 + 2 #if (a) * 3 #elseif (b) #local c = 1; - c * 2 #if (d) / 4 #end #end - 5, 6",
         "<1, #for (i, 1, 2) i, #end 2 #while (a) + 1 #end>", "vrotate(x, <0, 90, 0>).y * M()",
         "text { ttf \"a.ttf\" \"b\" 1, 0 }", "a precision \"b\\p\"", "#include \"a\\b.inc\"",
-        "#include \"a\nb\"", "#version 3.green, ere { 0, as \"up\" }", "3.x, rgb, a { 1 }, 5.green",
+        "#include \"a\nb\"", "0.. false, 1..x", "#version 3.green, ere { 0, as \"up\" }",
+        "3.x, rgb, a { 1 }, 5.green",
         "filter, #if (a) 1 #end rgb, #declare a = 1; transmit, [1 2] red, {}");
     INFO(text);
     const Parsed first(text);

@@ -96,3 +96,45 @@ TEST_CASE("frames come from the provider unless the diagnostic has its own") {
     CHECK(diagnostics.all()[1].frames.size() == 2);
     CHECK(diagnostics.all()[2].frames.empty());
 }
+
+TEST_CASE("of warnings of one kind the first twenty are kept, and the others counted") {
+    Diagnostics diagnostics;
+    for (std::uint32_t i = 0; i < 25; ++i) {
+        diagnostics.add(warning(Fault::domain, {0, i, i}, "outside"));
+        diagnostics.add(warning(Fault::domain, {0, i, i}, "outside"));
+        if (i < 3) diagnostics.add(warning(Fault::deprecated, {0, i, i}, "old"));
+    }
+    diagnostics.add(note(Fault::io, {}, "written"));
+    REQUIRE(diagnostics.all().size() == 20 + 1 + 3 + 1);
+    CHECK(diagnostics.count() == 25 + 3 + 1);
+    const Diagnostic& rest = diagnostics.all()[diagnostics.all().size() - 2];
+    CHECK(rest.message == "and 5 more of this kind");
+    CHECK(rest.fault == Fault::domain);
+    CHECK(rest.severity == Severity::warning);
+    CHECK(rest.help == "--warn no-domain switches all of them off");
+    CHECK(diagnostics.last().first == Fault::io);
+}
+
+TEST_CASE("a diagnostic can be pointed at a better place before it is compared") {
+    Diagnostics diagnostics;
+    std::uint32_t place = 0;
+    diagnostics.set_frames({}, [&](Diagnostic& each) { each.span = {1, place, place}; });
+    diagnostics.add(error(Fault::syntax, {0, 1, 2}, "wrong"));
+    diagnostics.add(error(Fault::syntax, {0, 3, 4}, "wrong"));
+    place = 5;
+    diagnostics.add(error(Fault::syntax, {0, 1, 2}, "wrong"));
+    REQUIRE(diagnostics.all().size() == 2);
+    CHECK(diagnostics.all()[1].span == Span{1, 5, 5});
+}
+
+TEST_CASE("what one collector has counted another one counts on") {
+    Diagnostics part, whole;
+    for (std::uint32_t i = 0; i < 25; ++i) part.add(warning(Fault::domain, {0, i, i}, "outside"));
+    part.add(error(Fault::syntax, {}, "wrong"));
+    whole.add_all(part);
+    REQUIRE(whole.all().size() == 22);
+    CHECK(whole.all()[20].message == "and 5 more of this kind");
+    CHECK(whole.error_count() == 1);
+    whole.add(warning(Fault::domain, {1, 0, 0}, "outside"));
+    CHECK(whole.all()[20].message == "and 6 more of this kind");
+}

@@ -43,25 +43,26 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
         {"camera { location -z } light_source { 0, 1 } union { triangle { 0, x, 2*x } pigment { "
          "rgb 1 } finish { emission 1 } }",
          "no-object "},
-        {"light_source { 0, 1 } sphere { 0, 2 } camera { location z look_at 0 }", "camera-inside "},
-        {"light_source { 0, 1 } sphere { 0, 2 hollow } camera { location z look_at 0 }", ""},
+        {"light_source { 9*y, 1 } sphere { 0, 2 } camera { location z look_at 0 }",
+         "camera-inside "},
+        {"light_source { 9*y, 1 } sphere { 0, 2 hollow } camera { location z look_at 0 }", ""},
         {"light_source { 0, 1 } difference { sphere { 0, 3 } sphere { 0, 2 } } camera { location z "
          "look_at 0 }",
          ""},
         {"light_source { 0, 1 } box { 0, 1 rotate y translate z } camera { location "
          "<.6, .5, 1.2> }",
          "camera-inside "},
-        {"light_source { 0, 1 } union { box { 3, 4 } sphere { 0, 2 } translate z } camera { "
+        {"light_source { 9*y, 1 } union { box { 3, 4 } sphere { 0, 2 } translate z } camera { "
          "location 2*z look_at 0 }",
          "camera-inside "},
         {"light_source { 0, 1 } union { box { 3, 4 } sphere { 0, 2 } translate 9*z } camera { "
          "location z look_at 0 }",
          ""},
-        {"light_source { 0, 1 } #for (I, 1, 5) sphere { I*x, 0.4 } #end camera { location "
+        {"light_source { 9*y, 1 } #for (I, 1, 5) sphere { I*x, 0.4 } #end camera { location "
          "4*x look_at 0 }",
          "camera-inside "},
         {"light_source { 0, 1 } box { 3, 4 inverse } camera { location z look_at 0 }", ""},
-        {"light_source { 0, 1 } intersection { box { 3, 4 inverse } sphere { 0, 9 } } camera { "
+        {"light_source { 10*y, 1 } intersection { box { 3, 4 inverse } sphere { 0, 9 } } camera { "
          "location z look_at 0 }",
          "camera-inside "},
         {"camera { location -z } light_source { 0, 1 } sphere { 0, 9 inverse no_image pigment { "
@@ -82,6 +83,27 @@ TEST_CASE("scenes in which nobody can see anything", "[world]") {
     INFO(script);
     CHECK(said_about(script, false) == said);
     CHECK(said_about(script, true) == said);
+}
+
+TEST_CASE("a camera inside of what changes no picture is not spoken of", "[world]") {
+    const std::string camera = "camera { location z look_at 0 } ";
+    const std::string outside = "light_source { 99*y, 1 } ", within = "light_source { y, 1 } ";
+    const auto said = [&](const std::string& rest) { return said_about(camera + rest, true); };
+    const std::string glow = "pigment { rgb 1 } finish { emission 1 } ";
+    CHECK(said(outside + "sphere { 0, 9 }") == "camera-inside ");
+    CHECK(said(within + "sphere { 0, 9 }") == "");
+    CHECK(said(outside + within + "sphere { 0, 9 }") == "");
+    CHECK(said("light_source { y, 1 parallel point_at 0 } sphere { 0, 9 }") == "camera-inside ");
+    CHECK(said("light_source { 99*y, 1 shadowless } sphere { 0, 9 }") == "");
+    CHECK(said(outside + "sphere { 0, 9 no_shadow }") == "");
+    CHECK(said(outside + "sphere { 0, 9 pigment { rgbt <1, 1, 1, 0.9> } }") == "");
+    CHECK(said("sphere { 0, 9 " + glow + "}") == "glowing-dome ");
+    CHECK(said("sphere { 0, 9 } sphere { 2*y, 0.1 " + glow + "}") == "");
+    CHECK(said("sphere { 0, 9 } sphere { 20*y, 0.1 " + glow + "}") == "camera-inside ");
+    CHECK(said("background { rgb 1 } sphere { 0, 9 finish { ambient 1 } }") == "");
+    const std::string fog = "fog { distance 10 rgb 1 } ";
+    CHECK(said(fog + within + "sphere { 0, 9 }") == "camera-inside ");
+    CHECK(said(fog + within + "sphere { 0, 9 hollow }") == "");
 }
 
 TEST_CASE("light below surfaces that the scene does not ask for is warned of", "[world]") {

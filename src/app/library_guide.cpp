@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/library_guide.h"
+
+#include "text/ascii.h"
+#include "text/loader.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view comment_sign = "//";
+
+std::string_view first_word(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size() && in_name(text[length])) ++length;
+    return text.substr(0, length);
+}
+
+std::string_view without_blanks(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(" \t\r"), text.size());
+    return text.substr(first);
+}
+
+void append_line(std::string& text, std::string_view line) {
+    if (!text.empty() && !line.empty()) text += ' ';
+    text += line;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// The comment at the begin of a file: its first paragraph, and what is indented behind it, which
+/// lists what there is.
+struct Header {
+    std::string about;
+    std::vector<std::string> entries;
+};
+
+Header header_of(const std::vector<std::string_view>& lines) {
+    constexpr std::size_t of_text = 1, of_entry = 3;
+    Header header;
+    bool about_ended = false;
+    for (const std::string_view line : lines) {
+        if (!line.starts_with(comment_sign)) break;
+        const std::string_view comment = line.substr(comment_sign.size());
+        const std::string_view text = without_blanks(comment);
+        const std::size_t indent = comment.size() - text.size();
+        if (text.starts_with("SPDX")) continue;
+        if (text.empty()) {
+            about_ended = !header.about.empty();
+        } else if (indent == of_entry) {
+            header.entries.emplace_back(text);
+        } else if (indent > of_entry && !header.entries.empty()) {
+            append_line(header.entries.back(), text);
+        } else if (indent == of_text && !about_ended) {
+            append_line(header.about, text);
+        }
+    }
+    return header;
+}
+
+/// The names that an entry begins with, and what it says of them.
+class HeaderEntry {
+public:
+    template <class IsMacro>
+    HeaderEntry(std::string_view entry, IsMacro is_macro) {
+        for (rest_ = entry; !rest_.empty();) {
+            const std::string_view word = first_word(rest_);
+            const std::string_view behind = rest_.substr(word.size());
+            if (word.empty() || !is_macro(word)) return;
+            names_.push_back(word);
+            std::size_t length = 0;
+            if (behind.starts_with('(')) length = std::min(behind.find(')'), behind.size() - 1) + 1;
+            rest_ = without_blanks(behind.substr(length));
+        }
+    }
+
+    bool names(std::string_view name) const {
+        return std::ranges::find(names_, name) != names_.end();
+    }
+    std::string_view text() const { return rest_; }
+
+private:
+    std::vector<std::string_view> names_;
+    std::string_view rest_;
+};
+
+/// `#macro Name(A, B)` at the begin of a line; the name ends in no `_`.
+struct Definition {
+    std::string_view name;
+    std::string form;
+    std::size_t line;
+};
+
+std::vector<Definition> definitions_in(const std::vector<std::string_view>& lines) {
+    constexpr std::string_view directive = "#macro ";
+    std::vector<Definition> result;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string_view line = without_blanks(lines[i]);
+        if (!line.starts_with(directive)) continue;
+        const std::string_view rest = without_blanks(line.substr(directive.size()));
+        const std::string_view name = first_word(rest);
+        if (name.empty() || name.ends_with('_')) continue;
+        std::string form(rest.substr(0, std::min(rest.find(')'), rest.size() - 1) + 1));
+        for (std::size_t k = i + 1; k < lines.size() && !form.ends_with(')'); ++k) {
+            const std::string_view more = without_blanks(lines[k]);
+            append_line(form, more.substr(0, std::min(more.find(')'), more.size() - 1) + 1));
+        }
+        result.push_back({name, std::move(form), i});
+    }
+    return result;
+}
+
+/// The comment right above a line.
+std::string comment_above(const std::vector<std::string_view>& lines, std::size_t line) {
+    std::size_t first = line;
+    while (first > 0 && lines[first - 1].starts_with("// ") &&
+           lines[first - 1].find("----") == std::string_view::npos)
+        --first;
+    std::string text;
+    for (; first < line; ++first)
+        append_line(text, without_blanks(lines[first].substr(comment_sign.size())));
+    return text;
+}
+
+}  // namespace
+
+LibraryFile library_file(std::string name, std::string_view text) {
+    LibraryFile file;
+    file.name = std::move(name);
+    const std::vector<std::string_view> lines = lines_of(text);
+    const Header header = header_of(lines);
+    file.about = header.about;
+    const std::vector<Definition> definitions = definitions_in(lines);
+    const auto is_macro = [&](std::string_view word) {
+        return std::ranges::find(definitions, word, &Definition::name) != definitions.end();
+    };
+    for (const Definition& each : definitions) {
+        const bool known =
+            std::ranges::find(file.macros, each.name, &LibraryMacro::name) != file.macros.end();
+        if (known) continue;
+        LibraryMacro macro{std::string(each.name), each.form, comment_above(lines, each.line)};
+        for (const std::string& entry : header.entries) {
+            const HeaderEntry said(entry, is_macro);
+            if (said.names(each.name) && !said.text().empty()) macro.help = said.text();
+        }
+        file.macros.push_back(std::move(macro));
+    }
+    return file;
+}
+
+LibraryGuide library_guide(const std::string& folder) {
+    LibraryGuide guide;
+    std::error_code none;
+    const Reader read = disk_reader();
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+        if (entry.path().extension() != ".inc") continue;
+        if (const auto text = read(entry.path().string()))
+            guide.push_back(library_file(entry.path().filename().string(), *text));
+    }
+    std::ranges::sort(guide, {}, &LibraryFile::name);
+    return guide;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the files of the standard library say about themselves: the comment at their begin, the
+// macros that they define, and what is said of each. For --help and the manual.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct LibraryMacro {
+    std::string name;
+    std::string form;  ///< Light_Ring(Lamp, Count, Radius)
+    std::string help;  ///< may be empty
+};
+
+struct LibraryFile {
+    std::string name;   ///< light_arrays.inc
+    std::string about;  ///< the first paragraph of its comment
+    std::vector<LibraryMacro> macros;
+};
+
+using LibraryGuide = std::vector<LibraryFile>;
+
+/// The include files of a folder, by name in order; none when there is no such folder.
+LibraryGuide library_guide(const std::string& folder);
+
+/// One of them by its text. Macros whose names end in `_` are its own affair and left out.
+LibraryFile library_file(std::string name, std::string_view text);

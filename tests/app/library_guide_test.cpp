@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/library_guide.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a library file says what its macros do") {
+    const LibraryFile file = library_file("lamps.inc", R"(// SPDX-License-Identifier: CC0-1.0
+// Lamps of all
+// kinds.
+//
+//   Ring(Lamp, Count)       around y, the lamp's
+//                           +x outwards
+//   Red_Lamp(Size)  Blue_Lamp(Size)   of glass
+//   Bare(A)
+//
+// More about it.
+
+#macro Ring(Lamp, Count) 1 #end
+#macro Red_Lamp(Size) 2 #end
+    #macro Blue_Lamp(Size,
+                     More) 3 #end
+// Not in the list,
+// but here.
+#macro Bare(A) 4 #end
+#macro Inner_() 5 #end
+// ---- other ------
+#macro Other() 6 #end
+)");
+    CHECK(file.about == "Lamps of all kinds.");
+    std::string text;
+    for (const LibraryMacro& each : file.macros)
+        text += each.name + " | " + each.form + " | " + each.help + "\n";
+    CHECK(text ==
+          "Ring | Ring(Lamp, Count) | around y, the lamp's +x outwards\n"
+          "Red_Lamp | Red_Lamp(Size) | of glass\n"
+          "Blue_Lamp | Blue_Lamp(Size, More) | of glass\n"
+          "Bare | Bare(A) | Not in the list, but here.\n"
+          "Other | Other() | \n");
+}
+
+TEST_CASE("the guide has the include files in order") {
+    const LibraryGuide guide = library_guide(CANDELABRA_SOURCE_DIR "/stdlib");
+    REQUIRE(guide.size() > 30);
+    CHECK(guide.front().name == "arrays.inc");
+    for (const LibraryFile& file : guide) {
+        CAPTURE(file.name);
+        CHECK(file.about.size() > 10);
+    }
+    CHECK(library_guide("/no/such/folder").empty());
+    CHECK(library_guide("").empty());
+}

@@ -1,0 +1,2 @@
+#version 3.7;
+#declare Set = read_json("broken.json");
