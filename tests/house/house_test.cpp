@@ -230,3 +230,29 @@ TEST_CASE("there are no mutable globals", "[house]") {
         }
     }
 }
+
+TEST_CASE("each line of the threat model names tests that there are", "[house]") {
+    std::string tests;
+    for (const fs::path& path : files_below(root / "tests", {".cpp"})) tests += read(path);
+    // Long names are broken over lines.
+    tests = std::regex_replace(tests, std::regex("\"\\s+\""), "");
+    int names = 0;
+    for (const std::string& line : lines_of(root / "src/text/README.md")) {
+        if (!line.starts_with("| ") || line == "| rule | test |" || line == "| may | test |")
+            continue;
+        const std::string cell = line.substr(line.rfind(" | ") + 3);
+        const std::regex quoted("`([^`]+)`");
+        for (std::sregex_iterator i(cell.begin(), cell.end(), quoted), end; i != end; ++i) {
+            const std::string name = (*i)[1];
+            INFO(name);
+            ++names;
+            if (name.starts_with("tests/"))
+                CHECK(fs::exists(root / name));
+            else if (name.starts_with("fuzz_"))
+                CHECK(fs::exists(root / "tests/fuzz" / (name.substr(5) + "_fuzz.cpp")));
+            else
+                CHECK(tests.find("\"" + name + "\"") != std::string::npos);
+        }
+    }
+    CHECK(names > 40);
+}
