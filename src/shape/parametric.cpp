@@ -6,6 +6,7 @@
 #include "vocabulary/schema.h"
 
 #include <algorithm>
+#include <array>
 
 const ItemInfo Parametric::vocabulary = described<Parametric>([] {
     using F = Field<Parametric>;
@@ -126,7 +127,8 @@ void add(BuiltParametric& surface, const ParametricPiece& piece, int divisions) 
 }  // namespace
 
 Vec3 BuiltParametric::at(const Vec2& uv) const {
-    const std::span<const double> arguments(&uv.x, 2);
+    // Functions without names of their own have a third parameter; see problem().
+    const std::array arguments = {uv.x, uv.y, 0.0};
     return {functions[0]->value(arguments), functions[1]->value(arguments),
             functions[2]->value(arguments)};
 }
