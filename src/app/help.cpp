@@ -5,6 +5,7 @@
 #include "editor/textmate.h"
 #include "evaluate/functions.h"
 #include "scene/catalogue.h"
+#include "text/ascii.h"
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -193,12 +194,11 @@ std::vector<ManualEntry> glossary_entries() {
     for (const GlossaryEntry& entry : glossary()) {
         std::string term;
         for (std::string_view rest = entry.words; !rest.empty();) {
-            const std::string_view word = rest.substr(0, rest.find(' '));
+            const std::string_view word = take_until(rest, " ");
             const auto known = std::ranges::find(reserved_words(), word, &Word::spelling);
             const bool directive =
                 known != reserved_words().end() && known->word_class == WordClass::directive;
             term += message(term.empty() ? "" : ", ", directive ? "#" : "", word);
-            rest.remove_prefix(std::min(word.size() + 1, rest.size()));
         }
         result.push_back({term, message(entry.form, ": ", entry.help)});
     }

@@ -2,6 +2,7 @@
 #include "app/ini.h"
 
 #include "app/option_store.h"
+#include "text/ascii.h"
 
 namespace {
 
@@ -75,9 +76,7 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, std::string
     int number = 0;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // some editors begin so
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(without_comment(text.substr(0, end)));
-        text.remove_prefix(std::min(text.size(), end + 1));
+        const std::string_view line = trimmed(without_comment(take_until(text, "\n")));
         ++number;
         if (line.starts_with('[') && line.ends_with(']')) {
             taken =

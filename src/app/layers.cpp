@@ -174,8 +174,7 @@ std::span<const LayerInfo> all_layers() { return infos; }
 std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view text) {
     std::array<bool, infos.size()> wanted{};
     while (!text.empty()) {
-        const std::string_view name = text.substr(0, text.find(','));
-        text.remove_prefix(std::min(text.size(), name.size() + 1));
+        const std::string_view name = take_until(text, ",");
         const auto found = std::ranges::find(infos, name, &LayerInfo::name);
         if (name == "all")
             wanted.fill(true);

@@ -2,6 +2,7 @@
 #include "app/option_store.h"
 
 #include "app/completion.h"
+#include "text/ascii.h"
 #include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
@@ -227,8 +228,7 @@ void store::warn(Options&, const Given& given, Diagnostics& diagnostics) {
         if (!fault.warns_of.empty()) names.push_back(fault.name);
     std::string_view rest = *given.value;
     while (!rest.empty()) {
-        const std::string_view word = rest.substr(0, rest.find(','));
-        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+        const std::string_view word = take_until(rest, ",");
         const bool on = !word.starts_with("no-") || std::ranges::count(names, word) > 0;
         const std::string_view wanted = on ? word : word.substr(3);
         if (std::ranges::find(names, wanted) == names.end()) {
@@ -298,8 +298,7 @@ void store::describe(Options& options, const Given& given, Diagnostics&) {
     options.task = Task::describe;
     std::string_view rest = given.value ? std::string_view(*given.value) : std::string_view();
     while (!rest.empty()) {
-        const std::string_view word = rest.substr(0, rest.find(' '));
-        rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+        const std::string_view word = take_until(rest, " ");
         if (word == "text")
             options.form = ManualForm::text;
         else if (word == "roff")

@@ -10,6 +10,9 @@
 /// The gamma that stands for the curve of sRGB; others are powers.
 inline constexpr double srgb_gamma = -1;
 
+/// Of the screens that pictures are looked at on, when nothing else is known.
+inline constexpr double display_gamma = 2.2;
+
 inline double to_linear(double value, double gamma) {
     if (gamma == 1 || !(value > 0)) return value;
     return gamma < 0 ? srgb_decode(value) : std::pow(value, gamma);

@@ -42,36 +42,22 @@ void complete_text(OpenBlock& block, Shared<Text>& text) {
                        message("the font `", name, "` cannot be used: ", outlines.problem)));
 }
 
-double grey(const std::array<double, Program::most_results>& colour) {
+double grey(const FunctionResults& colour) {
     return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2];
 }
 
 /// The heights of a function of x and y, which is asked at all pixels. Null when that is too much
 /// work.
 Handle<HeightGrid> sampled(const Formula& function, Evaluator& evaluator, Span place) {
-    constexpr std::uint64_t each_pass = 10, each_pixel = 10;
     HeightGrid grid{function.columns(), function.rows(), {}};
-    const auto pixels =
-        static_cast<std::uint64_t>(grid.width) * static_cast<std::uint64_t>(grid.height);
-    if (!evaluator.spend(pixels * (function.cost() + each_pixel), place)) return nullptr;
-    for (int z = 0; z < grid.height; ++z) {
-        std::uint64_t passes = 0;  // of the row
-        for (int x = 0; x < grid.width; ++x) {
-            const std::array<double, 3> at = {x / std::fmax(1, grid.width - 1),
-                                              1 - z / std::fmax(1, grid.height - 1), 0};
-            std::array<double, Program::most_results> results{};
-            // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
-            std::uint32_t own = 0;
-            const bool good = function.run(at.data(), results.data(), own);
-            passes += own;
-            const double shown = function.results() < 3 ? results[0] : grey(results);
-            const double value = good && std::abs(shown) < 1e9 ? shown : 0;
-            grid.values.push_back(
-                static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
-        }
-        if (!evaluator.spend(each_pass * passes, place)) return nullptr;
-    }
-    return make_handle<HeightGrid>(std::move(grid));
+    const auto take = [&](const FunctionResults& results, bool good) {
+        // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
+        const double shown = function.results() < 3 ? results[0] : grey(results);
+        const double value = good && std::abs(shown) < 1e9 ? shown : 0;
+        grid.values.push_back(static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
+    };
+    const bool done = evaluator.sample(function, Evaluator::Rows::from_top, place, take);
+    return done ? make_handle<HeightGrid>(std::move(grid)) : nullptr;
 }
 
 void complete_heights(OpenBlock& block, Shared<HeightField>& field) {

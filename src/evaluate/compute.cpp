@@ -55,8 +55,7 @@ bool Evaluator::State::run(Code& code, Numbers& result) {
     const std::size_t begin = code.random ? world.random.begin_attempt() : 0;
     std::uint32_t passes = 0;
     const bool good = execute(code.program, code.registers.data(), passes);
-    constexpr std::uint64_t each_pass = 10;
-    work += code.cost + each_pass * passes;
+    work += code.cost + cost_of_pass * passes;
     if (!good) {
         if (code.random) world.random.take_back(begin);
         return false;

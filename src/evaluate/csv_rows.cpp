@@ -19,36 +19,7 @@ bool is_comment(std::string_view line) {
     return line.starts_with('#') && !is_hex_colour(line.substr(0, line.find_first_of(" \t,;|")));
 }
 
-/// Digits with a point, of which at most 15 count: exact, as powers of ten up to 22 are numbers
-/// themselves. Moves `at` behind them; false, and nothing has happened: it is something else.
-bool take_plain_number(const char*& at, const char* end, double& result) {
-    static constexpr auto powers = std::array{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                              1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    const char* p = at;
-    const bool negative = p < end && *p == '-';
-    if (negative) ++p;
-    std::uint64_t whole = 0;
-    std::size_t digits = 0, behind_point = 0;
-    const auto take_digits = [&](std::size_t& count) {
-        for (; p < end && *p >= '0' && *p <= '9' && digits < powers.size(); ++p, ++digits, ++count)
-            whole = whole * 10 + static_cast<std::uint64_t>(*p - '0');
-    };
-    std::size_t before_point = 0;
-    take_digits(before_point);
-    if (p < end && *p == '.') {
-        ++p;
-        take_digits(behind_point);
-    }
-    if (digits == 0 || digits == powers.size()) return false;
-    if (p < end && (*p == 'e' || *p == 'E')) return false;
-    const double size = static_cast<double>(whole) / powers[behind_point];
-    result = negative ? -size : size;
-    at = p;
-    return true;
-}
-
 bool take_number(const char*& at, const char* end, double& result) {
-    if (take_plain_number(at, end, result)) return true;
     const char first = at < end && *at == '-' && at + 1 < end ? at[1] : at < end ? *at : ' ';
     if (first != '.' && (first < '0' || first > '9')) return false;
     const auto [behind, failure] = std::from_chars(at, end, result);

@@ -75,12 +75,11 @@ bool take_options(FunctionCall& call, CsvForm& form) {
     if (call.count() < 2) return true;
     std::string_view rest = call.text(1);
     while (!rest.empty() && !call.failed()) {
-        const std::string_view word = rest.substr(0, rest.find_first_of(" ,"));
+        const std::string_view word = take_until(rest, " ,");
         if (!word.empty() && !form.take(word))
             call.fail(
                 Fault::unknown_word, 1,
                 message("`", harmless(word), "` is no option of read_csv; there are ", csv_words));
-        rest.remove_prefix(std::min(word.size() + 1, rest.size()));
     }
     return !call.failed();
 }

@@ -10,6 +10,7 @@
 #include "evaluate/limits.h"
 #include "evaluate/scene_noise.h"
 #include "evaluate/value.h"
+#include "formula/formula.h"
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
 #include "text/loader.h"
@@ -168,6 +169,11 @@ public:
     /// To be called before work that takes long: `amount` in steps of some nanoseconds. False when
     /// it is too much, which stops.
     bool spend(std::uint64_t amount, Span);
+    /// Asks a function of x and y at all pixels that it has, row by row, both from 0 to 1; `good`:
+    /// it has an answer there. False when that is too much work.
+    enum class Rows { from_bottom, from_top };
+    bool sample(const Formula&, Rows, Span,
+                FunctionRef<void(const FunctionResults&, bool good)> visit);
 
     /// The element of an array, or what is in it, at a path such as "lamps.0.radiance". Broken
     /// after a report, absent when it is not set.

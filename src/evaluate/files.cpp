@@ -242,11 +242,14 @@ void Evaluator::State::write_value(DataWriter& writer, const Value& value,
         writer.write(value);
 }
 
+/// From where a name is looked for: of those that a macro of the library is given, from its call.
+std::string Evaluator::State::data_folder(Span span) const {
+    return directory_of(sources.name(outside_library(span).source));
+}
+
 std::optional<Found> Evaluator::load_found(const std::string& name, Span span) {
     if (!state_->count_file(span)) return std::nullopt;
-    // A macro of the library is given names as from where it is called.
-    const SourceId from = state_->outside_library(span).source;
-    const std::string directory = directory_of(state_->sources.name(from));
+    const std::string directory = state_->data_folder(span);
     std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
     if (!found) report(state_->loader.problem(name, span, FileKind::data, directory));
     return found;
@@ -259,9 +262,7 @@ std::optional<std::string> Evaluator::load_data(const std::string& name, Span sp
 
 std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
                                                 std::span<const std::string_view> endings) {
-    if (!state_->count_file(span)) return std::nullopt;
-    const std::string directory =
-        directory_of(state_->sources.name(state_->outside_library(span).source));
+    const std::string directory = state_->data_folder(span);
     const Loader& loader = state_->loader;
     const auto is_there = [&](const std::string& file) {
         return loader.finds(file, directory, FileKind::data);
@@ -270,10 +271,8 @@ std::optional<std::string> Evaluator::find_data(const std::string& name, Span sp
     if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
         for (const std::string_view ending : endings)
             if (file == name && is_there(message(name, ending))) file = message(name, ending);
-    std::optional<Found> found = loader.load(file, directory, FileKind::data);
-    if (found) return std::move(found->path);
-    report(state_->loader.problem(name, span, FileKind::data, directory));
-    return std::nullopt;
+    std::optional<Found> found = load_found(file, span);
+    return found ? std::optional(std::move(found->path)) : std::nullopt;
 }
 
 const std::string* Evaluator::load_font(const std::string& name, Span span) {

@@ -39,31 +39,19 @@ std::optional<Texels> texels_of(const Formula& function, Evaluator& evaluator, S
     Texels texels;
     texels.width = function.columns();
     texels.height = function.rows();
-    const int results = function.results();
-    texels.channels = results < 3 ? 1 : 3;
+    const int count = function.results();
+    texels.channels = count < 3 ? 1 : 3;
     const auto kept = [](double value) {
         const double steps = std::fmod(std::trunc(65535 * value), 65536);
         return static_cast<float>((steps < 0 ? steps + 65536 : steps) / 65535);
     };
-    constexpr std::uint64_t each_pass = 10, each_pixel = 10;
-    const auto pixels =
-        static_cast<std::uint64_t>(texels.width) * static_cast<std::uint64_t>(texels.height);
-    if (!evaluator.spend(pixels * (function.cost() + each_pixel), place)) return std::nullopt;
-    for (int y = 0; y < texels.height; ++y) {
-        std::uint64_t passes = 0;  // of the row
-        for (int x = 0; x < texels.width; ++x) {
-            const std::array<double, 3> at = {x / std::fmax(1, texels.width - 1),
-                                              y / std::fmax(1, texels.height - 1), 0};
-            std::array<double, Program::most_results> found{};
-            std::uint32_t own = 0;
-            if (!function.run(at.data(), found.data(), own)) found = {};
-            passes += own;
-            for (int i = 0; i < texels.channels; ++i)
-                texels.values.push_back(kept(found[static_cast<std::size_t>(i)]));
-            if (results == 5) texels.alpha.push_back(kept(1 - found[4]));
-        }
-        if (!evaluator.spend(each_pass * passes, place)) return std::nullopt;
-    }
+    const auto take = [&](const FunctionResults& results, bool good) {
+        const FunctionResults found = good ? results : FunctionResults{};
+        for (int i = 0; i < texels.channels; ++i)
+            texels.values.push_back(kept(found[static_cast<std::size_t>(i)]));
+        if (count == 5) texels.alpha.push_back(kept(1 - found[4]));
+    };
+    if (!evaluator.sample(function, Evaluator::Rows::from_bottom, place, take)) return std::nullopt;
     if (std::ranges::all_of(texels.alpha, [](float alpha) { return alpha == 1; }))
         texels.alpha.clear();
     texels.measure();

@@ -62,6 +62,7 @@ struct Evaluator::State {
     /// What is wrong in the library is told of where the scene calls it.
     void point_at_scene(Diagnostic&) const;
     Span outside_library(Span) const;
+    std::string data_folder(Span) const;
     Value broken(Fault, Span, std::string message);
     bool stopped() const { return stopped_; }
     Value unknown_name(NameId, Span);

@@ -7,6 +7,7 @@
 #include "text/message.h"
 
 #include <algorithm>
+#include <cmath>
 
 /// `(a, b)`; without that x, y, z, the first two of which are also u and v.
 std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree,
@@ -214,8 +215,7 @@ Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, 
     result.count = static_cast<int>(formula->results());
     std::uint32_t passes = 0;
     const bool good_call = formula->run(values.data(), result.at.data(), passes);
-    constexpr std::uint64_t each_pass = 10;
-    if (!spend(formula->cost() + each_pass * passes, span)) return Absence::broken;
+    if (!spend(formula->cost() + cost_of_pass * passes, span)) return Absence::broken;
     if (good_call) return result;
     return broken(
         Fault::loop_limit, span,
@@ -240,4 +240,27 @@ Value Evaluator::State::call_spline(const Tree& tree, Handle<Spline> spline, Nam
     const std::optional<double> t = number(tree, first, "the argument of", name);
     if (!t) return Absence::broken;
     return Numbers{spline->at(*t, kind), static_cast<int>(spline->components())};
+}
+
+bool Evaluator::sample(const Formula& function, Rows rows, Span place,
+                       FunctionRef<void(const FunctionResults&, bool good)> visit) {
+    constexpr std::uint64_t each_pixel = 10;
+    const int width = function.columns(), height = function.rows();
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (!spend(pixels * (function.cost() + each_pixel), place)) return false;
+    for (int row = 0; row < height; ++row) {
+        const double share = row / std::fmax(1, height - 1);
+        const double y = rows == Rows::from_bottom ? share : 1 - share;
+        std::uint64_t passes = 0;  // of the row
+        for (int column = 0; column < width; ++column) {
+            const std::array<double, 3> at = {column / std::fmax(1, width - 1), y, 0};
+            FunctionResults results{};
+            std::uint32_t own = 0;
+            const bool good = function.run(at.data(), results.data(), own);
+            visit(results, good);
+            passes += own;
+        }
+        if (!spend(cost_of_pass * passes, place)) return false;
+    }
+    return true;
 }

@@ -61,7 +61,7 @@ bool Formula::enclose(const Enclosure* arguments, Enclosure* results) const {
 }
 
 double Formula::value(std::span<const double> arguments) const {
-    std::array<double, Program::most_results> results;
+    FunctionResults results;
     return run(arguments.data(), results.data()) ? results[0]
                                                  : std::numeric_limits<double>::quiet_NaN();
 }

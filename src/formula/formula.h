@@ -5,10 +5,15 @@
 #pragma once
 
 #include "formula/enclosure.h"
+#include "formula/program.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <utility>
+
+/// Of which as many count as a function has results.
+using FunctionResults = std::array<double, Program::most_results>;
 
 class Formula {
 public:

@@ -47,3 +47,5 @@ inline bool execute(const Program& program, double* registers) {
 /// How many instructions an execution takes when no loop repeats, with all that is called; what is
 /// beyond 2^62 counts as that.
 std::uint64_t cost(const Program&);
+/// And what each pass of a loop counts beside that, in the same steps.
+inline constexpr std::uint64_t cost_of_pass = 10;

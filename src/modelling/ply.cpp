@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "modelling/ply.h"
 
+#include "modelling/used_corners.h"
 #include "text/message.h"
 
 #include <bit>
@@ -17,28 +18,18 @@ void append(std::string& text, Whole value) {
 }  // namespace
 
 std::string ply(const Mesh& mesh) {
-    std::vector<std::uint32_t> places(mesh.vertices.size());
-    std::vector<Vec3> used;
-    std::string faces;
-    faces.reserve(13 * mesh.faces.size());
-    for (const Face& face : mesh.faces) {
-        faces += '\3';
-        for (const int corner : face) {
-            std::uint32_t& place = places[static_cast<std::size_t>(corner)];
-            if (place == 0) {
-                used.push_back(mesh.vertices[static_cast<std::size_t>(corner)]);
-                place = static_cast<std::uint32_t>(used.size());
-            }
-            append(faces, place - 1);
-        }
-    }
+    const Mesh used = with_used_corners(mesh);
     std::string text =
-        message("ply\nformat binary_little_endian 1.0\nelement vertex ", used.size(),
+        message("ply\nformat binary_little_endian 1.0\nelement vertex ", used.vertices.size(),
                 "\nproperty double x\nproperty double y\nproperty double z\n"
                 "element face ",
-                mesh.faces.size(), "\nproperty list uchar uint vertex_indices\nend_header\n");
-    text.reserve(text.size() + 24 * used.size() + faces.size());
-    for (const Vec3& p : used)
+                used.faces.size(), "\nproperty list uchar uint vertex_indices\nend_header\n");
+    text.reserve(text.size() + 24 * used.vertices.size() + 13 * used.faces.size());
+    for (const Vec3& p : used.vertices)
         for (int axis = 0; axis < 3; ++axis) append(text, std::bit_cast<std::uint64_t>(p[axis]));
-    return text + faces;
+    for (const Face& face : used.faces) {
+        text += '\3';
+        for (const int corner : face) append(text, static_cast<std::uint32_t>(corner));
+    }
+    return text;
 }

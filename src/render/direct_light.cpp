@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/direct_light.h"
 
+#include "base/gamma.h"
 #include "render/microfacet.h"
 #include "render/source_light.h"
 
@@ -13,10 +14,6 @@ using std::numbers::pi;
 
 /// Behind all objects.
 constexpr double far_away = 1e20;
-
-/// Clear surfaces in a row that are looked through; a stop for rays that rounding keeps in one
-/// place.
-constexpr int most_passed = 1000;
 
 /// At one hit, when the number is not the same for all.
 constexpr int most_rays = 32;
@@ -36,9 +33,9 @@ Vec3 answer_to(const World& world, const Shading& s, const Vec3& direction, cons
     return answer_to_light(world, s, direction, true, key);
 }
 
-/// A difference of radiance that is so many steps of a picture with the usual gamma.
+/// A difference of radiance that is so many steps of what is displayed.
 double visible_step(double radiance) {
-    constexpr double gamma = 2.2, steps = 255;
+    constexpr double gamma = display_gamma, steps = 255;
     return hidden_steps / steps * gamma * std::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
 }
 
@@ -211,7 +208,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
     double from = s.tolerance;
     Vec3 sum(0);
     met_.clear();
-    for (int passed = 0; passed < most_passed; ++passed) {
+    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
         Hit hit;
         if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
         const double distance = dot(hit.position - s.position, direction);

@@ -3,13 +3,6 @@
 #include "render/direct_light.h"
 #include "render/source_light.h"
 
-namespace {
-
-/// Clear surfaces in a row that are looked through for the survey of a cell.
-constexpr int most_clear = 1000;
-
-}  // namespace
-
 Vec3 DirectLight::from_sources(const Scattering& scattering, const Shading& s, const Key& key,
                                RayCounts& rays) {
     Vec3 sum(0);
@@ -66,7 +59,7 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const Scattering& sca
 /// The first thing on a ray that stops all light.
 std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
     Hit hit;
-    for (int passed = 0; passed < most_clear; ++passed) {
+    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
         if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
         const double distance = dot(hit.position - ray.origin, ray.direction);
         if (world_.material(hit.primitive).stops_light())

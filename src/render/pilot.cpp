@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/pilot.h"
 
+#include "base/gamma.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr int pixels_for_each = 4;
 
 double squared(double x) { return x * x; }
 
-double displayed(double radiance) { return std::pow(std::fmax(radiance, 0), 1 / 2.2); }
+double displayed(double radiance) { return from_linear(std::fmax(radiance, 0), display_gamma); }
 
 /// Which pixel of a grid that is spread over the picture.
 struct Trial {

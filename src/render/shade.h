@@ -5,6 +5,10 @@
 
 #include "world/world.h"
 
+/// Clear surfaces in a row that are looked or shone through; a stop for rays that rounding keeps in
+/// one place.
+inline constexpr int max_clear_surfaces = 1000;
+
 /// A hit, seen from a direction, with the look of one layer of the surface there.
 struct Shading {
     Vec3 position;

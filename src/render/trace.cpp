@@ -11,9 +11,6 @@
 
 namespace {
 
-// Clear surfaces in a row that a ray may pass; a stop for rays that rounding keeps in one place.
-constexpr int max_clear_surfaces = 1000;
-
 enum Bounce : std::uint32_t { reflection, refraction, scattering };
 
 /// For as long as it lives, what is asked for has so much less of a share in the sample.

@@ -25,6 +25,15 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 /// What names consist of.
 constexpr bool in_name(char c) { return is_letter(c) || is_digit(c); }
 
+/// Takes the part before the first of the signs off the text, and that sign; all of it when there
+/// is none.
+constexpr std::string_view take_until(std::string_view& text, std::string_view signs) {
+    const std::size_t end = std::min(text.find_first_of(signs), text.size());
+    const std::string_view part = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    return part;
+}
+
 /// Whether the text begins with that word, and no longer one.
 constexpr bool begins_with_word(std::string_view text, std::string_view word) {
     return text.starts_with(word) && (text.size() == word.size() || !in_name(text[word.size()]));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vocabulary/glossary.h"
 
+#include "text/ascii.h"
+
 #include <algorithm>
 #include <array>
 
@@ -169,11 +171,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
 });
 
 bool has_word(std::string_view words, std::string_view word) {
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find(' '), words.size());
-        if (words.substr(0, end) == word) return true;
-        words.remove_prefix(std::min(words.size(), end + 1));
-    }
+    while (!words.empty())
+        if (take_until(words, " ") == word) return true;
     return false;
 }
 

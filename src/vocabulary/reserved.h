@@ -4,6 +4,7 @@
 // "pigment"_word` compares two numbers.
 #pragma once
 
+#include "text/ascii.h"
 #include "vocabulary/words.h"
 
 #include <algorithm>
@@ -127,11 +128,7 @@ inline constexpr auto words = [] {
     std::size_t n = 0;
     for (const Group& group : groups) {
         std::string_view rest = group.spellings;
-        while (!rest.empty()) {
-            const std::size_t length = std::min(rest.find(' '), rest.size());
-            result[n++] = {rest.substr(0, length), group.word_class};
-            rest.remove_prefix(std::min(length + 1, rest.size()));
-        }
+        while (!rest.empty()) result[n++] = {take_until(rest, " "), group.word_class};
     }
     return result;
 }();

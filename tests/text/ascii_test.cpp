@@ -27,3 +27,14 @@ TEST_CASE("words begin and end where no letter is beside them") {
     CHECK_FALSE(ends_in_word("trend", "end"));
     CHECK_FALSE(ends_in_word("a end ", "end"));
 }
+
+TEST_CASE("parts are taken off a text up to a sign", "[text]") {
+    std::string_view text = "a,bc,,d";
+    CHECK(take_until(text, ",") == "a");
+    CHECK(take_until(text, ",;") == "bc");
+    CHECK(take_until(text, ",") == "");
+    CHECK(text == "d");
+    CHECK(take_until(text, ",") == "d");
+    CHECK(text.empty());
+    CHECK(take_until(text, ",") == "");
+}
