@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rules of the source's layout, checked: who may include whom, who may include which library, a
-// test for each source file, the README's map, licence lines, file sizes, and no mutable globals.
+// test for each source file, the map of the source, licence lines, file sizes, and no mutable
+// globals.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -42,6 +43,13 @@ std::vector<fs::path> files_below(const fs::path& folder, const std::set<std::st
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+std::vector<fs::path> folders_of_source() {
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(root / "src"))
+        if (entry.is_directory()) folders.push_back(entry.path());
+    return folders;
 }
 
 struct Module {
@@ -107,8 +115,8 @@ TEST_CASE("a module includes only the modules that its line in CMakeLists.txt na
 
 TEST_CASE("each folder of src is a module", "[house]") {
     const auto table = modules();
-    for (const auto& entry : fs::directory_iterator(root / "src"))
-        CHECK(table.count(entry.path().filename().string()) == 1);
+    for (const fs::path& folder : folders_of_source())
+        CHECK(table.count(folder.filename().string()) == 1);
 }
 
 TEST_CASE("a library is included only where its use is stated", "[house]") {
@@ -143,36 +151,46 @@ TEST_CASE("each source file has a test, and each test a source file", "[house]")
         INFO(name << " needs no exemption any more");
         CHECK_FALSE((fs::exists(test) && elsewhere.count(name.string()) == 1));
     }
-    for (const auto& entry : fs::directory_iterator(root / "src"))
-        for (const fs::path& test :
-             fs::exists(root / "tests" / entry.path().filename())
-                 ? files_below(root / "tests" / entry.path().filename(), {".cpp"})
-                 : std::vector<fs::path>()) {
+    for (const fs::path& folder : folders_of_source())
+        for (const fs::path& test : fs::exists(root / "tests" / folder.filename())
+                                        ? files_below(root / "tests" / folder.filename(), {".cpp"})
+                                        : std::vector<fs::path>()) {
             std::string stem = test.stem().string();
             REQUIRE(stem.size() > 5);
             stem.resize(stem.size() - 5);
-            const fs::path base = entry.path() / stem;
+            const fs::path base = folder / stem;
             INFO(test << " tests nothing of that name");
             CHECK((fs::exists(base.string() + ".cpp") || fs::exists(base.string() + ".h")));
         }
 }
 
-TEST_CASE("the README's map names every module and every file of it", "[house]") {
-    const std::string readme = read(root / "README.md");
-    const auto begin = readme.find("## Map");
-    REQUIRE(begin != std::string::npos);
-    const std::string map = readme.substr(begin, readme.find("\n## ", begin + 1) - begin);
+TEST_CASE("the map of the source names every module and every file of it", "[house]") {
+    const std::string map = read(root / "src/README.md");
+    REQUIRE_FALSE(map.empty());
     std::set<std::string> named;
     const std::regex row(R"(\n- `(src/)?(\w+)/`)");
     for (std::sregex_iterator i(map.begin(), map.end(), row), end; i != end; ++i)
         if ((*i)[1].matched) named.insert((*i)[2]);
     std::set<std::string> present;
-    for (const auto& entry : fs::directory_iterator(root / "src"))
-        present.insert(entry.path().filename().string());
+    for (const fs::path& folder : folders_of_source()) present.insert(folder.filename().string());
     CHECK(named == present);
     for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
         INFO("the map does not name " << file);
         CHECK(map.find("`" + file.stem().string() + "`") != std::string::npos);
+    }
+}
+
+TEST_CASE("the README is an entrance, and leads to pages and pictures that there are", "[house]") {
+    CHECK(fs::file_size(root / "README.md") <= 8192);
+    const std::regex link(R"(!\[[^\]]*\]\(([^)]+)\)|`([\w/]+/README\.md)`)");
+    for (const fs::path& page : files_below(root, {".md"})) {
+        if (page.lexically_relative(root).string().starts_with("build")) continue;
+        const std::string text = read(page);
+        for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
+            const bool picture = (*i)[1].matched;
+            INFO(page << " leads to " << (*i)[0]);
+            CHECK(fs::exists((picture ? page.parent_path() : root) / (*i)[picture ? 1 : 2].str()));
+        }
     }
 }
 
