@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/identity.h"
-#include "render/schedule.h"
+#include "film/schedule.h"
 
 #include <optional>
 #include <string>

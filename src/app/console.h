@@ -17,7 +17,7 @@
 class Film;
 class World;
 struct SandboxRules;
-struct RayCounts;
+struct LightLedger;
 
 /// What the shell is told.
 namespace exit_status {
@@ -38,7 +38,7 @@ struct Exhibit {
     const SourceStore& sources;
     const RenderSettings& settings;
     const Film& film;
-    const RayCounts& rays;
+    const LightLedger& rays;
     double done = 0;  ///< share of the work
 };
 

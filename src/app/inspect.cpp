@@ -3,12 +3,12 @@
 
 #include "app/light_report.h"
 #include "base/parallel.h"
-#include "render/film.h"
-#include "render/first_sight.h"
+#include "film/film.h"
 #include "render/pilot.h"
-#include "render/trace.h"
 #include "scene/dump_texture.h"
 #include "text/message.h"
+#include "transport/integrator.h"
+#include "transport/primary_hit.h"
 
 #include <algorithm>
 #include <array>
@@ -19,14 +19,14 @@ namespace {
 std::size_t pixel_count(const Film& film) { return film.pixels().size(); }
 
 /// What the middle of each pixel shows.
-std::vector<FirstSight> sights(const Exhibit& shown) {
+std::vector<PrimaryHit> sights(const Exhibit& shown) {
     const int width = shown.film.width(), height = shown.film.height();
-    std::vector<FirstSight> all(pixel_count(shown.film));
+    std::vector<PrimaryHit> all(pixel_count(shown.film));
     run_parallel(static_cast<std::size_t>(height), shown.settings.threads, [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < width; ++x)
             all[shown.film.index(x, y)] =
-                first_sight(shown.world, middle_ray(shown.world, {x, y, width, height}));
+                primary_hit(shown.world, middle_ray(shown.world, {x, y, width, height}));
     });
     return all;
 }
@@ -45,7 +45,7 @@ Vec3 colour_of(std::uint32_t number) {
 
 template <class Colour>
 Image of_sights(const Exhibit& shown, const Colour& colour) {
-    const std::vector<FirstSight> seen = sights(shown);
+    const std::vector<PrimaryHit> seen = sights(shown);
     Image image = blank(shown);
     for (std::size_t i = 0; i < seen.size(); ++i)
         if (seen[i].met) image.pixels[i] = colour(seen[i]);
@@ -53,9 +53,9 @@ Image of_sights(const Exhibit& shown, const Colour& colour) {
 }
 
 Image depths(const Exhibit& shown) {
-    const std::vector<FirstSight> seen = sights(shown);
+    const std::vector<PrimaryHit> seen = sights(shown);
     double nearest = std::numeric_limits<double>::infinity();
-    for (const FirstSight& each : seen)
+    for (const PrimaryHit& each : seen)
         if (each.met) nearest = std::min(nearest, each.distance);
     Image image = blank(shown);
     for (std::size_t i = 0; i < seen.size(); ++i)
@@ -81,16 +81,16 @@ constexpr auto all_views = std::to_array<NamedView>({
     {"picture", [](const Exhibit& shown) { return shown.film.image(); }},
     {"albedo",
      [](const Exhibit& shown) {
-         return of_sights(shown, [](const FirstSight& seen) { return seen.albedo; });
+         return of_sights(shown, [](const PrimaryHit& seen) { return seen.albedo; });
      }},
     {"normal",
      [](const Exhibit& shown) {
-         return of_sights(shown, [](const FirstSight& seen) { return 0.5 * (seen.normal + 1.0); });
+         return of_sights(shown, [](const PrimaryHit& seen) { return 0.5 * (seen.normal + 1.0); });
      }},
     {"depth", depths},
     {"object",
      [](const Exhibit& shown) {
-         return of_sights(shown, [](const FirstSight& seen) { return colour_of(seen.object); });
+         return of_sights(shown, [](const PrimaryHit& seen) { return colour_of(seen.object); });
      }},
     {"variance",
      [](const Exhibit& shown) {
@@ -115,16 +115,17 @@ std::string vector_text(const Vec3& v) {
 std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
     constexpr std::uint32_t tries = 256;
     const World& world = shown.world;
-    Tracer tracer(world, {pilot(world, shown.settings).shadow_rays, true, false});
+    Integrator integrator(world, {pilot(world, shown.settings).shadow_rays, true, false});
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
     double all = 0;
     std::vector<double> share(world.light_statements.size());
     for (key.sample = 0; key.sample < tries; ++key.sample) {
         const Vec2 place{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
-        all += grey(tracer.radiance(ray_through(world, at, place, key), key));
-        tracer.take_lights(
-            [&](std::size_t statement, const Vec3& light) { share[statement] += grey(light); });
+        all += grey(integrator.radiance(ray_through(world, at, place, key), key));
+        take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
+            share[statement] += grey(light);
+        });
     }
     std::vector<std::size_t> order(share.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -160,7 +161,7 @@ std::string what_is_under(const Exhibit& shown, int x, int y) {
     if (x < 0 || y < 0 || x >= film.width() || y >= film.height()) return {};
     const PicturePoint at{x, y, film.width(), film.height()};
     std::string text = message("<", x, ", ", y, ">: rgb ", vector_text(film.at(x, y).mean()), "\n");
-    const FirstSight seen = first_sight(shown.world, middle_ray(shown.world, at));
+    const PrimaryHit seen = primary_hit(shown.world, middle_ray(shown.world, at));
     if (seen.object > 0)
         text +=
             message("object ", seen.object, ": ",

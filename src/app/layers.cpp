@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/layers.h"
 
+#include "film/film.h"
 #include "picture/file.h"
 #include "picture/layers.h"
-#include "render/extras.h"
-#include "render/film.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/source.h"
+#include "transport/aovs.h"
 #include "vocabulary/words.h"
 
 #include <algorithm>
@@ -153,7 +153,7 @@ private:
 
     const Film& film_;
     const FilmFiles& files_;
-    Extras extras_;
+    Aovs extras_;
     LayeredPicture made_;
 };
 
@@ -196,8 +196,8 @@ std::string layer_list(std::span<const PictureLayer> layers) {
     return text;
 }
 
-Extras extras_for(std::span<const PictureLayer> layers, bool alpha) {
-    Extras extras;
+Aovs extras_for(std::span<const PictureLayer> layers, bool alpha) {
+    Aovs extras;
     extras.alpha = alpha;
     for (const PictureLayer layer : layers) {
         extras.surface |= layer <= PictureLayer::object;

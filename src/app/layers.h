@@ -14,7 +14,7 @@
 class Film;
 class SourceStore;
 class World;
-struct Extras;
+struct Aovs;
 
 enum class PictureLayer { albedo, normal, depth, object, lights, variance, samples, shadow_rays };
 
@@ -32,7 +32,7 @@ std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
 std::string layer_list(std::span<const PictureLayer>);
 
 /// What the film has to gather for these layers.
-Extras extras_for(std::span<const PictureLayer>, bool alpha);
+Aovs extras_for(std::span<const PictureLayer>, bool alpha);
 
 /// Names of the layers of light, one for each of World::light_statements: of the declared name or
 /// the macro that a statement shows, or of its first word; a number tells equal ones apart.

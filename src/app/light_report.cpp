@@ -41,7 +41,8 @@ std::string statement_text(const Span& span, const SourceStore& sources) {
     return message(harmless(sources.name(span.source)), ":", place.line, ": ", harmless(line));
 }
 
-std::string light_report(const World& world, const RayCounts& counted, const SourceStore& sources) {
+std::string light_report(const World& world, const LightLedger& counted,
+                         const SourceStore& sources) {
     std::vector<LightCount> lights = counted.lights;
     lights.resize(world.light_statements.size() + 1);
     double light = 0, rays = 0;

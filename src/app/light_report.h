@@ -3,8 +3,8 @@
 // --light-report.
 #pragma once
 
-#include "render/statistics.h"
 #include "text/source.h"
+#include "transport/light_ledger.h"
 #include "world/world.h"
 
 #include <string>
@@ -15,4 +15,4 @@ std::string statement_text(const Span&, const SourceStore&);
 /// A line for each statement of the scene that made luminaires or light sources, the brightest
 /// first: its share of all light that came to hits from lights, its share of the shadow rays, how
 /// many lights it made, and its place. Rays that met no luminaire have the last line.
-std::string light_report(const World&, const RayCounts&, const SourceStore&);
+std::string light_report(const World&, const LightLedger&, const SourceStore&);

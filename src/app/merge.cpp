@@ -6,9 +6,9 @@
 #include "app/option_store.h"
 #include "app/output.h"
 #include "picture/file.h"
-#include "render/extras.h"
 #include "text/harmless.h"
 #include "text/message.h"
+#include "transport/aovs.h"
 
 #include <algorithm>
 #include <array>

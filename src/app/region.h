@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/options.h"
-#include "render/share.h"
+#include "film/share.h"
 
 /// Rows and columns count from 1, the last ones included; what is below 1 is a fraction of the
 /// picture. Clipped to the picture; may be empty.

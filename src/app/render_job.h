@@ -23,7 +23,7 @@ struct JobPlan {
     std::string picture;         ///< path of the picture; its state lies beside it
     std::optional<Shard> shard;  ///< nothing: the whole picture
     /// Shown the picture when somebody asks to save it, and at its end; may be empty.
-    std::function<void(const Film&, const RayCounts&, double done)> watch;
+    std::function<void(const Film&, const LightLedger&, double done)> watch;
     /// See RenderHooks; not called when the time is limited, which is for this picture alone.
     std::function<void()> winds_down;
 };
@@ -43,7 +43,7 @@ public:
     JobEnd run(Progress&, const std::function<double()>& clock);
 
     const Film& film() const { return checkpoint_.state.film; }
-    const RayCounts& rays() const { return rays_; }
+    const LightLedger& rays() const { return rays_; }
     /// Samples of a pixel of the whole picture, when that number is even.
     int samples() const { return static_cast<int>(checkpoint_.all_samples); }
     /// Whether there is a place for a state.
@@ -59,12 +59,12 @@ private:
     Interrupt work(Progress&, const std::function<double()>& clock);
 
     JobPlan plan_;
-    Extras extras_;
+    Aovs extras_;
     RenderPlan rendering_;
     const Interrupts& interrupts_;
     Diagnostics& diagnostics_;
     Checkpoint checkpoint_;
-    RayCounts rays_;
+    LightLedger rays_;
     double begun_ = 0;
     double deadline_ = 0;
     double save_at_ = 0;

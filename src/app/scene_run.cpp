@@ -292,7 +292,7 @@ private:
         }
         JobPlan plan{options_, identity, output.path, shard_, {}, console_.winds_down};
         if (console_.watch)
-            plan.watch = [&](const Film& film, const RayCounts& rays, double done) {
+            plan.watch = [&](const Film& film, const LightLedger& rays, double done) {
                 console_.watch({world, sources_, options_.render, film, rays, done});
             };
         made_path_ = shard_ ? state_path(plan) : output.path;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "index/statistics.h"
-#include "render/statistics.h"
+#include "transport/light_ledger.h"
 
 #include <cstddef>
 #include <string>
@@ -39,7 +39,7 @@ struct RunStatistics {
     std::size_t primitives = 0;
     std::size_t luminaires = 0;
     std::size_t light_sources = 0;
-    RayCounts rays;
+    LightLedger rays;
     std::string index;  ///< its name
     TreeStatistics tree;
     std::size_t light_octree_bytes = 0;   ///< 0: another sampler was used

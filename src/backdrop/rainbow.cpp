@@ -42,9 +42,9 @@ double faded(const Rainbow& rainbow, const Vec3& ahead, const Vec3& direction) {
     return x * x * (3 - 2 * x);
 }
 
-/// What one rainbow makes of the radiance behind it; nothing where it is not.
-std::optional<Vec3> seen(const Rainbow& rainbow, const Ray& ray, double distance,
-                         const Vec3& radiance, double chance) {
+/// Nothing where the rainbow is not.
+std::optional<Veil> veil_of(const Rainbow& rainbow, const Ray& ray, double distance,
+                            double chance) {
     const Vec3 ahead = unit(rainbow.direction);
     if (dot(ray.direction, ahead) < 0) return std::nullopt;
     const double from_middle = angle_between(ray.direction, ahead) - rainbow.angle;
@@ -56,7 +56,7 @@ std::optional<Vec3> seen(const Rainbow& rainbow, const Ray& ray, double distance
     const double kept = std::max(std::exp(-distance / rainbow.distance),
                                  fade * (1 - colour.transmit) + colour.transmit);
     const double own = 1 - kept, tint = colour.filter * own;
-    return kept * radiance * (Vec3(1 - tint) + tint * colour.rgb) + own * colour.rgb;
+    return Veil{kept * (Vec3(1 - tint) + tint * colour.rgb), own * colour.rgb};
 }
 
 }  // namespace
@@ -67,15 +67,15 @@ std::string problem(const Rainbow& rainbow) {
     return rainbow.up == Vec3(0) ? "`up` of `rainbow` must not be zero" : "";
 }
 
-Vec3 arched(std::span<const Rainbow> rainbows, const Ray& ray, double distance,
-            const Vec3& radiance, double chance) {
-    Vec3 sum(0);
-    int count = 0;
+Veil veil_of(std::span<const Rainbow> rainbows, const Ray& ray, double distance, double chance) {
+    Veil sum{Vec3(0), Vec3(0)};
+    double count = 0;
     for (const Rainbow& rainbow : rainbows) {
-        const auto one = seen(rainbow, ray, distance, radiance, chance);
+        const auto one = veil_of(rainbow, ray, distance, chance);
         if (!one) continue;
-        sum += *one;
+        sum.transmittance += one->transmittance;
+        sum.added += one->added;
         ++count;
     }
-    return count == 0 ? radiance : sum / static_cast<double>(count);
+    return count == 0 ? Veil() : Veil{sum.transmittance / count, sum.added / count};
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/ray.h"
+#include "medium/veil.h"
 #include "surface/colour_map.h"
 #include "vocabulary/item_info.h"
 
@@ -28,7 +29,7 @@ struct Rainbow {
 /// What is wrong with it as a whole, as a sentence; empty when nothing is.
 std::string problem(const Rainbow&);
 
-/// What is seen of `radiance` behind all rainbows, from the ray's origin to the distance, which may
-/// be infinite. `chance` is uniform in [0, 1), for jitter. Precondition: no rainbow has a problem.
-Vec3 arched(std::span<const Rainbow>, const Ray&, double distance, const Vec3& radiance,
-            double chance);
+/// What all rainbows make of the radiance that comes along the ray, from its origin to the
+/// distance, which may be infinite. `chance` is uniform in [0, 1), for jitter. Precondition: no
+/// rainbow has a problem.
+Veil veil_of(std::span<const Rainbow>, const Ray&, double distance, double chance);

@@ -349,3 +349,36 @@ Ray Projection::ray(double u, double v) const {
     }
     return {location, ahead};
 }
+
+Vec3 Projection::normal_place(double u, double v) const {
+    const double width = length(right), height = length(up);
+    switch (lens) {
+        case Lens::fisheye:
+        case Lens::omnimax: {
+            const Vec3 towards = ray(u, v).direction;
+            const double away = std::acos(dot(unit(direction), towards));
+            const double around =
+                std::atan2(dot(up, towards) / height, dot(right, towards) / width);
+            // Counted from a quarter of a turn below, as POV-Ray does.
+            const bool low = around < -0.5 * std::numbers::pi;
+            return {low ? around + 2 * std::numbers::pi : around, away, 0};
+        }
+        case Lens::ultra_wide:
+            return {u * angle, v * angle * height / width, 0};
+        case Lens::panoramic:
+            return {std::numbers::pi * (0.5 - u), std::numbers::pi * v, 0};
+        case Lens::cylinder1:
+        case Lens::cylinder3:
+            return {u * angle, v * height, 0};
+        case Lens::cylinder2:
+        case Lens::cylinder4:
+            return {u * width, v * angle, 0};
+        case Lens::spherical:
+            return {u * angle, v * vertical_angle, 0};
+        case Lens::flat:
+        case Lens::parallel:
+        case Lens::mesh:
+            break;
+    }
+    return {u, v, 0};
+}

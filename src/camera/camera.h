@@ -119,6 +119,11 @@ struct Projection {
 
     bool blurs() const { return lens_radius > 0 && blur.most > 1; }
 
+    /// Where the pattern of the camera's normal is asked for a point of the picture. Measured from
+    /// POV-Ray: a coordinate that stands for an angle is that angle in radians; round pictures have
+    /// the angle around their middle and the angle away from it.
+    Vec3 normal_place(double u, double v) const;
+
     /// A ray that starts at another point of the lens and meets the first one in the plane that is
     /// sharp; the point is uniform where `place` is uniform in [0, 1)^2.
     Ray through_lens(const Ray&, Vec2 place) const;

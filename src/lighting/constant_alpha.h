@@ -4,13 +4,16 @@
 #pragma once
 
 #include "base/random.h"
-#include "lighting/pick.h"
+#include "lighting/light_query.h"
 #include "lighting/settings.h"
 
 class BuiltConstantAlpha {
 public:
     explicit BuiltConstantAlpha(std::size_t count) : count_(static_cast<LightIndex>(count)) {}
 
+    PickAnswer<BuiltConstantAlpha> at(const LightQuery& query) const {
+        return {*this, query.receiver};
+    }
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     double expected(const ShadingPoint&, const Key&, LightIndex) const {
         return 1 / static_cast<double>(count_);

@@ -42,6 +42,8 @@ constexpr double least_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
 /// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
 /// the mean of what is seen: then no ray can bring much more than others.
 constexpr double most_glare = 16;
+/// Share of the shadow rays that surfaces which are all gloss scatter.
+constexpr double most_by_surface = 0.5;
 
 bool near(const Box& box, const Vec3& position) {
     const Vec3 v = box.centre() - position, half = 0.5 * box.size();
@@ -300,8 +302,8 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe, const Gloss& gloss,
-                           Weights& weights) const {
+void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
+                           const BsdfLobes& lobes, Weights& weights) const {
     if (state_->luminaires.empty()) return;
     const Cell& cell = cell_at(point.position, &probe);
     weights.cut = &*cell.cut;
@@ -310,18 +312,18 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe, c
     weights.as_scattered = cell.survey && cell.survey->as_scattered;
     weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
     weights.irradiance = cell.survey ? cell.survey->irradiance * weights.total : 0;
-    if (gloss.count > 0) weights.cut->weigh_answers(point, gloss, weights);
+    if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }
 
-void BuiltCutOctree::weigh_choice(const ShadingPoint& point, const Gloss& gloss,
+void BuiltCutOctree::weigh_choice(const ShadingPoint& point, const BsdfLobes& lobes,
                                   Weights& weights) const {
     if (state_->luminaires.empty()) return;
     weights.cut = &*cell_at(point.position, nullptr).cut;
     weights.cut->weigh(point, weights);
-    if (gloss.count > 0) weights.cut->weigh_answers(point, gloss, weights);
+    if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
 }
 
 std::uint32_t BuiltCutOctree::descend(const ShadingPoint& point, LightCluster c, const Key& key,
@@ -397,3 +399,32 @@ std::size_t BuiltCutOctree::memory_bytes() const {
 }
 
 std::size_t BuiltCutOctree::cells() const { return state_->cells; }
+
+BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
+    : octree_(octree), receiver_(query.receiver), bsdf_(query.bsdf) {
+    if (query.scene)
+        octree.weigh(receiver_, *query.scene, query.lobes, weights_);
+    else
+        octree.weigh_choice(receiver_, query.lobes, weights_);
+    if (!bsdf_) return;
+    by_surface_ = weights_.as_scattered ? 1 : most_by_surface * std::sqrt(bsdf_->gloss);
+    by_outlook_ = (1 - by_surface_) * weights_.by_direction;
+    by_choice_ = 1 - (by_surface_ + by_outlook_);
+}
+
+double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
+    return (by_surface_ > 0 ? by_surface_ * bsdf_->pdf(direction) : 0) +
+           (by_outlook_ > 0 ? by_outlook_ * Outlook::density(weights_.outlook, direction) : 0) +
+           (by_choice_ > 0 ? by_choice_ * expected * of_point : 0);
+}
+
+void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
+    const double u = uniform(key, Purpose::light_choice), by_direction = by_surface_ + by_outlook_;
+    if (u >= by_direction) {
+        octree_.choose(receiver_, weights_, key, (u - by_direction) / by_choice_, samples.picks);
+    } else if (u < by_surface_) {
+        samples.direction = bsdf_->sample(place_on_light(key));
+    } else {
+        samples.direction = Outlook::draw(weights_.outlook, place_on_light(key)).direction;
+    }
+}

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "lighting/light_cut.h"
-#include "lighting/outlook.h"
+#include "lighting/light_query.h"
 #include "lighting/settings.h"
 
 #include <atomic>
@@ -27,14 +27,18 @@ public:
         double irradiance = 0;  ///< that is expected; known where the noise is
     };
 
+    class At;
+
     BuiltCutOctree(const LightOctree&, const LightScene&);
     BuiltCutOctree(BuiltCutOctree&&) noexcept;
     BuiltCutOctree& operator=(BuiltCutOctree&&) noexcept;
     ~BuiltCutOctree();
 
-    void weigh(const ShadingPoint&, const LightProbe&, const Gloss&, Weights&) const;
+    At at(const LightQuery&) const;
+
+    void weigh(const ShadingPoint&, const LightProbe&, const BsdfLobes&, Weights&) const;
     /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
-    void weigh_choice(const ShadingPoint&, const Gloss&, Weights&) const;
+    void weigh_choice(const ShadingPoint&, const BsdfLobes&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.
     void choose(const ShadingPoint&, const Weights&, const Key&, double u, LightPicks&) const;
     double expected(const ShadingPoint&, const Weights&, LightIndex) const;
@@ -63,3 +67,34 @@ private:
 
     std::unique_ptr<State> state_;
 };
+
+/// At one receiver. A shadow ray has a direction from the cell's outlook, or as the surface
+/// scatters light, in which whatever luminaire is seen counts, or a luminaire and a point on it:
+/// weighed by the density that all ways together have for a point of a luminaire (one-sample
+/// multiple importance sampling). So a luminaire that the outlook does not know keeps its chance,
+/// no ray is lost where luminaires hide each other, and none glares that only a highlight shows.
+class BuiltCutOctree::At {
+public:
+    At(const BuiltCutOctree&, const LightQuery&);
+
+    void sample(const Key&, LightSamples&) const;
+    double expected(const Key&, LightIndex light) const {
+        return by_choice_ > 0 ? octree_.expected(receiver_, weights_, light) : 0;
+    }
+    double pdf(const Vec3& direction, double expected, double of_point) const;
+    double noise() const { return weights_.noise; }
+    double irradiance() const { return weights_.irradiance; }
+    const LightTree* meetings() const { return nullptr; }
+
+private:
+    const BuiltCutOctree& octree_;
+    const ShadingPoint& receiver_;
+    const BsdfSampler* bsdf_;
+    Weights weights_;
+    /// Shares of the shadow rays.
+    double by_surface_ = 0, by_outlook_ = 0, by_choice_ = 1;
+};
+
+inline BuiltCutOctree::At BuiltCutOctree::at(const LightQuery& query) const {
+    return {*this, query};
+}

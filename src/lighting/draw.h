@@ -3,6 +3,12 @@
 #pragma once
 
 #include "base/random.h"
+#include "base/vector.h"
+
+/// Where on a luminaire, or in which direction, the key decides: uniform in [0, 1)^2.
+inline Vec2 place_on_light(const Key& key) {
+    return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
+}
 
 /// Number n of those for a purpose; independent of the others and of uniform(key, purpose).
 inline double draw(const Key& key, Purpose purpose, std::uint64_t n) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "lighting/pick.h"
+#include "lighting/light_query.h"
 #include "lighting/settings.h"
 
 class BuiltEveryLight {
@@ -12,6 +12,9 @@ public:
     BuiltEveryLight() = default;
     explicit BuiltEveryLight(std::size_t count) : count_(static_cast<LightIndex>(count)) {}
 
+    PickAnswer<BuiltEveryLight> at(const LightQuery& query) const {
+        return {*this, query.receiver};
+    }
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     double expected(const ShadingPoint&, const Key&, LightIndex) const { return 1; }
     std::size_t memory_bytes() const { return 0; }

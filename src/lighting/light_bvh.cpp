@@ -98,6 +98,11 @@ double BuiltLightBvh::expected(const ShadingPoint& point, const Key&, LightIndex
     return std::fmax(probability, std::numeric_limits<double>::min());
 }
 
+void BuiltLightBvh::At::sample(const Key& key, LightSamples& samples) const {
+    if (bsdf_) samples.direction = bsdf_->sample(place_on_light(key.with_branch(1)));
+    bvh_.choose(receiver_, key, samples.picks);
+}
+
 std::size_t BuiltLightBvh::memory_bytes() const {
     return nodes_.capacity() * sizeof(LightNode) + leaf_of_.capacity() * sizeof(std::uint32_t) +
            tree_.memory_bytes();

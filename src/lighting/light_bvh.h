@@ -6,8 +6,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "lighting/light_tree.h"
-#include "lighting/pick.h"
+#include "lighting/light_query.h"
 #include "lighting/settings.h"
 
 /// A node of the hierarchy: a sphere around its luminaires, and how they shine.
@@ -27,6 +26,31 @@ struct LightNode {
 class BuiltLightBvh {
 public:
     explicit BuiltLightBvh(std::span<const Luminaire>, bool paired = false);
+
+    /// At one receiver. With a partner, directions are drawn as the surface scatters light.
+    class At {
+    public:
+        At(const BuiltLightBvh& bvh, const LightQuery& query)
+            : bvh_(bvh), receiver_(query.receiver), bsdf_(bvh.paired() ? query.bsdf : nullptr) {}
+
+        void sample(const Key&, LightSamples&) const;
+        double expected(const Key& key, LightIndex light) const {
+            return bvh_.expected(receiver_, key, light);
+        }
+        /// By the balance heuristic (Veach) of both ways.
+        double pdf(const Vec3& direction, double expected, double of_point) const {
+            return expected * of_point + (bsdf_ ? bsdf_->pdf(direction) : 0);
+        }
+        double noise() const { return -1; }
+        double irradiance() const { return 0; }
+        const LightTree* meetings() const { return bsdf_ ? &bvh_.tree() : nullptr; }
+
+    private:
+        const BuiltLightBvh& bvh_;
+        const ShadingPoint& receiver_;
+        const BsdfSampler* bsdf_;  ///< null: no partner
+    };
+    At at(const LightQuery& query) const { return {*this, query}; }
 
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     double expected(const ShadingPoint&, const Key&, LightIndex) const;

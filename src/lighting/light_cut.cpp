@@ -307,19 +307,19 @@ void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
     result.total = total(result, rows_);
 }
 
-void LightCut::weigh_answers(const ShadingPoint& point, const Gloss& gloss,
+void LightCut::weigh_answers(const ShadingPoint& point, const BsdfLobes& lobes,
                              CutWeights& result) const {
     std::array<Peak, 2> peaks;
-    for (std::size_t i = 0; i < gloss.count; ++i) {
-        const Highlight& h = gloss.highlights[i];
+    for (std::size_t i = 0; i < lobes.count; ++i) {
+        const Highlight& h = lobes.highlights[i];
         peaks[i] = {static_cast<float>(h.axis.x), static_cast<float>(h.axis.y),
                     static_cast<float>(h.axis.z), static_cast<float>(h.peak),
                     static_cast<float>(h.sharpness)};
     }
     const Rough all = rough(point);
     weigh_answers_of_rows(all.columns, rows_, all.place,
-                          static_cast<float>(std::fmax(gloss.dull, least_dull)),
-                          std::span(peaks).first(gloss.count), result);
+                          static_cast<float>(std::fmax(lobes.diffuse, least_dull)),
+                          std::span(peaks).first(lobes.count), result);
     result.total = total(result, rows_);
 }
 

@@ -5,22 +5,8 @@
 // chance.
 #pragma once
 
+#include "lighting/bsdf_lobes.h"
 #include "lighting/refined_cut.h"
-
-/// Where a surface answers light more than elsewhere: by peak / (1 + sharpness (1 - cosine) / 2)^2
-/// of light of colour 1 that makes that cosine with the axis, as facets do (GGX) and others
-/// roughly. A white diffuse surface answers by the cosine to its normal.
-struct Highlight {
-    Vec3 axis = Vec3(0);  ///< unit
-    double peak = 0, sharpness = 0;
-};
-
-/// How a surface answers light.
-struct Gloss {
-    double dull = 1;  ///< albedo of the diffuse part
-    std::array<Highlight, 2> highlights = {};
-    std::size_t count = 0;  ///< of highlights
-};
 
 /// What the entries of a cut give at a point, as if nothing were between.
 struct CutWeights {
@@ -47,7 +33,7 @@ public:
 
     void weigh(const ShadingPoint&, CutWeights&) const;
     /// Makes of weights at a point those of what a surface that shines sends to the viewer.
-    void weigh_answers(const ShadingPoint&, const Gloss&, CutWeights&) const;
+    void weigh_answers(const ShadingPoint&, const BsdfLobes&, CutWeights&) const;
     /// Multiplies the weights of each entry by a number above 0.
     void scale(std::span<const float> factors);
     /// The entry at which the running sum of the weights passes target, which is in [0, total).

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/random.h"
+#include "lighting/light_query.h"
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 
@@ -12,6 +13,9 @@ class BuiltLinearAlpha {
 public:
     explicit BuiltLinearAlpha(const LightScene&);
 
+    PickAnswer<BuiltLinearAlpha> at(const LightQuery& query) const {
+        return {*this, query.receiver};
+    }
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     double expected(const ShadingPoint&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const { return table_.memory_bytes(); }

@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "lighting/dim_set.h"
 #include "lighting/light_cells.h"
+#include "lighting/light_query.h"
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 
@@ -15,6 +16,9 @@ class BuiltPaperOctree {
 public:
     BuiltPaperOctree(const LightOctree&, const LightScene&, int threads);
 
+    PickAnswer<BuiltPaperOctree> at(const LightQuery& query) const {
+        return {*this, query.receiver};
+    }
     void choose(const ShadingPoint&, const Key&, LightPicks&) const;
     /// Looks at the same representatives of the dim luminaires as choose() with this key.
     double expected(const ShadingPoint&, const Key&, LightIndex) const;

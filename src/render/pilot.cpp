@@ -3,6 +3,7 @@
 
 #include "base/gamma.h"
 #include "base/parallel.h"
+#include "transport/camera_ray.h"
 
 #include <algorithm>
 #include <vector>
@@ -28,7 +29,7 @@ struct Trial {
 };
 
 /// Adds its noise.
-void try_pixel(Tracer& tracer, const World& world, const RenderSettings& settings,
+void try_pixel(Integrator& integrator, const World& world, const RenderSettings& settings,
                const Trial& trial, PilotNoise& noise) {
     const auto number = static_cast<std::uint64_t>(trial.row * trial.columns + trial.column);
     const double x = std::floor((trial.column + 0.5) * settings.width / trial.columns),
@@ -44,7 +45,7 @@ void try_pixel(Tracer& tracer, const World& world, const RenderSettings& setting
                      dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
         const double u = (x + dx) / settings.width - 0.5, v = 0.5 - (y + dy) / settings.height;
         // What is brighter than white is cut off in pictures, and its noise with it.
-        return std::fmin(grey(tracer.radiance(camera_ray(world, u, v, where), key)), 1.0);
+        return std::fmin(grey(integrator.radiance(camera_ray(world, u, v, where), key)), 1.0);
     };
     // Two lights at each of two places: what differs between the places under the one light and
     // under the other is the camera's, whatever the noise of light.
@@ -63,11 +64,11 @@ PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
               rows = std::clamp(settings.height / pixels_for_each, 1, most_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
-        Tracer tracer(world, {});
+        Integrator integrator(world, {});
         for (int column = 0; column < columns; ++column)
-            try_pixel(tracer, world, settings, {column, static_cast<int>(row), columns, rows},
+            try_pixel(integrator, world, settings, {column, static_cast<int>(row), columns, rows},
                       noise[row]);
-        noise[row].of_hits = tracer.noise();
+        noise[row].of_hits = integrator.noise();
     });
     PilotNoise sum;
     for (const PilotNoise& each : noise) {

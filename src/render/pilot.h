@@ -3,8 +3,8 @@
 // say. Found by tracing some pixels before the picture is made; the same for every part of it.
 #pragma once
 
-#include "render/trace.h"
 #include "scene/settings.h"
+#include "transport/integrator.h"
 
 /// Variances of one sample of a pixel, over all pixels that were tried.
 struct PilotNoise {

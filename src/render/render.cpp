@@ -83,7 +83,7 @@ public:
           hooks_(hooks),
           tracing_{plan.shadow_rays, hooks.counts_lights || hooks.extras.lights,
                    hooks.extras.alpha},
-          fresh_tracers_(tracers_of_moments()) {}
+          fresh_integrators_(integrators_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
     bool run() {
@@ -94,7 +94,7 @@ public:
         return true;
     }
 
-    const RayCounts& rays() const { return rays_; }
+    const LightLedger& rays() const { return rays_; }
 
 private:
     /// Brings all pixels to their targets, the whole picture becoming better evenly.
@@ -113,8 +113,8 @@ private:
 
     /// On one tile.
     struct Work {
-        std::vector<Tracer> tracers;  ///< one for each moment
-        std::uint64_t made = 0;       ///< samples
+        std::vector<Integrator> integrators;  ///< one for each moment
+        std::uint64_t made = 0;               ///< samples
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
@@ -124,11 +124,11 @@ private:
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
             if (++begun == tiles.size() && ends_round) wind_down();
             if (stopped_ || !wants(tiles[i], level)) return;
-            Work work{fresh_tracers_};
+            Work work{fresh_integrators_};
             const std::uint64_t made = make_tile(work, tiles[i], level);
             {
                 const std::lock_guard lock(mutex_);
-                for (const Tracer& tracer : work.tracers) rays_ += tracer.rays();
+                for (const Integrator& each : work.integrators) rays_ += each.ledger();
             }
             const std::uint64_t done = done_ += made;
             if (hooks_.progress && made > 0)
@@ -141,11 +141,11 @@ private:
             hooks_.winds_down();
     }
 
-    std::vector<Tracer> tracers_of_moments() const {
-        std::vector<Tracer> tracers;
-        tracers.emplace_back(world_, tracing_);
-        for (const World& moment : world_.other_moments) tracers.emplace_back(moment, tracing_);
-        return tracers;
+    std::vector<Integrator> integrators_of_moments() const {
+        std::vector<Integrator> integrators;
+        integrators.emplace_back(world_, tracing_);
+        for (const World& moment : world_.other_moments) integrators.emplace_back(moment, tracing_);
+        return integrators;
     }
 
     /// Share of all rounds that is done when so much of this one is. How many rounds a bound for
@@ -277,14 +277,14 @@ private:
         Key key;
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
         key.sample = sample;
-        const std::size_t moment = sample % work.tracers.size();
+        const std::size_t moment = sample % work.integrators.size();
         const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
         const Ray ray = ray_through(world, point(x, y), place(world, key), key);
-        Tracer& tracer = work.tracers[moment];
-        const std::uint64_t before_rays = tracer.rays().shadow;
-        const Vec3 colour = tracer.radiance(ray, key);
-        if (!extra.empty()) gather_sample(hooks_.extras, world, ray, tracer, extra);
-        return {colour, static_cast<std::uint32_t>(tracer.rays().shadow - before_rays)};
+        Integrator& integrator = work.integrators[moment];
+        const std::uint64_t before_rays = integrator.ledger().shadow;
+        const Vec3 colour = integrator.radiance(ray, key);
+        if (!extra.empty()) gather_sample(hooks_.extras, world, ray, integrator, extra);
+        return {colour, static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays)};
     }
 
     /// In the pixel.
@@ -311,9 +311,9 @@ private:
     const RenderHooks& hooks_;
     Tracing tracing_;
     /// To be copied: to find out what is around the camera takes a look at every object.
-    const std::vector<Tracer> fresh_tracers_;
+    const std::vector<Integrator> fresh_integrators_;
     std::mutex mutex_;
-    RayCounts rays_;
+    LightLedger rays_;
     std::uint64_t wanted_ = 0;  ///< up to now, altogether
     std::atomic<std::uint64_t> done_ = 0;
     std::atomic<bool> stopped_ = false;
@@ -331,7 +331,7 @@ RenderPlan plan_of(const World& world, const RenderSettings& settings) {
     return {world, settings, tried.shadow_rays, static_cast<std::uint32_t>(samples), rule};
 }
 
-bool advance(const RenderPlan& plan, RenderState& state, RayCounts& rays,
+bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,
              const RenderHooks& hooks) {
     Renderer renderer(plan, state, hooks);
     const bool finished = renderer.run();
@@ -341,7 +341,7 @@ bool advance(const RenderPlan& plan, RenderState& state, RayCounts& rays,
 
 Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
     RenderState state = begin_picture(settings, hooks.extras.count(world));
-    RayCounts rays;
+    LightLedger rays;
     advance(plan_of(world, settings), state, rays, hooks);
     return {state.film.image(), rays};
 }

@@ -4,10 +4,10 @@
 // often the work is stopped and continued.
 #pragma once
 
-#include "render/direct_light.h"
-#include "render/extras.h"
-#include "render/schedule.h"
-#include "render/statistics.h"
+#include "film/schedule.h"
+#include "transport/aovs.h"
+#include "transport/direct_light.h"
+#include "transport/light_ledger.h"
 #include "world/world.h"
 
 #include <functional>
@@ -35,13 +35,13 @@ struct RenderHooks {
     std::function<bool()> cancelled;                ///< true: stop within some samples
     /// Called once, when a round has nothing left to begin and the first core becomes free.
     std::function<void()> winds_down;
-    bool counts_lights = false;  ///< fills RayCounts::lights
-    Extras extras = {};          ///< the film has sums for them
+    bool counts_lights = false;  ///< fills LightLedger::lights
+    Aovs extras = {};            ///< the film has sums for them
 };
 
 struct Rendering {
     Image image;
-    RayCounts rays;
+    LightLedger rays;
 };
 
 /// A whole picture at once.
@@ -49,4 +49,4 @@ Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
 
 /// Goes on with a picture until it is finished; false when the hook has stopped it. Adds to the
 /// counts.
-bool advance(const RenderPlan&, RenderState&, RayCounts&, const RenderHooks& = {});
+bool advance(const RenderPlan&, RenderState&, LightLedger&, const RenderHooks& = {});

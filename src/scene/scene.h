@@ -4,13 +4,13 @@
 #pragma once
 
 #include "backdrop/background.h"
-#include "backdrop/fog.h"
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_sphere.h"
 #include "base/handle.h"
 #include "base/transform.h"
 #include "camera/camera.h"
 #include "light/light.h"
+#include "medium/fog.h"
 #include "scene/settings.h"
 #include "shape/shape.h"
 #include "surface/interior.h"

@@ -23,7 +23,7 @@ struct Look {
     SourceStore sources;
     RenderSettings settings;
     RenderState state;
-    RayCounts rays;
+    LightLedger rays;
 
     Look() {
         CompileOptions options;

@@ -23,8 +23,7 @@ Vec3 seen(const Rainbow& bow, double degrees, double turned = 0, double chance =
     const double angle = degrees * std::numbers::pi / 180, turn = turned * std::numbers::pi / 180;
     const Ray ray{Vec3(0), Vec3(std::sin(angle) * std::sin(turn), std::sin(angle) * std::cos(turn),
                                 std::cos(angle))};
-    return arched(std::span(&bow, 1), ray, std::numeric_limits<double>::infinity(), Vec3(0),
-                  chance);
+    return veil_of(std::span(&bow, 1), ray, std::numeric_limits<double>::infinity(), chance).added;
 }
 
 bool near(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-6; }
@@ -59,6 +58,6 @@ TEST_CASE("jitter mixes colours, distance and transmit thin the band", "[backdro
     bow.distance = 10;
     const Ray ray{Vec3(0), Vec3(0, std::sin(42 * std::numbers::pi / 180),
                                 std::cos(42 * std::numbers::pi / 180))};
-    CHECK(arched(std::span(&bow, 1), ray, 10, Vec3(1, 1, 1), 0.5).y == Approx(std::exp(-1)));
-    CHECK(arched(std::span(&bow, 1), ray, 0, Vec3(1, 1, 1), 0.5).y == 1);
+    CHECK(veil_of(std::span(&bow, 1), ray, 10, 0.5).through(Vec3(1)).y == Approx(std::exp(-1)));
+    CHECK(veil_of(std::span(&bow, 1), ray, 0, 0.5).through(Vec3(1)).y == 1);
 }

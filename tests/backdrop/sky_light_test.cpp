@@ -18,9 +18,7 @@ Vec2 place(std::uint32_t i) {
 }
 
 /// A bright disc about straight up, a dim sky around it.
-constexpr auto sun = [](const Vec3& direction) {
-    return Vec3(direction.y > 0.98 ? 200 : 1);
-};
+constexpr auto sun = [](const Vec3& direction) { return Vec3(direction.y > 0.98 ? 200 : 1); };
 
 }  // namespace
 

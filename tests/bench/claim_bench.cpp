@@ -4,9 +4,9 @@
 //   claim_bench [choices] [contributors] [threshold] [split] [samples] [rays] [bulb] [few] [scale]
 #include "lighting/paper_octree.h"
 #include "noise.h"
-#include "render/trace.h"
 #include "support/draw.h"
 #include "support/scripts.h"
+#include "transport/integrator.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -244,7 +244,7 @@ void figure5() {
     const auto refined = [&](int seed) {
         settings.seed = seed;
         RenderState state = begin_picture(settings);
-        RayCounts rays;
+        LightLedger rays;
         advance(plan_of(world, settings), state, rays, {});
         std::vector<double> variances;
         for (int y = 0; y < size; ++y)

@@ -164,7 +164,7 @@ TEST_CASE("each source file has a test, and each test a source file", "[house]")
         }
 }
 
-TEST_CASE("the map of the source names every module and every file of it", "[house]") {
+TEST_CASE("the map of the source names every module", "[house]") {
     const std::string map = read(root / "src/README.md");
     REQUIRE_FALSE(map.empty());
     std::set<std::string> named;
@@ -174,10 +174,6 @@ TEST_CASE("the map of the source names every module and every file of it", "[hou
     std::set<std::string> present;
     for (const fs::path& folder : folders_of_source()) present.insert(folder.filename().string());
     CHECK(named == present);
-    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
-        INFO("the map does not name " << file);
-        CHECK(map.find("`" + file.stem().string() + "`") != std::string::npos);
-    }
 }
 
 TEST_CASE("the README is an entrance, and leads to pages and pictures that there are", "[house]") {
@@ -212,10 +208,14 @@ TEST_CASE("each file states its licence", "[house]") {
 }
 
 TEST_CASE("files stay short and lines narrow", "[house]") {
+    constexpr std::size_t aim = 300, limit = 600;
+    std::string long_files;
     for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
         const auto lines = lines_of(file);
         INFO(file);
-        CHECK(lines.size() <= 400);
+        CHECK(lines.size() <= limit);
+        if (lines.size() > aim)
+            long_files += "\n" + std::to_string(lines.size()) + " " + file.string();
         for (const std::string& line : lines) {
             // Characters, not bytes: a continuation byte is none.
             const auto width =
@@ -224,6 +224,7 @@ TEST_CASE("files stay short and lines narrow", "[house]") {
             CHECK(width <= 100);
         }
     }
+    WARN("files of more than " << aim << " lines:" << long_files);
 }
 
 TEST_CASE("there are no mutable globals", "[house]") {

@@ -89,7 +89,7 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     REQUIRE(cut.entries() == 60);
     for (int i = 0; i < 100; ++i) {
         const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
-        Gloss gloss{
+        BsdfLobes gloss{
             0.3, {Highlight{draw.direction(), 0.5, 40}, Highlight{draw.direction(), 5, 900}}, 2};
         CutWeights weights, plain;
         cut.weigh(point, plain);
@@ -100,7 +100,7 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
             const LightBounds b = bounds(luminaires[tree.light(cut.cluster(entry).first)]);
             const Vec3 direction = unit(b.centre - point.position);
             const double cosine = std::abs(dot(direction, point.normal));
-            double answer = gloss.dull;
+            double answer = gloss.diffuse;
             for (const Highlight& h : gloss.highlights) {
                 const double fallen = 1 + h.sharpness * (1 - dot(h.axis, direction)) / 2;
                 answer += h.peak / (fallen * fallen * cosine);

@@ -104,7 +104,7 @@ TEST_CASE("a picture that is stopped and continued again and again is the same",
     const World world = world_of(four_lamps);
     RenderSettings settings = small(2);
     RenderState whole = begin_picture(settings), broken = whole;
-    RayCounts rays;
+    LightLedger rays;
     CHECK(advance(plan_of(world, settings), whole, rays, {}));
     std::atomic<int> asked = 0;
     RenderHooks hooks;
@@ -135,7 +135,7 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     hooks.extras = {true, true, true};
     RenderState whole = begin_picture(settings, hooks.extras.count(world)), broken = whole,
                 parts = whole;
-    RayCounts rays;
+    LightLedger rays;
     CHECK(advance(plan_of(world, settings), whole, rays, hooks));
     for (int i = 0; i < 3; ++i) {
         RenderState part = begin_picture(settings, hooks.extras.count(world));
@@ -172,7 +172,7 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
     const World world = world_of(four_lamps);
     RenderSettings settings = small(2);
     settings.samples = 5;
-    RayCounts rays;
+    LightLedger rays;
     RenderState whole = begin_picture(settings);
     advance(plan_of(world, settings), whole, rays, {});
     Film sum(settings.width, settings.height);
@@ -193,8 +193,8 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
     REQUIRE(world.light_statements.size() == 2);
     RenderHooks hooks;
     hooks.counts_lights = true;
-    const RayCounts one = render(world, small(1), hooks).rays,
-                    three = render(world, small(3), hooks).rays;
+    const LightLedger one = render(world, small(1), hooks).rays,
+                      three = render(world, small(3), hooks).rays;
     REQUIRE(one.lights.size() == 3);
     std::uint64_t rays = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -213,7 +213,7 @@ TEST_CASE("a round winds down once, before its last tile is done", "[render]") {
     RenderSettings settings = small(1);
     settings.samples = 5;  // in several passes over the tiles, of which only the last winds down
     RenderState state = begin_picture(settings);
-    RayCounts rays;
+    LightLedger rays;
     int winds_down = 0;
     double done = 0;
     RenderHooks hooks;
@@ -240,7 +240,7 @@ TEST_CASE("a round of very many samples has an end", "[render]") {
     state.rounds = 1;
     state.film.at(0, 0).samples = wanted - 1;
     state.film.at(0, 0).target = wanted;
-    RayCounts rays;
+    LightLedger rays;
     int asked = 0;
     RenderHooks hooks;
     hooks.cancelled = [&] { return ++asked > 1000; };

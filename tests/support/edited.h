@@ -22,7 +22,7 @@ struct Edited {
         const std::string_view before = text.substr(0, text.find('|'));
         const bool marked = before.size() < text.size();
         offset = marked ? static_cast<std::uint32_t>(before.size()) : 0;
-        workspace.open(path, std::string(before) +
-                                 std::string(text.substr(before.size() + (marked ? 1 : 0))));
+        workspace.open(
+            path, std::string(before) + std::string(text.substr(before.size() + (marked ? 1 : 0))));
     }
 };

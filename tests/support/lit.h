@@ -2,7 +2,7 @@
 // What direct light shows of a floor, by itself.
 #pragma once
 
-#include "render/direct_light.h"
+#include "transport/direct_light.h"
 
 #include <catch2/catch.hpp>
 
@@ -17,17 +17,17 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
     const Ray ray{Vec3(x, 3, 0), Vec3(0, -1, 0)};
     REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
     DirectLight light(world, shadow_rays);
-    RayCounts rays;
+    LightLedger rays;
+    const ShadingRules rules = shading_rules(world);
     double sum = 0;
     for (int i = 0; i < count; ++i) {
         Key key;
         key.sample = static_cast<std::uint32_t>(i);
-        const Shading s = shading_at(world, ray, hit);
-        const SurfacePlace place(world, hit, s);
-        for_layers(*world.material(hit.primitive).texture, s.position, s.normal, place.scene,
-                   [&](double, std::span<const Layer> layers) {
-                       sum += light(with_layer(world, s, layers.front()), key, rays).x;
-                   });
+        const Vertex vertex = vertex_at(world, ray, hit);
+        for_visible_layers(world, vertex, 0, [&](double, std::span<const Layer> layers) {
+            const Bsdf bsdf(with_layer(world, vertex, layers.front()), rules);
+            sum += light({vertex, bsdf}, key, rays).x;
+        });
     }
     return {sum / count, static_cast<double>(rays.shadow) / count,
             light.noise().sum / std::max(light.noise().hits, 1)};

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/corners.h"
+
+#include <array>
+#include <utility>
+
+namespace {
+
+using FourSights = std::array<const Sight*, 4>;
+
+Sight mean_of(const FourSights& sights) {
+    Sight mean = *sights[0];
+    for (std::size_t i = 1; i < sights.size(); ++i) {
+        mean.colour += sights[i]->colour;
+        for (std::size_t j = 0; j < mean.extra.size(); ++j) mean.extra[j] += sights[i]->extra[j];
+    }
+    mean.colour /= 4.0;
+    for (double& value : mean.extra) value /= 4;
+    return mean;
+}
+
+}  // namespace
+
+CornerRule corner_rule(const RenderSettings& settings, double assumed_gamma) {
+    return {contrast_of(settings, assumed_gamma), settings.antialias_depth,
+            settings.jitter ? settings.jitter_amount : 0};
+}
+
+std::uint32_t quarters_across(const CornerRule& rule) {
+    return std::uint32_t{1} << (rule.depth - 1);
+}
+
+Vec2 place_in_pixel(const CornerRule& rule, const Key& key) {
+    const std::uint32_t across = quarters_across(rule);
+    const std::uint32_t x = key.sample % (across + 1), y = key.sample / (across + 1);
+    const Vec2 place = Vec2(x, y) / static_cast<double>(across);
+    if (rule.jitter == 0 || (x % across == 0 && y % across == 0)) return place;
+    // POV-Ray's least distance is a little less than that of the places.
+    const double least = 1.0 / (2 * across + 1);
+    return place +
+           rule.jitter * least *
+               Vec2(uniform(key, Purpose::pixel_x) - 0.5, uniform(key, Purpose::pixel_y) - 0.5);
+}
+
+CornerCells::CornerCells(const CornerRule& rule, const Region& tile)
+    : rule_(rule),
+      tile_(tile),
+      corners_(
+          static_cast<std::size_t>((tile.right - tile.left + 1) * (tile.bottom - tile.top + 1))) {}
+
+Sight CornerCells::pixel(int x, int y, Look look) {
+    inside_.clear();
+    const Pixel pixel{x, y, look};
+    Sight sight = mean(pixel, {0, 0, quarters_across(rule_)});
+    sight.shadow_rays = point(pixel, 0, 0).sight.shadow_rays;
+    for (const auto& [sample, point] : inside_) sight.shadow_rays += point.sight.shadow_rays;
+    return sight;
+}
+
+const CornerCells::Point& CornerCells::point(const Pixel& pixel, std::uint32_t x, std::uint32_t y) {
+    const std::uint32_t across = quarters_across(rule_);
+    if (x % across == 0 && y % across == 0) {
+        const Pixel owner{pixel.x + static_cast<int>(x / across),
+                          pixel.y + static_cast<int>(y / across), pixel.look};
+        const int row = owner.y - tile_.top, column = owner.x - tile_.left;
+        std::optional<Point>& corner =
+            corners_[static_cast<std::size_t>(row * (tile_.right - tile_.left + 1) + column)];
+        if (!corner) corner = seen(owner, 0);
+        return *corner;
+    }
+    const std::uint32_t sample = y * (across + 1) + x;
+    const auto found = inside_.find(sample);
+    return found != inside_.end() ? found->second
+                                  : inside_.emplace(sample, seen(pixel, sample)).first->second;
+}
+
+CornerCells::Point CornerCells::seen(const Pixel& pixel, std::uint32_t sample) const {
+    Sight sight = pixel.look(pixel.x, pixel.y, sample);
+    const Shown shown = rule_.contrast.shown(sight.colour, sight.clear);
+    return {std::move(sight), shown};
+}
+
+Sight CornerCells::mean(const Pixel& pixel, const Cell& cell) {
+    const std::array<const Point*, 4> corners = {
+        &point(pixel, cell.x, cell.y), &point(pixel, cell.x + cell.size, cell.y),
+        &point(pixel, cell.x, cell.y + cell.size),
+        &point(pixel, cell.x + cell.size, cell.y + cell.size)};
+    bool even = true;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            even = even && !rule_.contrast.between(corners[i]->shown, corners[j]->shown);
+    if (even || cell.size == 1)
+        return mean_of(
+            {&corners[0]->sight, &corners[1]->sight, &corners[2]->sight, &corners[3]->sight});
+    const std::uint32_t half = cell.size / 2;
+    const Sight a = mean(pixel, {cell.x, cell.y, half}),
+                b = mean(pixel, {cell.x + half, cell.y, half}),
+                c = mean(pixel, {cell.x, cell.y + half, half}),
+                d = mean(pixel, {cell.x + half, cell.y + half, half});
+    return mean_of({&a, &b, &c, &d});
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/film.h"
+
+#include <cmath>
+
+void PixelSum::add(const Vec3& sample) {
+    for (int i = 0; i < 3; ++i) {
+        const auto channel = static_cast<std::size_t>(i);
+        radiance[channel].add(sample[i]);
+        // A square root is near enough to a display's transfer curve to weigh differences by.
+        const double shown = sample[i] > 0 ? std::sqrt(std::min(sample[i], 1.0)) : 0;
+        const auto units = static_cast<std::uint64_t>(shown * 0x1p20 + 0.5);
+        display[channel] += units;
+        display_squared[channel] += units * units;
+    }
+    ++samples;
+}
+
+void PixelSum::add(const PixelSum& other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        radiance[i].add(other.radiance[i]);
+        display[i] += other.display[i];
+        display_squared[i] += other.display_squared[i];
+    }
+    samples += other.samples;
+    shadow_rays += other.shadow_rays;
+}
+
+Vec3 PixelSum::mean() const {
+    if (samples == 0) return Vec3(0);
+    return Vec3(radiance[0].value(), radiance[1].value(), radiance[2].value()) /
+           static_cast<double>(samples);
+}
+
+double PixelSum::variance(std::size_t channel) const {
+    using Wide = ExactSum::Wide;
+    const Wide sum = static_cast<Wide>(display[channel]);
+    const Wide spread =
+        static_cast<Wide>(samples) * static_cast<Wide>(display_squared[channel]) - sum * sum;
+    const double n = samples;
+    return static_cast<double>(spread) / (n * (n - 1)) * 0x1p-40;
+}
+
+double PixelSum::deviation() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) sum += std::sqrt(variance(i));
+    return sum;
+}
+
+double PixelSum::variance_of_mean() const {
+    if (samples < 2) return 0;
+    return std::max({variance(0), variance(1), variance(2)}) / samples;
+}
+
+Film::Film(int width, int height, std::size_t extras)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      extras_(extras),
+      sums_(pixels_.size() * extras) {}
+
+void Film::add(std::size_t pixel, const Film& other) {
+    pixels_[pixel].add(other.pixels_[pixel]);
+    for (std::size_t i = 0; i < extras_; ++i) extra(pixel)[i].add(other.extra(pixel)[i]);
+}
+
+Image Film::image() const {
+    Image image(width_, height_);
+    for (std::size_t i = 0; i < pixels_.size(); ++i) image.pixels[i] = pixels_[i].mean();
+    return image;
+}

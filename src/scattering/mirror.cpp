@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scattering/mirror.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+/// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles, and less again
+/// beyond them, where a disturbed normal looks away.
+double metal_fresnel(double cosine) {
+    const double x = std::acos(std::clamp(cosine, -1.0, 1.0)) / (std::numbers::pi / 2);
+    return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
+}
+
+}  // namespace
+
+Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine) {
+    return Vec3(1) + metallic * (1 - metal_fresnel(cosine)) * (pigment - Vec3(1));
+}
+
+// By Fresnel's equations.
+double fresnel(double cosine, double n) {
+    if (n == 1) return 0;
+    const double g2 = n * n + cosine * cosine - 1;
+    if (g2 <= 0) return 1;
+    const double g = std::sqrt(g2);
+    const double ratio = (g - cosine) / (g + cosine);
+    const double tail = (cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1);
+    return std::clamp(0.5 * ratio * ratio * (tail * tail + 1), 0.0, 1.0);
+}
+
+Vec3 reflectivity(const Shading& s, double ior_ratio) {
+    const Reflection& r = s.finish->reflection;
+    if (r.greatest == Vec3(0) && r.least == Vec3(0)) return Vec3(0);
+    // Below 0 where a disturbed normal looks away: POV-Ray reflects more there than at grazing
+    // angles.
+    const double cosine = std::clamp(-dot(s.view, s.normal), -1.0, 1.0);
+    const double grazing = !r.fresnel
+                               ? (r.falloff == 1 ? 1 - cosine : std::pow(1 - cosine, r.falloff))
+                           : cosine < 0 ? 1
+                                        : fresnel(cosine, 1 / ior_ratio);
+    const Vec3 amount = r.least + (r.greatest - r.least) * grazing;
+    return r.metallic == 0 ? amount : amount * metal_tint(s.colour.rgb, r.metallic, cosine);
+}
+
+double greatest_reflectivity(const Reflection& reflection, const Vec3& amount) {
+    return reflection.fresnel
+               ? max_component(amount)
+               : std::max(max_component(reflection.least), max_component(reflection.greatest));
+}
+
+Vec3 reflected_direction(const Shading& s) {
+    Vec3 direction = mirrored(s.view, s.normal);
+    // Where the bump looks away from the viewer, POV-Ray does as if there were none. A ray that a
+    // smooth normal alone mirrors into the surface goes there.
+    if (dot(direction, s.smooth_normal) < 0)
+        direction = mirrored(dot(direction, s.normal) < 0 ? s.view : direction, s.smooth_normal);
+    return unit(direction);
+}
+
+Vec3 refracted_direction(const Shading& s, double ior_ratio) {
+    // A disturbed normal that looks away from the viewer counts from its other side.
+    const Vec3 normal = dot(s.view, s.normal) > 0 ? -s.normal : s.normal;
+    const double cosine = -dot(s.view, normal);
+    const double behind = std::sqrt(1 - ior_ratio * ior_ratio * (1 - cosine * cosine));
+    return unit(ior_ratio * s.view + (ior_ratio * cosine - behind) * normal);
+}
+
+bool reflects_totally(const Shading& s, double ior_ratio) {
+    const double cosine = -dot(s.view, s.normal);
+    return ior_ratio * ior_ratio * (1 - cosine * cosine) > 1;
+}

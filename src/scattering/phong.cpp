@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scattering/phong.h"
+
+#include "scattering/mirror.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+/// Whether a highlight's cosine to that power is above 10^-20, as far as is quickly told; far from
+/// highlights it is not, and powers take long.
+bool shows(double cosine, double power) { return cosine > 0 && (1 - cosine) * power < 46; }
+
+}  // namespace
+
+Vec3 own_radiance(const Shading& s, const ShadingRules& rules, bool emission) {
+    return s.colour.rgb * s.opacity *
+           (s.finish->ambient * rules.ambient_light + (emission ? s.finish->emission : Vec3(0)));
+}
+
+Vec3 iridescence(const Shading& s, const ShadingRules& rules, const Vec3& direction) {
+    const Irid& irid = s.finish->irid;
+    if (!(irid.amount > 0)) return Vec3(1);
+    double thickness = irid.thickness;
+    if (irid.turbulence != 0)
+        thickness *=
+            1 + irid.turbulence *
+                    (2 * scalar_turbulence(s.position, {5, 0.5, 2}, rules.noise_generator) - 1);
+    const double phase = 2 * std::numbers::pi * thickness *
+                         (std::abs(dot(s.normal, direction)) + std::abs(dot(s.normal, s.view)));
+    const Vec3 turns = Vec3(phase) / rules.irid_wavelength;
+    return Vec3(1) + irid.amount * Vec3(std::cos(turns.x), std::cos(turns.y), std::cos(turns.z));
+}
+
+Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, double grain) {
+    const Finish& f = *s.finish;
+    const double signed_cosine = dot(s.normal, to_light);
+    const bool behind = signed_cosine < 1e-10;
+    if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
+    const double cosine = std::abs(signed_cosine);
+    const double falloff =
+        f.brilliance == 1 ? cosine : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
+    const bool back = behind && !s.both_sides;
+    const double diffuse = !terms.diffuse ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
+    Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);
+    if (back || !terms.highlights || (f.phong <= 0 && f.specular <= 0)) return result;
+
+    const Vec3 tint =
+        f.metallic == 0 ? Vec3(1) : metal_tint(s.colour.rgb, f.metallic, signed_cosine);
+    if (f.phong > 0) {
+        const double alignment = dot(mirrored(s.view, s.normal), to_light);
+        if (shows(alignment, f.phong_size))
+            result += f.phong * std::pow(alignment, f.phong_size) * tint;
+    }
+    if (f.specular > 0) {
+        const double alignment = dot(s.normal, unit(to_light - s.view));
+        if (shows(alignment, 1 / f.roughness))
+            result += f.specular * std::pow(alignment, 1 / f.roughness) * tint;
+    }
+    return result;
+}

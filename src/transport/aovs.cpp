@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/aovs.h"
+
+#include "transport/integrator.h"
+
+namespace {
+
+void add(std::span<ExactSum> sums, std::size_t first, const Vec3& value) {
+    for (int i = 0; i < 3; ++i) sums[first + static_cast<std::size_t>(i)].add(value[i]);
+}
+
+}  // namespace
+
+void gather_sample(const Aovs& wanted, const World& world, const Ray& ray, Integrator& integrator,
+                   std::span<ExactSum> sums) {
+    if (wanted.alpha) sums[0].add(integrator.clear());
+    if (wanted.lights)
+        take_lights(integrator.ledger(), [&](std::size_t statement, const Vec3& light) {
+            const std::size_t first = wanted.first_light() + 3 * statement;
+            // A later moment of the scene may have more statements than the first.
+            if (first + 3 <= sums.size() && light != Vec3(0)) add(sums, first, light);
+        });
+    if (!wanted.surface) return;
+    const PrimaryHit seen = primary_hit(world, ray);
+    if (!seen.met) return;
+    add(sums, wanted.albedo(), seen.albedo);
+    add(sums, wanted.normal(), seen.normal);
+}
+
+void gather_middle(const Aovs& wanted, const World& world, const PicturePoint& at,
+                   std::span<ExactSum> sums) {
+    if (!wanted.surface) return;
+    const PrimaryHit seen = primary_hit(world, middle_ray(world, at));
+    sums[wanted.depth()].add(seen.distance);
+    sums[wanted.object()].add(seen.object);
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is gathered of each pixel besides the picture, as sums in the film, which can be stopped,
+// continued and merged like the picture's: how clear it is, what the surface is like, and the light
+// of each statement of the scene. The renderer gathers; layers of files are made of it.
+#pragma once
+
+#include "base/exact_sum.h"
+#include "transport/primary_hit.h"
+
+#include <cstddef>
+#include <span>
+
+class Integrator;
+
+struct Aovs {
+    bool alpha = false;    ///< how much of what is behind everything is clear
+    bool surface = false;  ///< albedo, normal, depth and object
+    bool lights = false;   ///< red, green and blue of each of World::light_statements
+
+    /// How many sums each pixel has.
+    std::size_t count(const World& world) const { return count(world.light_statements.size()); }
+    std::size_t count(std::size_t statements) const {
+        return first_light() + (lights ? 3 * statements : 0);
+    }
+
+    // Where they begin. Those of albedo and normal are of all samples; depth and object are what
+    // the pixel's middle shows, 0 where there is nothing.
+    std::size_t albedo() const { return alpha ? 1 : 0; }
+    std::size_t normal() const { return albedo() + 3; }
+    std::size_t depth() const { return albedo() + 6; }
+    std::size_t object() const { return albedo() + 7; }
+    std::size_t first_light() const { return albedo() + (surface ? 8 : 0); }
+
+    friend bool operator==(const Aovs&, const Aovs&) = default;
+};
+
+/// Adds what a sample has shown that the tracer has just followed.
+void gather_sample(const Aovs&, const World&, const Ray&, Integrator&, std::span<ExactSum>);
+
+/// Adds what is under the middle of a pixel: once for each pixel.
+void gather_middle(const Aovs&, const World&, const PicturePoint&, std::span<ExactSum>);

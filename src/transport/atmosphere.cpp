@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/atmosphere.h"
+
+Veil veil_along(const World& world, const PathState& path, double distance) {
+    if (!world.has_air() || !in_atmosphere(world, path.media)) return {};
+    const Veil fog = veil_of(world.fogs, path.ray, distance, world.pattern_scene().noise_generator);
+    if (world.rainbows.empty()) return fog;
+    return fog.before(
+        veil_of(world.rainbows, path.ray, distance, uniform(path.key, Purpose::rainbow)));
+}

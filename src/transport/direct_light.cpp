@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/direct_light.h"
+
+#include "base/gamma.h"
+#include "lighting/draw.h"
+#include "transport/path.h"
+#include "transport/point_lights.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace {
+
+using std::numbers::pi;
+
+/// Behind all objects.
+constexpr double far_away = 1e20;
+
+/// At one hit, when the number is not the same for all.
+constexpr int max_rays = 32;
+
+/// Standard deviation that luminaires may add to a sample where other light is, in steps of a
+/// picture of 8 bits.
+constexpr double hidden_steps = 4;
+/// That they are asked all the same.
+constexpr double min_chance = 1.0 / 256;
+
+/// What the layer sends on of a luminaire's light from there.
+Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
+    return layer.bsdf.evaluate(direction, Lobes::wide, layer.grain(key));
+}
+
+/// A difference of radiance that is so many steps of what is displayed.
+double visible_step(double radiance) {
+    constexpr double gamma = display_gamma, steps = 255;
+    return hidden_steps / steps * gamma * std::pow(std::fmin(radiance, 1), 1 - 1 / gamma);
+}
+
+}  // namespace
+
+double LitLayer::grain(const Key& key) const {
+    return bsdf.shading().finish->crand > 0 ? uniform(key, Purpose::grain) : 0;
+}
+
+Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
+    Vec3 sum(0);
+    if (!layer.bsdf.answers_light()) return sum;
+    sum = from_sources(layer, key, ledger);
+    if (!world_.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
+    if (world_.sky_light.empty()) return sum;
+    Vec3 of_sky(0);
+    const int count = shadow_rays_.usual;
+    for (int i = 0; i < count; ++i) of_sky += from_sky(layer, key.part(count, i), ledger);
+    return sum + of_sky / static_cast<double>(count);
+}
+
+/// Notes light that came from a luminaire, and rays that were sent to it.
+void DirectLight::record(LightLedger& ledger, LightIndex light, const Vec3& seen,
+                         const Vec3& throughput, std::uint64_t count) const {
+    if (ledger.lights.empty()) return;
+    LightCount& own = ledger.lights[world_.statement_of_luminaire[light]];
+    own.light.add(grey(seen) / asked_here_);
+    own.seen += throughput * seen / asked_here_;
+    own.rays += count;
+}
+
+Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
+    return luminaire.varying ? world_.emission(luminaire.primitive, position) : luminaire.radiance;
+}
+
+Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const Vec3& before,
+                                  LightLedger& ledger) {
+    const Bsdf& bsdf = layer.bsdf;
+    const ShadingPoint point = receiver(bsdf.shading());
+    const BsdfLobes lobes = bsdf.lobes();
+    const auto draw = [&](Vec2 u) { return bsdf.sample(u); };
+    const auto pdf = [&](const Vec3& direction) { return bsdf.pdf(direction); };
+    const BsdfSampler sampler{bsdf.gloss(), draw, pdf};
+    const auto look = [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); };
+    const LightProbe scene(look);
+    return std::visit(
+        [&](const auto& strategy) {
+            const auto answer = strategy.at({point, lobes, &sampler, &scene});
+            int count = shadow_rays_.usual;
+            double chance = 1;
+            if (answer.noise() >= 0) {
+                const Vec3 straight =
+                    answer_to(layer, bsdf.shading().normal, key) + Vec3(bsdf.highlights());
+                chance = chance_of_asking(answer, layer, straight, before);
+                if (chance < 1 && uniform(key, Purpose::light_roulette) >= chance) return Vec3(0);
+                count = rays_at(answer, layer, straight);
+            }
+            asked_here_ = count * chance;
+            Vec3 sum(0);
+            for (int i = 0; i < count; ++i)
+                sum += from_answer(answer, layer, key.part(count, i), ledger);
+            return sum / asked_here_;
+        },
+        world_.sampler);
+}
+
+/// One shadow ray's worth of luminaires.
+template <LightAnswer Answer>
+Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const Key& key,
+                              LightLedger& ledger) {
+    samples_.clear();
+    answer.sample(key, samples_);
+    Vec3 sum(0);
+    if (samples_.direction)
+        sum += from_direction(*samples_.direction, answer.meetings(), layer, key, ledger,
+                              [&](LightIndex light, double of_point) {
+                                  return answer.pdf(*samples_.direction,
+                                                    answer.expected(key, light), of_point);
+                              });
+    // The conventional way asks every luminaire once; more shadow rays are more points on each.
+    const bool several = samples_.picks.size() > 1;
+    for (const LightPick& pick : samples_.picks)
+        sum += from_luminaire(pick, layer, several ? key.with_branch(pick.light) : key, ledger,
+                              [&](const Vec3& direction, double of_point) {
+                                  return answer.pdf(direction, pick.expected, of_point);
+                              });
+    return sum;
+}
+
+/// Luminaires whose light, by the estimate of the cell, is small against what is there already are
+/// asked at some hits, for all (Russian roulette). The noise of that is too small to be seen.
+template <LightAnswer Answer>
+double DirectLight::chance_of_asking(const Answer& at, const LitLayer& layer, const Vec3& straight,
+                                     const Vec3& before) const {
+    const double share = std::abs(grey(layer.throughput)), there = share * grey(before);
+    if (!(there > 0)) return 1;
+    const double answer = share * std::abs(grey(straight)) / pi;
+    const double mean = answer * at.irradiance(), deviation = answer * at.noise();
+    const double squares = mean * mean + deviation * deviation;
+    const double visible = visible_step(there);
+    return std::clamp(squares / (mean * mean + visible * visible), min_chance, 1.0);
+}
+
+/// As many as the noise that is expected here asks for; powers of two, as Sobol points like it.
+template <LightAnswer Answer>
+int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3& straight) {
+    const double noise = answer.noise() * std::abs(grey(layer.throughput * straight));
+    noise_.sum += noise;
+    noise_.squares += noise * noise;
+    ++noise_.hits;
+    if (shadow_rays_.usual_noise == 0) return shadow_rays_.usual;
+    const double wanted = shadow_rays_.usual * noise / shadow_rays_.usual_noise;
+    const double exponent = std::round(std::log2(std::clamp<double>(wanted, 1, max_rays)));
+    return 1 << static_cast<int>(exponent);
+}
+
+/// A point of the luminaire, with its shadow ray.
+template <class Density>
+Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, const Key& key,
+                                 LightLedger& ledger, const Density& density) {
+    const Luminaire& luminaire = world_.luminaires[pick.light];
+    const Vec3& position = layer.vertex.position();
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        const auto drawn = searched->draw(position, place_on_light(key));
+        const Vec3 answer = drawn ? answer_to(layer, drawn->direction, key) : Vec3(0);
+        if (answer == Vec3(0)) return Vec3(0);
+        const Vec3 weight = answer / (pi * density(drawn->direction, drawn->density));
+        return seen_towards(layer, drawn->direction, ledger, [&](LightIndex light, double) {
+            return light == pick.light ? weight : Vec3(0);
+        });
+    }
+    const auto point = sample(luminaire, receiver(layer.bsdf.shading()), place_on_light(key));
+    if (!point) return Vec3(0);
+    const Vec3 answer = answer_to(layer, point->direction, key);
+    if (answer == Vec3(0)) return Vec3(0);
+    const Vec3 sent = radiance(luminaire, point->position);
+    if (sent == Vec3(0)) return Vec3(0);
+    ++ledger.shadow;
+    const Vec3 passed = world_.transmittance({position, point->direction}, layer.vertex.tolerance(),
+                                             point->distance, layer.vertex.around);
+    // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
+    const Vec3 seen = passed == Vec3(0) ? passed
+                                        : answer * sent * passed /
+                                              (pi * density(point->direction, point->density));
+    record(ledger, pick.light, seen, layer.throughput, 1);
+    return seen;
+}
+
+/// All luminaires that are seen in the direction, by the density of each.
+template <class Density>
+Vec3 DirectLight::from_direction(const Vec3& direction, const LightTree* meetings,
+                                 const LitLayer& layer, const Key& key, LightLedger& ledger,
+                                 const Density& density) {
+    const Vec3 answer = answer_to(layer, direction, key);
+    if (answer == Vec3(0)) return Vec3(0);
+    const auto weight = [&](LightIndex light, double of_point) {
+        return answer / (pi * density(light, of_point));
+    };
+    if (!meetings) return seen_towards(layer, direction, ledger, weight);
+    meet_along(*meetings, layer.vertex, receiver(layer.bsdf.shading()), direction);
+    return seen_along(layer, direction, ledger, weight);
+}
+
+/// Fills met_ with all luminaires on the line.
+void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const ShadingPoint& point,
+                             const Vec3& direction) {
+    met_.clear();
+    tree.along(point.position, direction, [&](LightIndex light) {
+        meetings_.clear();
+        meet(world_.luminaires[light], point, direction, meetings_);
+        for (const LightMeeting& meeting : meetings_)
+            // The point may lie on a luminaire, which does not light itself there.
+            if (meeting.distance > vertex.tolerance()) met_.push_back({meeting, light});
+    });
+    std::ranges::sort(met_, [](const Met& a, const Met& b) {
+        return std::pair(a.meeting.distance, a.light) < std::pair(b.meeting.distance, b.light);
+    });
+}
+
+/// The radiance of those of met_ that are seen, each times its weight.
+template <class Weight>
+Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, LightLedger& ledger,
+                             const Weight& weight) const {
+    Vec3 sum(0);
+    const Vertex& vertex = layer.vertex;
+    const Ray ray{vertex.position(), direction};
+    for (const Met& met : met_) {
+        ++ledger.shadow;
+        const Vec3 passed =
+            world_.transmittance(ray, vertex.tolerance(), met.meeting.distance, vertex.around);
+        if (passed == Vec3(0)) break;
+        const Luminaire& luminaire = world_.luminaires[met.light];
+        const Vec3 seen = weight(met.light, met.meeting.density) * passed *
+                          radiance(luminaire, ray.at(met.meeting.distance));
+        record(ledger, met.light, seen, layer.throughput, 1);
+        sum += seen;
+        if (world_.material(luminaire.primitive).stops_light()) break;
+    }
+    return sum;
+}
+
+/// The radiance of all luminaires that are seen in a direction, each times its weight.
+template <class Weight>
+Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, LightLedger& ledger,
+                               const Weight& weight) {
+    ++ledger.shadow;
+    const Vertex& vertex = layer.vertex;
+    const Ray ray{vertex.position(), direction};
+    double from = vertex.tolerance();
+    Vec3 sum(0);
+    met_.clear();
+    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
+        Hit hit;
+        if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
+        const double distance = dot(hit.position - ray.origin, direction);
+        const LightIndex light = world_.luminaire_of[hit.primitive];
+        if (light != no_primitive) {
+            const Vec3 clear = passed == 0 ? Vec3(1)
+                                           : world_.transmittance(ray, vertex.tolerance(), distance,
+                                                                  vertex.around);
+            if (clear == Vec3(0)) break;
+            Vec3 weights(0);
+            for_densities(light, layer.bsdf.shading(), direction, {distance, hit.tolerance},
+                          [&](double density) { weights += weight(light, density); });
+            const Vec3 seen =
+                weights == Vec3(0)
+                    ? weights
+                    : clear * weights * radiance(world_.luminaires[light], hit.position);
+            record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
+            met_.push_back({{distance, 0}, light});
+            sum += seen;
+        }
+        if (world_.material(hit.primitive).stops_light()) break;
+        from = distance + hit.tolerance;
+    }
+    if (met_.empty() && !ledger.lights.empty()) ++ledger.lights.back().rays;
+    return sum;
+}
+
+/// Calls visit with the density of each drawn point of the luminaire that is met there, if it may
+/// be drawn. Of luminaires that are searched that is the first one on the way, which met_ knows.
+template <class Visit>
+void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& direction,
+                                const Distance& there, const Visit& visit) {
+    const Luminaire& luminaire = world_.luminaires[light];
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        if (std::ranges::find(met_, light, &Met::light) == met_.end())
+            visit(searched->density(s.position, direction));
+        return;
+    }
+    meetings_.clear();
+    meet(luminaire, receiver(s), direction, meetings_);
+    for (const LightMeeting& meeting : meetings_)
+        if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
+            visit(meeting.density);
+}
+
+/// What a ray that is tried meets first.
+std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) const {
+    Hit hit;
+    if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
+    LightSight result{
+        dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
+    const LightIndex light = world_.luminaire_of[hit.primitive];
+    if (light != no_primitive) {
+        result.light = light;
+        result.luminance = luminance(radiance(world_.luminaires[light], hit.position));
+    }
+    result.passes = luminance(world_.passed(hit, ray));
+    return result;
+}
+
+/// A direction from where the sky is bright or the surface answers, weighed by the density that
+/// both ways together have.
+Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
+    const SkyLight& sky = world_.sky_light;
+    const Vertex& vertex = layer.vertex;
+    const double u = uniform(key, Purpose::sky_choice);
+    const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
+    const auto direction =
+        u < 0.5 ? std::optional(sky.draw(place).direction) : layer.bsdf.sample(place);
+    const Vec3 answer = direction ? answer_to(layer, *direction, key) : Vec3(0);
+    if (answer == Vec3(0)) return Vec3(0);
+    ++ledger.shadow;
+    const Vec3 passed = world_.transmittance({vertex.position(), *direction}, vertex.tolerance(),
+                                             far_away, vertex.around);
+    if (passed == Vec3(0)) return Vec3(0);
+    const double density = 0.5 * (sky.density(*direction) + layer.bsdf.pdf(*direction));
+    return answer * passed * world_.sky_radiance(*direction) / (pi * density);
+}
+
+// POV-Ray's light sources: each of them is asked, or some of many.
+
+Vec3 DirectLight::from_sources(const LitLayer& layer, const Key& key, LightLedger& ledger) {
+    Vec3 sum(0);
+    for (const SourceSet& set : world_.source_sets) {
+        if (!world_.reaches(set.group, *layer.vertex.material)) continue;
+        if (set.drawn())
+            sum += from_drawn_sources(set, layer, key, ledger);
+        else
+            for (const std::uint32_t light : set.lights)
+                sum += from_source(light, 1, layer, key, ledger);
+    }
+    return sum;
+}
+
+Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer& layer,
+                              const Key& key, LightLedger& ledger) {
+    const std::uint64_t before = ledger.shadow;
+    const Vec3 seen = weight * source_light(world_, light, layer, key, ledger);
+    if (ledger.lights.empty()) return seen;
+    LightCount& own = ledger.lights[world_.statement_of_light[light]];
+    own.light.add(grey(seen));
+    own.seen += layer.throughput * seen;
+    own.rays += ledger.shadow - before;
+    return seen;
+}
+
+/// Some of many. Sources have no surface that a direction could meet.
+Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer, const Key& key,
+                                     LightLedger& ledger) {
+    const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
+    const ShadingPoint point = set.asked(receiver(layer.bsdf.shading()));
+    const BsdfLobes lobes = layer.bsdf.lobes();
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return sight_past_clear(ray, tolerance);
+    };
+    const LightProbe scene(look);
+    const auto ask = [&](const auto& strategy) {
+        const auto answer = strategy.at({point, lobes, nullptr, set.parallel ? nullptr : &scene});
+        Vec3 sum(0);
+        for (int i = 0; i < shadow_rays_.usual; ++i) {
+            const Key part = own.part(shadow_rays_.usual, i);
+            samples_.clear();
+            answer.sample(part, samples_);
+            for (const LightPick& pick : samples_.picks)
+                sum += from_source(set.lights[pick.light], 1 / (pick.expected * shadow_rays_.usual),
+                                   layer, part, ledger);
+        }
+        return sum;
+    };
+    return std::visit(ask, set.sampler);
+}
+
+/// The first thing on a ray that stops all light.
+std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
+    Hit hit;
+    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
+        if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
+        const double distance = dot(hit.position - ray.origin, ray.direction);
+        if (world_.material(hit.primitive).stops_light())
+            return LightSight{distance, hit.normal, hit.tolerance, {}, 0};
+        tolerance = distance + hit.tolerance;
+    }
+    return {};
+}

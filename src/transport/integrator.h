@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The ways of following light from the camera: one alternative of a variant for each. The scene's
+// settings choose one (method/settings.h).
+#pragma once
+
+#include "transport/povray.h"
+
+#include <concepts>
+#include <utility>
+#include <variant>
+
+/// What every integrator can do. One for each job: it keeps scratch memory and counts rays.
+template <class T>
+concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&> &&
+    requires(T& integrator, const T& asked, const Ray& ray, const Key& key) {
+    // Radiance along a camera ray: unbiased, and a pure function of both.
+    { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
+    { integrator.ledger() } -> std::same_as<LightLedger&>;
+    { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
+    { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
+};
+
+class Integrator {
+public:
+    Integrator(const World& world, const Tracing& wanted)
+        : built_(PovRayIntegrator(world, wanted)) {}
+
+    Vec3 radiance(const Ray& ray, const Key& key) {
+        return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
+    }
+    LightLedger& ledger() {
+        return std::visit([](auto& built) -> LightLedger& { return built.ledger(); }, built_);
+    }
+    const LightLedger& ledger() const { return const_cast<Integrator*>(this)->ledger(); }
+    HitNoise noise() const {
+        return std::visit([](const auto& built) { return HitNoise(built.noise()); }, built_);
+    }
+    double clear() const {
+        return std::visit([](const auto& built) { return built.clear(); }, built_);
+    }
+
+private:
+    using Built = std::variant<PovRayIntegrator>;
+    Built built_;
+};
+static_assert(IntegratorKind<PovRayIntegrator> && IntegratorKind<Integrator>);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/light_ledger.h"
+
+#include <utility>
+
+void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
+                 const Vec3& light) {
+    if (ledger.lights.empty() || world.luminaires.empty()) return;
+    const LightIndex luminaire = world.luminaire_of[primitive];
+    if (luminaire != no_primitive)
+        ledger.lights[world.statement_of_luminaire[luminaire]].seen += light;
+}
+
+void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Vec3&)> use) {
+    for (std::size_t i = 0; i + 1 < ledger.lights.size(); ++i)
+        use(i, std::exchange(ledger.lights[i].seen, Vec3(0)));
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/media_stack.h"
+
+#include <algorithm>
+#include <cmath>
+
+const Interior& innermost(const World& world, const MediaStack& media) {
+    static const Interior atmosphere{.ior = 1};
+    if (media.empty()) return atmosphere;
+    const auto& inside = world.material(media.back()).interior;
+    return inside ? *inside : atmosphere;
+}
+
+bool in_atmosphere(const World& world, const MediaStack& media) {
+    return std::ranges::all_of(media,
+                               [&](PrimitiveIndex solid) { return world.material(solid).hollow; });
+}
+
+bool is_in(const World& world, const MediaStack& media, PrimitiveIndex primitive) {
+    const std::uint32_t solid = world.solid(primitive);
+    return std::ranges::any_of(media,
+                               [&](PrimitiveIndex around) { return world.solid(around) == solid; });
+}
+
+Interface interface_at(const World& world, const MediaStack& media, PrimitiveIndex primitive,
+                       const std::optional<SpectralBand>& band) {
+    Interface result{.behind = media};
+    MediaStack& behind = result.behind;
+    const auto inside = std::ranges::find(behind, world.solid(primitive),
+                                          [&](PrimitiveIndex p) { return world.solid(p); });
+    const bool leaving = inside != behind.end();
+    if (!leaving) {
+        behind.push_back(primitive);
+    } else {
+        const bool is_innermost = inside + 1 == behind.end();
+        behind.erase(inside);
+        if (!is_innermost) return result;  // leaving one of two that overlap bends nothing
+    }
+    const Interior &here = innermost(world, media), &there = innermost(world, behind);
+    result.ratio = here.ior / there.ior;
+    // A ray that leaves one solid in another sees no `fresnel` reflection in POV-Ray 3.7.
+    result.plain = leaving && !behind.empty() ? 1 : result.ratio;
+    result.dispersion = here.dispersion / there.dispersion;
+    if (result.dispersion == 1) return result;
+    if (band)
+        result.ratio *= std::pow(result.dispersion, band->power());
+    else
+        result.bands = (here.dispersion != 1 ? here : there).dispersion_samples;
+    return result;
+}

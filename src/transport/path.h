@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The state of a path that is followed from the camera: its next ray, and all that is known of the
+// way so far.
+#pragma once
+
+#include "base/random.h"
+#include "surface/dispersion.h"
+#include "transport/media_stack.h"
+
+#include <algorithm>
+#include <optional>
+
+/// Clear surfaces in a row that are looked or shone through; a stop for rays that rounding keeps in
+/// one place.
+inline constexpr int max_clear_surfaces = 1000;
+
+struct PathState {
+    Ray ray;               ///< its direction is a unit vector
+    double tolerance = 0;  ///< hits that are nearer do not count
+    /// By what radiance that comes along the ray is multiplied in the sample. 0 where the sample is
+    /// no multiple of it.
+    Vec3 throughput = Vec3(1);
+    /// The same for light from behind everything, as POV-Ray counts how clear a picture is: of each
+    /// surface's colour only the grey.
+    double clear = 1;
+    int depth = 0;   ///< reflections and refractions so far
+    int passed = 0;  ///< surfaces passed without a change of direction, which do not count there
+    /// The greatest change of the pixel that the ray can make, relative to its radiance: POV-Ray's
+    /// measure of when to stop.
+    double weight = 1;
+    RayKind kind = RayKind::camera;
+    Key key;
+    MediaStack media;
+    std::optional<SpectralBand> band;  ///< when it is one colour of split white light
+    bool counted = false;  ///< the light of luminaires that it meets has been counted already
+
+    /// The same path where only a share of the radiance comes on to the sample.
+    PathState dimmed(const Vec3& share) const {
+        PathState result = *this;
+        result.throughput *= share;
+        result.clear *= std::min(1.0, std::abs(grey(share)));
+        return result;
+    }
+};

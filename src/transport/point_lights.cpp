@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/point_lights.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+/// As in POV-Ray, clear surfaces do not count that are no further than this, along the way of
+/// light, behind another that counts or from either end: so glasses that touch each other, and what
+/// is in a glass, are not darker for it.
+constexpr double apart_for_light = 1e-3;
+
+/// Light of one source at a point, with what it needs.
+class SourceLight {
+public:
+    SourceLight(const World& world, const PointLight& light, const Composite* window,
+                const LitLayer& layer, const Key& key, LightLedger& ledger)
+        : world_(world),
+          light_(light),
+          window_(window),
+          vertex_(layer.vertex),
+          // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights,
+          // and one that is not there knows nothing.
+          bsdf_(light.area_illumination && light.size1 == 0 ? layer.bsdf.on_both_sides()
+                                                            : layer.bsdf),
+          grain_(layer.grain(key)),
+          key_(key),
+          ledger_(ledger) {}
+
+    Vec3 seen() {
+        const Incidence central = incidence(light_, light_.location, vertex_.position());
+        direction_ = central.direction;
+        const Vec3 answer =
+            light_.is_area() && light_.area_illumination ? grid_answer() : answer_to(central);
+        if (answer == Vec3(0)) return answer;
+        if (light_.shadowless) return window_ && !seen_through(central) ? Vec3(0) : answer;
+        return answer * (light_.is_area() ? grid_shadow() : passed(central));
+    }
+
+private:
+    Vec3 answer_to(const Incidence& light) const {
+        if (light.colour == Vec3(0)) return Vec3(0);
+        // Its film shimmers by where the middle of the light is.
+        const Lobes lobes = light_.shadowless ? Lobes::without_highlights : Lobes::all;
+        return light.colour * bsdf_.film(direction_) *
+               bsdf_.evaluate_without_film(light.direction, lobes, grain_);
+    }
+
+    Vec3 grid_answer() const {
+        Vec3 sum(0);
+        for (int i = 0; i < light_.size1; ++i)
+            for (int j = 0; j < light_.size2; ++j)
+                sum += answer_to(
+                    incidence(light_, grid_point(light_, i, j, direction_), vertex_.position()));
+        return sum / static_cast<double>(light_.size1 * light_.size2);
+    }
+
+    Vec3 passed(const Incidence& light) {
+        if (light.distance <= 0) return Vec3(1);
+        const auto until = window_ ? seen_through(light) : std::optional(light.distance);
+        if (!until) return Vec3(0);
+        ++ledger_.shadow;
+        const Ray ray{vertex_.position(), light.direction};
+        const Vec3 left =
+            world_.transmittance(ray, vertex_.tolerance(), *until, vertex_.around, apart_for_light);
+        if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
+        return left * left_by(world_.fogs, ray, *until, world_.pattern_scene().noise_generator);
+    }
+
+    /// The way to the window, which may not be there in this direction.
+    std::optional<double> seen_through(const Incidence& light) const {
+        const auto any = [](std::uint32_t) { return true; };
+        const auto met = window_->first({vertex_.position(), light.direction},
+                                        {vertex_.tolerance(), light.distance}, any);
+        return met ? std::optional(met->t) : std::nullopt;
+    }
+
+    /// The share of light that arrives from the whole grid.
+    Vec3 grid_shadow() {
+        corners_.assign(static_cast<std::size_t>(light_.size1 * light_.size2), Vec3(-1));
+        return mean({0, 0, light_.size1 - 1, light_.size2 - 1}, 0);
+    }
+
+    struct Part {
+        int first1, first2, last1, last2;
+    };
+
+    /// The mean over a part of the grid, from its corners; divided where they differ. The parts'
+    /// weights are POV-Ray's.
+    Vec3 mean(const Part& p, int level) {
+        const std::array<Vec3, 4> corner = {at(p.first1, p.first2), at(p.last1, p.first2),
+                                            at(p.first1, p.last2), at(p.last1, p.last2)};
+        const bool divisible = p.last1 - p.first1 > 1 || p.last2 - p.first2 > 1;
+        if (!divisible || (light_.adaptive && level >= *light_.adaptive && alike(corner)))
+            return 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+        const int low1 = (p.first1 + p.last1) / 2, high1 = (p.first1 + p.last1 + 1) / 2;
+        const int low2 = (p.first2 + p.last2) / 2, high2 = (p.first2 + p.last2 + 1) / 2;
+        return 0.25 * (mean({p.first1, p.first2, low1, low2}, level + 1) +
+                       mean({high1, p.first2, p.last1, low2}, level + 1) +
+                       mean({p.first1, high2, low1, p.last2}, level + 1) +
+                       mean({high1, high2, p.last1, p.last2}, level + 1));
+    }
+
+    bool alike(const std::array<Vec3, 4>& corner) const {
+        const auto differ = [&](const Vec3& a, const Vec3& b) {
+            const Vec3 d = glm::abs(a - b) * light_.colour;
+            return d.x + d.y + d.z > 0.1;
+        };
+        return !differ(corner[0], corner[1]) && !differ(corner[2], corner[3]) &&
+               !differ(corner[0], corner[2]) && !differ(corner[1], corner[3]);
+    }
+
+    /// The share of light from one light of the grid; asked once.
+    Vec3 at(int i, int j) {
+        const int index = i * light_.size2 + j;
+        Vec3& known = corners_[static_cast<std::size_t>(index)];
+        if (known.x >= 0) return known;
+        double place1 = i, place2 = j;
+        if (light_.jitter) {
+            const Key key = key_.with_branch(static_cast<std::uint32_t>(index));
+            place1 += uniform(key, Purpose::jitter_u) - 0.5;
+            place2 += uniform(key, Purpose::jitter_v) - 0.5;
+        }
+        const Vec3 from = grid_point(light_, place1, place2, direction_);
+        if (light_.along_axis()) return known = passed(incidence(light_, from, vertex_.position()));
+        const Vec3 offset = from - vertex_.position();
+        const double distance = length(offset);
+        return known = distance == 0 ? Vec3(1) : passed({offset / distance, distance, Vec3(1)});
+    }
+
+    const World& world_;
+    const PointLight& light_;
+    const Composite* window_;  ///< null: none
+    const Vertex& vertex_;
+    const Bsdf bsdf_;
+    const double grain_;
+    const Key key_;
+    LightLedger& ledger_;
+    Vec3 direction_ = Vec3(0);
+    std::vector<Vec3> corners_;
+};
+
+}  // namespace
+
+Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
+                  LightLedger& ledger) {
+    const Key own{key.pixel, key.sample, key.path * 31u + 7u * (light + 1), 0};
+    const Composite* window = world.light_reach[light].window.get();
+    return std::visit(
+        [&](const auto& l) { return SourceLight(world, l, window, layer, own, ledger).seen(); },
+        world.lights[light]);
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/povray.h"
+
+#include "scattering/microfacet.h"
+#include "scattering/mirror.h"
+#include "scattering/phong.h"
+#include "surface/simplified.h"
+#include "transport/atmosphere.h"
+#include "transport/subsurface.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+enum Bounce : std::uint32_t { reflection, refraction, scattering };
+
+/// The share of light that a solid's inside leaves along the part of a path that ends at its
+/// surface.
+Vec3 left_inside(const World& world, const PathState& path, const Hit& hit) {
+    const auto& interior = world.material(hit.primitive).interior;
+    if (!interior || interior->fade_distance == 0 || !is_in(world, path.media, hit.primitive))
+        return Vec3(1);
+    return attenuation(*interior, length(hit.position - path.ray.origin));
+}
+
+/// The path that goes on as a mirror sends it; without its throughput.
+PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
+    PathState next = path;
+    next.ray = {vertex.position(), reflected_direction(s)};
+    next.tolerance = vertex.tolerance();
+    next.depth = path.depth + 1;
+    next.kind = RayKind::reflected;
+    next.counted = false;
+    next.key = path.key.bounced(reflection);
+    return next;
+}
+
+}  // namespace
+
+PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
+    : world_(world),
+      rules_(shading_rules(world)),
+      direct_light_(world, wanted.shadow_rays),
+      clear_sky_(wanted.clear_sky) {
+    if (wanted.counts_lights) ledger_.lights.resize(world.light_statements.size() + 1);
+    if (world.notes_solids() && !world.camera.parallel)
+        around_camera_ = world.containing(world.camera.location);
+}
+
+Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
+    clear_ = 0;
+    if (ray.direction == Vec3(0)) return Vec3(0);
+    ++ledger_.camera;
+    PathState path;
+    path.ray = ray;
+    path.key = key;
+    path.media = world_.notes_solids() && world_.camera.parallel ? world_.containing(ray.origin)
+                                                                 : around_camera_;
+    return follow(path);
+}
+
+Vec3 PovRayIntegrator::follow(const PathState& path) {
+    if (path.depth >= world_.settings.max_trace_level || path.weight < world_.settings.adc_bailout)
+        return Vec3(0);
+    Hit hit;
+    const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+    if (!world_.has_air()) return met ? surface(path, hit) : background(path);
+    const double distance =
+        met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
+    const Veil veil = veil_along(world_, path, distance);
+    const PathState behind = path.dimmed(veil.transmittance);
+    return veil.through(met ? surface(behind, hit) : background(behind));
+}
+
+/// What lies behind everything.
+Vec3 PovRayIntegrator::background(const PathState& path) {
+    if (path.counted && !world_.sky_light.empty()) return Vec3(0);
+    const Vec3& direction = path.ray.direction;
+    if (!clear_sky_) return world_.sky_radiance(direction);
+    if (path.kind != RayKind::camera)
+        return world_.sky_radiance(direction, world_.background.mirrored());
+    clear_ += path.clear * world_.sky_clear(direction);
+    if (world_.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.background.covering());
+}
+
+/// What all textures that are mixed at a hit show together.
+Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
+    const Vertex vertex = vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
+    Vec3 sum(0);
+    for_visible_layers(world_, vertex, world_.settings.adc_bailout,
+                       [&](double weight, std::span<const Layer> layers) {
+                           sum += weight * layered(path.dimmed(Vec3(weight)), vertex, layers);
+                       });
+    return sum;
+}
+
+/// What a stack of layers shows: each through those above it, reflections of all, and what is
+/// behind.
+Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
+                               std::span<const Layer> layers) {
+    if (world_.quality < quality_light) return layers.back().colour.rgb;
+    const PrimitiveIndex primitive = vertex.hit.primitive;
+    const double bailout = world_.settings.adc_bailout;
+    const bool transparent = vertex.material->transparent;
+    const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
+                          return layer.finish->reflection.fresnel;
+                      });
+    const Interface surface =
+        asks ? interface_at(world_, path.media, primitive, path.band) : Interface{};
+    const auto kept = [&](const Shading& s) {
+        const Vec3 clear = s.colour.passing();
+        return s.finish->conserve_energy
+                   ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.plain), Vec3(0), Vec3(1))
+                   : clear;
+    };
+    Vec3 behind(transparent ? 1 : 0);
+    if (transparent)
+        for (const Layer& layer : layers) behind *= kept(with_layer(world_, vertex, layer));
+    // A negative share, which takes away what is behind, counts like a positive one.
+    const bool clear = std::abs(grey(behind)) > bailout && world_.quality >= quality_pigments;
+    const bool counted = path.counted && !world_.luminaires.empty() &&
+                         world_.luminaire_of[primitive] != no_primitive;
+    const Shading top = with_layer(world_, vertex, layers.front());
+    const bool total = clear && surface.bands == 0 && reflects_totally(top, surface.ratio);
+    Vec3 result(0), through(1);
+    for (const Layer& layer : layers) {
+        const bool first = &layer == layers.data();
+        const double share = first ? 1 : grey(through);
+        if (share <= bailout) break;
+        const Shading s = first ? top : with_layer(world_, vertex, layer);
+        const PathState below = path.dimmed(through);
+        result += through * lit(below, vertex, s, !counted);
+        // Total reflection stands for that of all layers with the normal by which it happens.
+        const bool replaced = total && s.normal == top.normal;
+        const bool reflects = !replaced && world_.quality >= quality_reflection;
+        const Vec3 amount = reflects ? reflectivity(s, surface.plain) : Vec3(0);
+        if (amount != Vec3(0)) {
+            const double weight = share * greatest_reflectivity(s.finish->reflection, amount);
+            result += s.finish->reflection.exponent == 1
+                          ? reflected(path, vertex, s, amount, weight)
+                          : reflected_to_a_power(path, vertex, s, amount, weight);
+        }
+        if (s.finish->microfacet.on && world_.quality >= quality_reflection)
+            result += through * scattered(below, vertex, s, share);
+        if (&layer != &layers.back()) through *= kept(s);
+    }
+    if (!total && !clear) return result;
+    const Vec3 left = left_inside(world_, path, vertex.hit) * top.finish->refraction;
+    const PathState inside = path.dimmed(left);
+    // Total reflection: nothing is lost, but the ray is worth what one going through would be.
+    if (total)
+        return result +
+               left * reflected(inside, vertex, top, Vec3(1), max_component(glm::abs(behind)));
+    return result + left * (surface.bands > 0 ? split(inside, vertex, top, surface, behind)
+                                              : transmitted(inside, vertex, top, surface, behind));
+}
+
+/// What one layer sends by itself and of direct light, before the layers above it take their part.
+Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Shading& s,
+                           bool emission) {
+    const Vec3 own = own_radiance(s, rules_, emission);
+    record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
+    if (!scatters_inside(world_, s)) {
+        const Bsdf bsdf(s, rules_);
+        return own + direct_light_({vertex, bsdf, path.throughput}, path.key, ledger_);
+    }
+    const Bsdf whole(s, rules_), highlights = Bsdf::highlights_of(s, rules_);
+    return own + direct_light_({vertex, highlights, path.throughput}, path.key, ledger_) +
+           light_from_inside(world_, direct_light_, {vertex, whole, path.throughput}, path,
+                             ledger_);
+}
+
+Vec3 PovRayIntegrator::reflected(const PathState& path, const Vertex& vertex, const Shading& s,
+                                 const Vec3& amount, double weight) {
+    PathState next = mirrored_path(path, vertex, s);
+    next.weight = path.weight * weight;
+    ++ledger_.scattered;
+    const Vec3 tinted = amount * iridescence(s, rules_, next.ray.direction);
+    return tinted * follow(next.dimmed(tinted));
+}
+
+Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex& vertex,
+                                            const Shading& s, const Vec3& amount, double weight) {
+    PathState next = mirrored_path(path, vertex, s);
+    next.weight = path.weight * weight;
+    ++ledger_.scattered;
+    // A power of a sum has no parts.
+    const Vec3 shown = iridescence(s, rules_, next.ray.direction) * follow(next.dimmed(Vec3(0)));
+    const auto dimmed = [&](double channel) {
+        return channel > 0 ? std::pow(channel, 1 / s.finish->reflection.exponent) : 0.0;
+    };
+    return amount * Vec3(dimmed(shown.x), dimmed(shown.y), dimmed(shown.z));
+}
+
+/// What small facets reflect, besides what direct_light_ has seen of it.
+Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, const Shading& s,
+                                 double weight) {
+    const auto drawn =
+        scatter(s, uniform(path.key, Purpose::facet_choice),
+                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
+    if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return Vec3(0);
+    PathState next = path.dimmed(drawn->weight);
+    next.ray = {vertex.position(), drawn->direction};
+    next.tolerance = vertex.tolerance();
+    next.depth = path.depth + 1;
+    next.weight = path.weight * weight * max_component(drawn->weight);
+    next.kind = RayKind::reflected;
+    next.counted = !drawn->narrow;
+    next.key = path.key.bounced(scattering);
+    ++ledger_.scattered;
+    return drawn->weight * follow(next);
+}
+
+/// White light, each of its bands on a way of its own. As in POV-Ray, bands that are reflected in
+/// total are coloured like the others.
+Vec3 PovRayIntegrator::split(const PathState& path, const Vertex& vertex, const Shading& s,
+                             const Interface& surface, const Vec3& share) {
+    Vec3 sum(0);
+    for (int i = 0; i < surface.bands; ++i) {
+        const SpectralBand band{i, surface.bands};
+        PathState coloured = path.dimmed(hue(band) / static_cast<double>(surface.bands));
+        coloured.band = band;
+        Interface own = surface;
+        own.ratio *= std::pow(surface.dispersion, band.power());
+        sum +=
+            hue(band) * (reflects_totally(s, own.ratio)
+                             ? reflected(coloured, vertex, s, share, max_component(glm::abs(share)))
+                             : transmitted(coloured, vertex, s, own, share));
+    }
+    return sum / static_cast<double>(surface.bands);
+}
+
+Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, const Shading& s,
+                                   const Interface& surface, const Vec3& share) {
+    const bool straight = std::abs(surface.ratio - 1) < 1e-10;
+    // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
+    if (straight && path.depth + 1 >= world_.settings.max_trace_level) return Vec3(0);
+    PathState next = path.dimmed(share);
+    next.ray = {vertex.position(),
+                straight ? path.ray.direction : refracted_direction(s, surface.ratio)};
+    next.tolerance = vertex.tolerance();
+    next.depth = path.depth + (straight ? 0 : 1);
+    next.passed = path.passed + 1;
+    if (next.passed > max_clear_surfaces) return Vec3(0);
+    next.weight = path.weight * max_component(glm::abs(share));
+    next.key = path.key.bounced(refraction);
+    next.media = surface.behind;
+    ++ledger_.scattered;
+    return share * follow(next);
+}

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/subsurface.h"
+
+#include "scattering/mirror.h"
+#include "surface/simplified.h"
+#include "transport/point_lights.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace {
+
+using std::numbers::pi;
+
+/// Surfaces in a row that a line through the solid may pass.
+constexpr int max_walls = 64;
+
+/// Light whose share is smaller than this is asked for more seldom.
+constexpr double least_factor = 0.2;
+
+/// The share of the samples asked for that gives POV-Ray's grain with that many: samples that are
+/// spread evenly say more. Measured on a flat surface with 30, 100 and 400 of them.
+constexpr double needed = 1.0 / 3;
+
+/// Kinds of bounces for keys; the tracer's own are smaller.
+enum SubsurfaceBounce : std::uint32_t { spread = 16, once = 17 };
+
+double fraction(double x) { return x - std::floor(x); }
+
+class Inside {
+public:
+    Inside(const World& world, DirectLight& lights, const LitLayer& layer, LightLedger& ledger)
+        : world_(world),
+          lights_(lights),
+          layer_(layer),
+          s_(layer.bsdf.shading()),
+          solid_(world.solid(layer.vertex.hit.primitive)),
+          rules_(shading_rules(world)),
+          ledger_(ledger),
+          ior_(interior() ? std::fmax(interior()->ior, 1) : 1),
+          dipole_(s_.colour.rgb * s_.finish->diffuse, free_path(world, s_), ior_) {
+        const auto [x, y] = perpendiculars(s_.geometric_normal);
+        axes_ = {s_.geometric_normal, x, y};
+        const double slowest = min_component(dipole_.falloff());
+        reach_ = std::fmin(30 / slowest, 1000 * max_component(dipole_.heights(1)));
+        entry_.diffuse = 1;
+        times_ = is_plane(world, layer.vertex.hit.primitive) ? 2 : 1;
+    }
+
+    Vec3 seen(const PathState& path) {
+        const SubsurfaceSettings& wanted = world_.settings.subsurface;
+        const auto count = [&](int samples) {
+            return static_cast<int>(std::ceil(needed * samples * std::fmin(path.weight, 1)));
+        };
+        const double out = s_.opacity * (1 - fresnel(std::fmax(-dot(s_.view, s_.normal), 0), ior_));
+        return mean(count(wanted.samples), out * times_, path.key.bounced(spread),
+                    [&](const Draw& d) { return spread_light(d); }) +
+               mean(count(wanted.single_samples), out, path.key.bounced(once),
+                    [&](const Draw& d) { return light_scattered_once(d); });
+    }
+
+private:
+    const Interior* interior() const { return layer_.vertex.material->interior.get(); }
+
+    /// POV-Ray sends rays to the surface from a point below it, and leaves out those that miss: of
+    /// a plane these are half of them, so that what is left comes out twice as bright.
+    static bool is_plane(const World& world, PrimitiveIndex primitive) {
+        const std::size_t others = world.spheres.size() + world.triangles.size();
+        return primitive >= others && primitive < world.leaves_begin() &&
+               std::holds_alternative<Plane>(world.shapes[primitive - others].shape);
+    }
+
+    /// In the scene's units. What lets no light in does so nearly.
+    static Vec3 free_path(const World& world, const Shading& s) {
+        const Vec3& way = s.finish->subsurface.translucency;
+        return glm::max(way, Vec3(1e-4 * max_component(way))) / world.settings.mm_per_unit;
+    }
+
+    /// One of several samples: its key, and three numbers below 1 that chance decides by.
+    struct Draw {
+        Key key;
+        double choice, u, v;
+        Vec3 throughput;  ///< of what it finds
+    };
+
+    /// Times a factor, which belongs to the light's share in the sample as well. The samples' three
+    /// numbers together are spread evenly: one by steps of equal length, the others by those of the
+    /// plastic number (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+    template <class Once>
+    Vec3 mean(int count, double factor, const Key& key, const Once& each) {
+        if (count == 0) return Vec3(0);
+        constexpr double plastic = 1.3247179572447461;
+        const Vec3 throughput = layer_.throughput * (factor / count);
+        const Vec3 start(uniform(key, Purpose::facet_choice), uniform(key, Purpose::facet_u),
+                         uniform(key, Purpose::facet_v));
+        Vec3 sum(0);
+        for (int i = 0; i < count; ++i)
+            sum += each(Draw{key.part(count, i), (i + start.x) / count,
+                             fraction(start.y + i / plastic),
+                             fraction(start.z + i / (plastic * plastic)), throughput});
+        return sum * (factor / count);
+    }
+
+    /// The next crossing of the solid on the line; `from` moves behind it.
+    std::optional<Hit> next(const Ray& ray, double& from, double until) const {
+        Hit hit;
+        for (int passed = 0; passed < max_walls; ++passed) {
+            if (!world_.first_hit(ray, from, RayKind::light, hit)) return {};
+            const double t = dot(hit.position - ray.origin, ray.direction);
+            if (t > until) return {};
+            from = t + std::fmax(hit.tolerance, 1e-9 * reach_);
+            if (world_.solid(hit.primitive) == solid_) return hit;
+        }
+        return {};
+    }
+
+    /// Where light goes in.
+    Vertex entry(const Hit& hit) const {
+        Vertex vertex{hit, {}, layer_.vertex.material};
+        Shading& e = vertex.shading;
+        e.position = hit.position;
+        e.normal = hit.smooth_normal;
+        e.geometric_normal = hit.normal;
+        e.view = -hit.normal;
+        e.finish = &entry_;
+        e.colour = Colour{Vec3(1), 0, 0};
+        return vertex;
+    }
+
+    /// Probability per area of the surface that a line through it is drawn: lines are parallel to
+    /// one of the axes, and as far from the point that is seen as the dipole's sources send light.
+    double density(const Vec3& offset, const Vec3& normal) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const double along = dot(offset, axes_[i]);
+            const double radius2 = std::fmax(dot(offset, offset) - along * along, 0);
+            sum += chances[i] * std::abs(dot(normal, axes_[i])) * disc_density(radius2);
+        }
+        return sum;
+    }
+
+    double disc_density(double radius2) const {
+        double sum = 0;
+        for (int source = 0; source < 2; ++source)
+            for (int channel = 0; channel < 3; ++channel) {
+                const double height = dipole_.heights(source)[channel];
+                const double way2 = radius2 + height * height;
+                sum += height / (2 * pi * way2 * std::sqrt(way2));
+            }
+        return sum / 6;
+    }
+
+    /// The square of the radius within which there is such a share of disc_density.
+    double radius2(double share) const {
+        const double beyond = 6 * (1 - share);
+        double result = 0;
+        for (int step = 0; step < 8; ++step) {
+            double sum = 0, slope = 0;
+            for (int source = 0; source < 2; ++source)
+                for (int channel = 0; channel < 3; ++channel) {
+                    const double height = dipole_.heights(source)[channel];
+                    const double way2 = result + height * height;
+                    const double part = height / std::sqrt(way2);
+                    sum += part;
+                    slope += part / way2;
+                }
+            // Newton's rule, on a function that is nearly a straight line.
+            const double change = (sum * sum / (beyond * beyond) - 1) * sum / slope;
+            result += change;
+            if (std::abs(change) < 1e-9 * result) break;
+        }
+        return std::fmax(result, 0);
+    }
+
+    /// Light that goes in where a line through the solid crosses its surface.
+    Vec3 spread_light(const Draw& draw) {
+        const std::size_t axis = draw.u < chances[0] ? 0 : draw.u < chances[0] + chances[1] ? 1 : 2;
+        const double radius = std::sqrt(radius2(draw.choice));
+        if (radius > reach_) return Vec3(0);
+        const double angle = 2 * pi * draw.v;
+        const Vec3 aside =
+            std::cos(angle) * axes_[(axis + 1) % 3] + std::sin(angle) * axes_[(axis + 2) % 3];
+        const Ray line{s_.position + radius * aside - reach_ * axes_[axis], axes_[axis]};
+        Vec3 sum(0);
+        double from = 0;
+        for (std::uint32_t branch = 0; const auto hit = next(line, from, 2 * reach_); ++branch) {
+            const Vec3 offset = hit->position - s_.position;
+            Vec3 factor = dipole_.spread(dot(offset, offset)) / density(offset, hit->normal);
+            const Key own = draw.key.with_branch(branch);
+            // Of what hardly counts, some counts for all.
+            const double kept = std::fmin(1, max_component(factor) / least_factor);
+            if (!(uniform(own, Purpose::grain) < kept)) continue;
+            factor /= kept;
+            sum += factor * light_at(entry(*hit), draw.throughput * factor, own);
+        }
+        return sum;
+    }
+
+    Vec3 light_at(const Vertex& vertex, const Vec3& throughput, const Key& key) {
+        const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
+        return lights_({vertex, bsdf, throughput}, key, ledger_);
+    }
+
+    /// Light of a source that is scattered once, on the way that the refracted ray takes inside.
+    Vec3 light_scattered_once(const Draw& draw) {
+        if (world_.lights.empty()) return Vec3(0);
+        const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
+        const double behind = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
+        const Ray inner{s_.position,
+                        unit(s_.view / ior_ + (cosine / ior_ - behind) * s_.geometric_normal)};
+        const double u = 3 * draw.choice;
+        const Vec3& extinction = dipole_.extinction();
+        const double way = -std::log(1 - draw.u) / extinction[static_cast<int>(u)];
+        const Vec3 left = glm::exp(-extinction * way);
+        const double chance = dot(extinction, left) / 3;
+        double from = layer_.vertex.tolerance();
+        if (!(chance > 0) || next(inner, from, way)) return Vec3(0);
+        const auto count = static_cast<double>(world_.lights.size());
+        const auto light = static_cast<std::uint32_t>(count * draw.v);
+        const Vec3 seen = dipole_.scattering() * left * light_from(light, inner.at(way), draw.key) *
+                          (count / (4 * pi * chance));
+        if (!ledger_.lights.empty())
+            ledger_.lights[world_.statement_of_light[light]].seen += draw.throughput * seen;
+        return seen;
+    }
+
+    /// What gets to a point inside straight from a source, its way in as if nothing were bent, but
+    /// as long as it is then. As in POV-Ray, it is the light per area of the surface that counts.
+    Vec3 light_from(std::uint32_t light, const Vec3& point, const Key& key) {
+        if (!world_.reaches(world_.light_reach[light].group, *layer_.vertex.material))
+            return Vec3(0);
+        const Vec3 direction =
+            std::visit([&](const auto& l) { return incidence(l, l.location, point).direction; },
+                       world_.lights[light]);
+        double from = layer_.vertex.tolerance();
+        const auto way_in = next({point, direction}, from, 1e20);
+        if (!way_in) return Vec3(0);
+        const Vertex vertex = entry(*way_in);
+        const double cosine = dot(vertex.shading.normal, direction);
+        if (!(cosine > 0)) return Vec3(0);
+        const Bsdf bsdf = Bsdf::entering(vertex.shading, rules_, ior_);
+        const double bent = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
+        const double way = length(way_in->position - point) * cosine / bent;
+        return glm::exp(-dipole_.extinction() * way) *
+               source_light(world_, light, {vertex, bsdf}, key, ledger_);
+    }
+
+    static constexpr auto chances = std::to_array<double>({0.75, 0.125, 0.125});
+
+    const World& world_;
+    DirectLight& lights_;
+    const LitLayer& layer_;
+    const Shading& s_;
+    std::uint32_t solid_;
+    ShadingRules rules_;
+    LightLedger& ledger_;
+    double ior_;
+    Dipole dipole_;
+    std::array<Vec3, 3> axes_;
+    double reach_;  ///< what goes in farther away does not count
+    double times_;  ///< how often light counts that spreads
+    Finish entry_;
+};
+
+}  // namespace
+
+bool scatters_inside(const World& world, const Shading& s) {
+    return world.settings.subsurface.on && world.quality >= quality_full &&
+           s.finish->subsurface.translucency != Vec3(0) && s.finish->diffuse != 0 &&
+           !s.finish->microfacet.on;
+}
+
+Vec3 light_from_inside(const World& world, DirectLight& lights, const LitLayer& layer,
+                       const PathState& path, LightLedger& ledger) {
+    return Inside(world, lights, layer, ledger).seen(path);
+}

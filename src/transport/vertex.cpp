@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/vertex.h"
+
+Vertex vertex_at(const World& world, const Ray& ray, const Hit& hit,
+                 std::span<const PrimitiveIndex> around) {
+    const auto facing = [&](const Vec3& n) { return dot(n, ray.direction) > 0 ? -n : n; };
+    Vertex vertex{hit, {}, &world.material(hit.primitive), around};
+    Shading& s = vertex.shading;
+    s.position = hit.position;
+    s.view = ray.direction;
+    s.geometric_normal = facing(hit.normal);
+    s.smooth_normal = facing(hit.smooth_normal);
+    s.normal = s.smooth_normal;
+    s.both_sides = vertex.material->double_illuminate;
+    return vertex;
+}
+
+Shading with_layer(const World& world, const Vertex& vertex, const Layer& layer) {
+    Shading s = vertex.shading;
+    s.normal = layer.normal;
+    s.finish = layer.finish;
+    s.colour = layer.colour;
+    s.opacity = world.opacity(layer.colour);
+    return s;
+}
+
+ShadingRules shading_rules(const World& world) {
+    return {world.settings.irid_wavelength, world.settings.ambient_light,
+            world.pattern_scene().noise_generator};
+}
+
+ShadingPoint receiver(const Shading& s) {
+    return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
+}
+
+void for_visible_textures(const World& world, const Hit& hit, bool from_inside,
+                          FunctionRef<void(double, const Texture&)> use) {
+    const Handle<Texture>& inner = world.material(hit.primitive).inner;
+    if (inner && from_inside)
+        use(1, *inner);
+    else
+        world.for_textures(hit.primitive, hit.part, hit.position, use);
+}
+
+void for_visible_layers(const World& world, const Vertex& vertex, double least,
+                        FunctionRef<void(double, std::span<const Layer>)> use) {
+    const Shading& s = vertex.shading;
+    const Hit& hit = vertex.hit;
+    const SurfaceView view{s.position, s.normal, s.view};
+    PatternScene scene = world.pattern_scene(hit.primitive, hit.part, hit.position);
+    scene.view = &view;
+    for_visible_textures(
+        world, hit, dot(hit.normal, s.view) > 0, [&](double share, const Texture& texture) {
+            if (share < least) return;
+            for_layers(
+                texture, s.position, s.normal, scene,
+                [&](double weight, std::span<const Layer> layers) { use(share * weight, layers); });
+        });
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/film.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a film averages its samples", "[render]") {
+    Film film(2, 1);
+    film.at(1, 0).add(Vec3(1, 2, 3));
+    film.at(1, 0).add(Vec3(3, 2, 1));
+    const Image image = film.image();
+    CHECK(image.at(0, 0) == Vec3(0));
+    CHECK(image.at(1, 0) == Vec3(2));
+}
+
+TEST_CASE("the deviation is that of displayed values", "[render]") {
+    PixelSum pixel;
+    pixel.add(Vec3(0));
+    pixel.add(Vec3(100));  // shows as 1
+    CHECK(pixel.deviation() == Approx(3 * std::sqrt(0.5)));
+    PixelSum even;
+    for (int i = 0; i < 5; ++i) even.add(Vec3(0.3));
+    CHECK(even.deviation() == Approx(0).margin(1e-7));
+}
+
+TEST_CASE("exact sums do not depend on the order of what is added", "[render]") {
+    const std::vector<double> values = {1e12,  0.1,     -3e-7,  1e300, 0.3,
+                                        -1e12, 2.0 / 3, -1e300, 5e-16};
+    ExactSum forwards, backwards, halves[2];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        forwards.add(values[i]);
+        backwards.add(values[values.size() - 1 - i]);
+        halves[i % 2].add(values[i]);
+    }
+    halves[1].add(halves[0]);
+    CHECK(forwards == backwards);
+    CHECK(forwards == halves[1]);
+    CHECK(forwards.value() == Approx(1.0666663666666672));
+    ExactSum from_words;
+    for (int i = 0; i < 4; ++i) from_words.set_word(i, forwards.word(i));
+    CHECK(from_words == forwards);
+    ExactSum strange;
+    strange.add(std::nan(""));
+    CHECK(strange.value() == 0);
+    strange.add(-HUGE_VAL);
+    CHECK(strange.value() == -ExactSum::greatest);
+}
+
+TEST_CASE("the variance of the mean is that of the worst channel", "[render]") {
+    PixelSum pixel;
+    pixel.add(Vec3(0, 0, 1));
+    pixel.add(Vec3(1, 0, 0.25));
+    CHECK(pixel.variance_of_mean() == Approx(0.25));
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/aovs.h"
+
+#include "render/render.h"
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+RenderState made(const World& world, const Aovs& extras, int samples = 4) {
+    RenderSettings settings;
+    settings.width = 24;
+    settings.height = 18;
+    settings.samples = samples;
+    RenderState state = begin_picture(settings, extras.count(world));
+    RenderHooks hooks;
+    hooks.extras = extras;
+    LightLedger rays;
+    CHECK(advance(plan_of(world, settings), state, rays, hooks));
+    return state;
+}
+
+Vec3 light(const RenderState& state, const Aovs& extras, std::size_t pixel, std::size_t which) {
+    Vec3 result;
+    for (int c = 0; c < 3; ++c)
+        result[c] =
+            state.film.extra(pixel)[extras.first_light() + 3 * which + static_cast<std::size_t>(c)]
+                .value() /
+            state.film.pixels()[pixel].samples;
+    return result;
+}
+
+/// Mirrors, glass with colours, layers, fog and facets, so that light has all ways to the camera.
+const std::string room = R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 8 }
+#default { finish { ambient 0 } }
+camera { location <0, 1, -6> look_at <0, 0.5, 0> }
+fog { distance 40 rgb 0 }
+plane { y, -1 pigment { checker rgb 0.9, rgb <0.6, 0.3, 0.2> } finish { reflection 0.3 } }
+sphere { <-1.5, 0, 0>, 1 pigment { rgbf <0.9, 1, 0.9, 0.8> } finish { specular 0.5 reflection { 0.1, 0.4 fresnel } conserve_energy } interior { ior 1.4 } }
+sphere { <1.5, 0, 0>, 1 texture { pigment { rgb 0.7 } } texture { pigment { rgbt <1, 0, 0, 0.5> } finish { phong 1 } } }
+)";
+const std::string lamps[] = {
+    "light_source { <-4, 6, -4>, rgb <1, 0.8, 0.5> }\n",
+    "light_source { <4, 5, -3>, rgb <0.2, 0.4, 1> spotlight point_at 0 }\n",
+    "sphere { <0, 2, 0.5>, 0.3 pigment { rgb 1 } finish { diffuse 0 emission <2, 3, 1> } }\n",
+};
+
+}  // namespace
+
+TEST_CASE("the light of all statements together is the picture", "[render]") {
+    const World world = world_of(room + lamps[0] + lamps[1] + lamps[2]);
+    REQUIRE(world.light_statements.size() == 3);
+    Aovs extras;
+    extras.lights = true;
+    const RenderState state = made(world, extras);
+    int lit = 0;
+    for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
+        Vec3 sum(0);
+        for (std::size_t k = 0; k < 3; ++k) sum += light(state, extras, i, k);
+        const Vec3 seen = state.film.pixels()[i].mean();
+        lit += seen.x > 0.01;
+        for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
+    }
+    CHECK(lit > 200);
+}
+
+TEST_CASE("a statement's light is the picture that it makes alone", "[render]") {
+    const World both = world_of(room + lamps[0] + lamps[1]);
+    Aovs extras;
+    extras.lights = true;
+    const RenderState state = made(both, extras);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RenderState alone = made(world_of(room + lamps[k]), {});
+        for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
+            const Vec3 part = light(state, extras, i, k), whole = alone.film.pixels()[i].mean();
+            for (int c = 0; c < 3; ++c) CHECK(part[c] == Approx(whole[c]).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("gathering changes nothing in the picture", "[render]") {
+    const World world = world_of(room + lamps[0] + lamps[2]);
+    Aovs extras;
+    extras.lights = extras.surface = true;
+    CHECK(made(world, extras).film.pixels() == made(world, {}).film.pixels());
+}
+
+TEST_CASE("depth and object are those of the pixel's middle; albedo is of all samples",
+          "[render]") {
+    const std::string script =
+        R"(#version 3.7; camera { orthographic location -5*z right 4*x up 3*y }
+box { <-9, -9, 0>, <0.01, 9, 1> pigment { rgb <1, 0, 0.5> } })";
+    CompileOptions options;
+    options.remembers_objects = true;
+    Diagnostics diagnostics;
+    const World world = compile(scene_of(script), options, diagnostics);
+    Aovs extras;
+    extras.surface = true;
+    const RenderState state = made(world, extras, 16);
+    const auto sum = [&](int x, std::size_t which) {
+        return state.film.extra(state.film.index(x, 9))[which].value();
+    };
+    CHECK(sum(3, extras.depth()) == Approx(5));
+    CHECK(sum(3, extras.object()) == 1);
+    CHECK(sum(3, extras.albedo()) == Approx(16));
+    CHECK(sum(3, extras.albedo() + 2) == Approx(8));
+    CHECK(sum(3, extras.normal() + 2) == Approx(-16));
+    CHECK(sum(20, extras.depth()) == 0);
+    CHECK(sum(20, extras.object()) == 0);
+    CHECK(sum(20, extras.albedo()) == 0);
+    // The edge covers a part of this pixel, but not its middle.
+    CHECK(sum(12, extras.object()) == 0);
+    CHECK(sum(12, extras.albedo()) > 0);
+    CHECK(sum(12, extras.albedo()) < 8);
+}
+
+TEST_CASE("alpha follows POV-Ray's rules", "[render]") {
+    struct Case {
+        const char* script;
+        double opaque;
+    };
+    const std::string camera = "camera { location -5*z look_at 0 angle 1 }\n";
+    const Case cases[] = {
+        {"", 0},
+        {"background { rgb 0.5 }", 1},
+        {"background { rgbt <1, 1, 1, 0.25> }", 0.75},
+        {"sky_sphere { pigment { rgb 1 } }", 1},
+        {"sky_sphere { pigment { rgbt <1, 1, 1, 0.5> } }", 0.5},
+        {"plane { -z, 0 pigment { rgbt <.8, .5, .2, .4> } finish { ambient 0 } }", 0.6},
+        {"plane { -z, 0 pigment { rgbf <.8, .5, .2, .4> } finish { ambient 0 } }", 0.77804},
+        {"plane { -z, 0 pigment { rgb 1 } finish { ambient 0 reflection 1 } }", 1},
+        {"#version 3.6; background { rgb 0.5 }", 0},
+    };
+    for (const Case& each : cases) {
+        CAPTURE(each.script);
+        Aovs extras;
+        extras.alpha = true;
+        const RenderState state = made(world_of("#version 3.7;" + camera + each.script), extras, 1);
+        CHECK(1 - state.film.extra(200)[0].value() == Approx(each.opaque).margin(1e-4));
+    }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/direct_light.h"
+
+#include "support/lit.h"
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]") {
+    // A sphere of radius r straight above at distance d: E = pi L (r/d)^2; albedo 0.8.
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+    )");
+    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+    CHECK(mean_light(world, 4, 5000) == Approx(0.8 * 10 * 0.04).epsilon(0.01));
+}
+
+TEST_CASE("luminaires that hide each other are counted once, whoever is chosen", "[render]") {
+    // A faint sphere hides a bright one; above both is a clear one, which adds its light.
+    const std::string scene = R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+        sphere { <0, 8, 0>, 1.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 90 } no_image }
+    )";
+    const std::string clear = R"(
+        sphere { <0, 4.3, 0>, 1.6 pigment { rgbt <1, 1, 1, 0.5> }
+                 finish { ambient 0 diffuse 0 emission 4 } no_image }
+    )";
+    const auto mean = [](const std::string& text, const LightSampler& sampler) {
+        const Scene scene = scene_of(text);
+        Diagnostics diagnostics;
+        CompileOptions options;
+        options.light_sampler = sampler;
+        return mean_light(compile(scene, options, diagnostics), 1, 40000);
+    };
+    LightOctree alone;
+    alone.alone = true;
+    LightBvh pair;
+    pair.mis = true;
+    for (const std::string& text : {scene, scene + clear}) {
+        const double exact = mean(text, EveryLight{});
+        CHECK(exact > 0);
+        for (const double share : {0.5, 0.7, 0.9}) {
+            LightOctree octree;
+            octree.outlook = share;
+            CHECK(mean(text, octree) == Approx(exact).epsilon(0.02));
+        }
+        CHECK(mean(text, alone) == Approx(exact).epsilon(0.02));
+        CHECK(mean(text, pair) == Approx(exact).epsilon(0.02));
+    }
+    CHECK(mean(scene, LightOctree{}) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+}
+
+TEST_CASE("a luminaire that reflects is lit by the others and not by itself", "[render]") {
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 emission 3 } }
+        sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10 } no_image }
+    )");
+    CHECK(mean_light(world, 1, 20000) == Approx(0.8 * 10 * 0.04).epsilon(0.02));
+}
+
+TEST_CASE("shadow rays go where there is noise, and change no mean", "[render][claim-30]") {
+    // The lamps are near the right end of the floor, and half of them hide behind a board.
+    const World world = world_of(R"(
+        #version 3.7;
+        camera { location <0, 3, -25> look_at 0 }
+        box { <-20, -1, -9>, <20, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
+        box { <13, 1, -9>, <14, 1.1, 9> pigment { rgb 0.8 } }
+        #for (I, 0, 60)
+            sphere { <15 + mod(I, 8)/2, 2, I/8 - 4>, 0.1 pigment { rgb 1 } finish { emission 9 } }
+        #end
+    )");
+    const Lit dim = lit_at(world, -18, {4}, 2000), bright = lit_at(world, 13.5, {4}, 2000);
+    CHECK(dim.rays <= 4);
+    CHECK(bright.noise > 20 * dim.noise);
+    const ShadowRays fitted(4, bright.noise / 4);
+    const Lit fewer = lit_at(world, -18, fitted, 8000), more = lit_at(world, 13.5, fitted, 500);
+    CHECK(fewer.rays <= 1);
+    CHECK(more.rays > 1.5 * bright.rays);
+    CHECK(fewer.mean == Approx(dim.mean).epsilon(0.02));
+    CHECK(more.mean == Approx(bright.mean).epsilon(0.02));
+}
+
+TEST_CASE(
+    "luminaires that give little beside other light are asked seldom, and give it all the same",
+    "[render]") {
+    const auto lit = [](const std::string& lights) {
+        return lit_at(
+            world_of("box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 "
+                     "diffuse 1 } }" +
+                     lights),
+            0, 1, 40000);
+    };
+    // E = pi L (r/d)^2
+    const std::string dim =
+                          "blob { threshold 0.5 sphere { <0, 5, 0>, 2, 2 } no_image pigment { rgb "
+                          "1 } finish { ambient 0 diffuse 0 emission 0.05 } }",
+                      lamp = "light_source { <3, 4, 0>, rgb 1 }";
+    const Lit alone = lit(dim), beside = lit(dim + lamp), without = lit(lamp);
+    REQUIRE(alone.mean < 0.02 * without.mean);
+    CHECK(beside.mean - without.mean == Approx(alone.mean).epsilon(0.15));
+    CHECK(alone.rays > 0.9);
+    CHECK(beside.rays - without.rays < 0.1);
+}
+
+TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
+    const World world = world_of(R"(
+        box { <-9, -1, -9>, <9, 0, 9> pigment { rgb 0.8 } finish { ambient 0 diffuse 0.5 } }
+        light_source { <0, 4, 3>, rgb 2 }
+        sphere { <0, 8, 6>, 1 }
+    )");
+    CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/light_ledger.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a ledger has the light of each statement until it is taken", "[transport]") {
+    const World world = world_of(R"(
+        sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } }
+        sphere { 3, 1 pigment { rgb 1 } }
+        sphere { 6, 1 pigment { rgb 1 } finish { emission 2 } })");
+    LightLedger ledger;
+    record_seen(ledger, world, 0, Vec3(1));  // nobody asks
+    CHECK(ledger.lights.empty());
+    ledger.lights.resize(3);
+    record_seen(ledger, world, 0, Vec3(1, 2, 3));
+    record_seen(ledger, world, 1, Vec3(9));  // no luminaire
+    record_seen(ledger, world, 2, Vec3(4));
+    for (const bool again : {false, true}) {
+        std::vector<Vec3> taken;
+        take_lights(ledger, [&](std::size_t, const Vec3& light) { taken.push_back(light); });
+        CHECK(taken ==
+              (again ? std::vector<Vec3>(2, Vec3(0)) : std::vector<Vec3>{Vec3(1, 2, 3), Vec3(4)}));
+    }
+}
+
+TEST_CASE("ledgers of several jobs add up", "[transport]") {
+    LightLedger all, one;
+    one.camera = 1;
+    one.shadow = 2;
+    one.scattered = 3;
+    one.lights.resize(2);
+    one.lights[1].rays = 5;
+    all += one;
+    all += one;
+    CHECK(all.camera == 2);
+    CHECK(all.shadow == 4);
+    CHECK(all.scattered == 6);
+    CHECK(all.lights[1].rays == 10);
+}

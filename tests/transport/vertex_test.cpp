@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/vertex.h"
+
+#include "support/scripts.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
+    const World world = world_of("sphere { 0, 1 pigment { rgbt <1, 0.5, 0, 0.25> } }");
+    for (const double from : {-3.0, 0.0}) {
+        const Ray ray{Vec3(0, 0, from), Vec3(0, 0, 1)};
+        Hit hit;
+        REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+        const Vertex vertex = vertex_at(world, ray, hit);
+        CHECK(vertex.shading.geometric_normal.z == Approx(-1));
+        CHECK(vertex.position().z == Approx(from < 0 ? -1 : 1));
+        double weights = 0;
+        for_visible_layers(world, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+            weights += weight;
+            const Shading s = with_layer(world, vertex, layers.front());
+            CHECK(s.colour.rgb == Vec3(1, 0.5, 0));
+            CHECK(s.opacity == Approx(0.75));
+            CHECK_FALSE(receiver(s).both_sides);
+        });
+        CHECK(weights == Approx(1));
+    }
+}
+
+TEST_CASE("textures of a small share are left out", "[transport]") {
+    const World world = world_of(
+        "blob { threshold 0.5 sphere { 0, 2, 2 pigment { rgb 1 } } "
+        "sphere { <0, 1, 0>, 2, 0.1 pigment { rgb 0 } } }");
+    const Ray ray{Vec3(0, 0, -3), Vec3(0, 0, 1)};
+    Hit hit;
+    REQUIRE(world.first_hit(ray, 0, RayKind::camera, hit));
+    int all = 0, large = 0;
+    for_visible_layers(world, vertex_at(world, ray, hit), 0, [&](double, auto) { ++all; });
+    for_visible_layers(world, vertex_at(world, ray, hit), 0.2, [&](double, auto) { ++large; });
+    CHECK(all == 2);
+    CHECK(large == 1);
+}
