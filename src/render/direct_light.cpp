@@ -53,7 +53,7 @@ ShadingPoint point_of(const Shading& s) {
 void DirectLight::credit_luminaire(RayCounts& rays, LightIndex light, const Vec3& seen,
                                    std::uint64_t count) const {
     if (rays.lights.empty()) return;
-    LightCount& own = rays.lights[world_.statement_of_luminaire[light]];
+    LightCount& own = rays.lights[world_.provenance.statement_of_luminaire[light]];
     own.light.add(grey(seen) / asked_here_);
     own.seen += rays.share * seen / asked_here_;
     own.rays += count;
@@ -66,7 +66,7 @@ Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) con
 template <class Density>
 Vec3 DirectLight::from_luminaire(const Shading& s, const LightPick& pick, const Key& key,
                                  RayCounts& rays, const Density& density) {
-    const Luminaire& luminaire = world_.luminaires[pick.light];
+    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         const auto drawn = searched->draw(s.position, place_on_light(key));
         const Vec3 answer = drawn ? answer_to(world_, s, drawn->direction, key) : Vec3(0);
@@ -114,7 +114,7 @@ void DirectLight::meet_along(const LightTree& tree, const Shading& s, const Vec3
     const ShadingPoint point = point_of(s);
     tree.along(s.position, direction, [&](LightIndex light) {
         meetings_.clear();
-        meet(world_.luminaires[light], point, direction, meetings_);
+        meet(world_.lights.luminaires[light], point, direction, meetings_);
         for (const LightMeeting& meeting : meetings_)
             // The point may lie on a luminaire, which does not light itself there.
             if (meeting.distance > s.tolerance) met_.push_back({meeting, light});
@@ -134,7 +134,7 @@ Vec3 DirectLight::seen_along(const Shading& s, const Vec3& direction, RayCounts&
         ++rays.shadow;
         const Vec3 passed = world_.transmittance(ray, s.tolerance, met.meeting.distance, s.around);
         if (passed == Vec3(0)) break;
-        const Luminaire& luminaire = world_.luminaires[met.light];
+        const Luminaire& luminaire = world_.lights.luminaires[met.light];
         const Vec3 seen = weight(met) * passed * radiance(luminaire, ray.at(met.meeting.distance));
         credit_luminaire(rays, met.light, seen, 1);
         sum += seen;
@@ -190,10 +190,10 @@ std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) c
     if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
     LightSight result{
         dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
-    const LightIndex light = world_.luminaire_of[hit.primitive];
+    const LightIndex light = world_.lights.luminaire_of[hit.primitive];
     if (light != no_primitive) {
         result.light = light;
-        result.luminance = luminance(radiance(world_.luminaires[light], hit.position));
+        result.luminance = luminance(radiance(world_.lights.luminaires[light], hit.position));
     }
     result.passes = luminance(world_.passed(hit, ray));
     return result;
@@ -212,7 +212,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
         Hit hit;
         if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
         const double distance = dot(hit.position - s.position, direction);
-        const LightIndex light = world_.luminaire_of[hit.primitive];
+        const LightIndex light = world_.lights.luminaire_of[hit.primitive];
         if (light != no_primitive) {
             const Vec3 clear =
                 passed == 0 ? Vec3(1) : world_.transmittance(ray, s.tolerance, distance, s.around);
@@ -223,7 +223,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
             const Vec3 seen =
                 weights == Vec3(0)
                     ? weights
-                    : clear * weights * radiance(world_.luminaires[light], hit.position);
+                    : clear * weights * radiance(world_.lights.luminaires[light], hit.position);
             credit_luminaire(rays, light, seen, met_.empty() ? 1 : 0);
             met_.push_back({{distance, 0}, light});
             sum += seen;
@@ -240,7 +240,7 @@ Vec3 DirectLight::seen_towards(const Shading& s, const Vec3& direction, RayCount
 template <class Visit>
 void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& direction,
                                 const Distance& there, const Visit& visit) {
-    const Luminaire& luminaire = world_.luminaires[light];
+    const Luminaire& luminaire = world_.lights.luminaires[light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         if (std::ranges::find(met_, light, &Met::light) == met_.end())
             visit(searched->density(s.position, direction));
@@ -346,7 +346,7 @@ Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s
     };
     rays_here_ = shadow_rays_.usual;
     asked_here_ = rays_here_;
-    const Vec3 sum = std::visit(ask, world_.sampler);
+    const Vec3 sum = std::visit(ask, world_.lights.sampler);
     return sum / static_cast<double>(rays_here_);
 }
 
@@ -354,7 +354,7 @@ Vec3 DirectLight::from_luminaires(const Scattering& scattering, const Shading& s
 /// both ways together have.
 Vec3 DirectLight::from_sky(const Scattering& scattering, const Shading& s, const Key& key,
                            RayCounts& rays) const {
-    const SkyLight& sky = world_.sky_light;
+    const SkyLight& sky = world_.sky.light;
     const double u = uniform(key, Purpose::sky_choice);
     const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
     const auto direction =
@@ -374,8 +374,8 @@ Vec3 DirectLight::operator()(const Shading& s, const Key& key, RayCounts& rays) 
     if (!answers_light(s)) return sum;
     const Scattering scattering(s);
     sum = from_sources(scattering, s, key, rays);
-    if (!world_.luminaires.empty()) sum += from_luminaires(scattering, s, key, sum, rays);
-    if (world_.sky_light.empty()) return sum;
+    if (!world_.lights.luminaires.empty()) sum += from_luminaires(scattering, s, key, sum, rays);
+    if (world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
     for (int i = 0; i < count; ++i) of_sky += from_sky(scattering, s, key.part(count, i), rays);

@@ -19,7 +19,7 @@ Place on_screen(const PicturePoint& at, Vec2 place) {
 
 Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint32_t sample) {
     // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last never.
-    return world.camera.mesh->ray(
+    return world.view.camera.mesh->ray(
         {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }
 
@@ -27,13 +27,13 @@ Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint3
 
 Ray ray_through(const World& world, const PicturePoint& at, Vec2 place, const Key& key) {
     const Place p = on_screen(at, place);
-    return world.camera.mesh ? mesh_ray(world, at, p, key.sample)
-                             : camera_ray(world, p.u, p.v, key);
+    return world.view.camera.mesh ? mesh_ray(world, at, p, key.sample)
+                                  : camera_ray(world, p.u, p.v, key);
 }
 
 Ray middle_ray(const World& world, const PicturePoint& at) {
     const Place p = on_screen(at, {0.5, 0.5});
-    return world.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
+    return world.view.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
 }
 
 FirstSight first_sight(const World& world, const Ray& ray) {
@@ -57,7 +57,8 @@ FirstSight first_sight(const World& world, const Ray& ray) {
     });
     seen.normal = seen.normal == Vec3(0) ? s.normal : unit(seen.normal);
     seen.distance = length(seen.hit.position - ray.origin);
-    if (!world.object_of.empty()) seen.object = world.object_of[seen.hit.primitive] + 1;
+    if (!world.provenance.object_of.empty())
+        seen.object = world.provenance.object_of[seen.hit.primitive] + 1;
     return seen;
 }
 

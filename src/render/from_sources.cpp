@@ -6,7 +6,7 @@
 Vec3 DirectLight::from_sources(const Scattering& scattering, const Shading& s, const Key& key,
                                RayCounts& rays) {
     Vec3 sum(0);
-    for (const SourceSet& set : world_.source_sets) {
+    for (const SourceSet& set : world_.lights.source_sets) {
         if (!world_.reaches(set.group, *s.material)) continue;
         if (set.drawn())
             sum += from_drawn_sources(set, scattering, s, key, rays);
@@ -21,7 +21,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const Shading&
     const std::uint64_t before = rays.shadow;
     const Vec3 seen = weight * source_light(world_, light, s, key, rays);
     if (rays.lights.empty()) return seen;
-    LightCount& own = rays.lights[world_.statement_of_light[light]];
+    LightCount& own = rays.lights[world_.provenance.statement_of_light[light]];
     own.light.add(grey(seen));
     own.seen += rays.share * seen;
     own.rays += rays.shadow - before;

@@ -76,7 +76,7 @@ Vec3 iridescence(const World& world, const Shading& s, const Vec3& direction) {
                                    1);
     const double phase =
         2 * pi * thickness * (std::abs(dot(s.normal, direction)) + std::abs(dot(s.normal, s.view)));
-    const Vec3 turns = Vec3(phase) / world.settings.irid_wavelength;
+    const Vec3 turns = Vec3(phase) / world.rules.settings.irid_wavelength;
     return Vec3(1) + irid.amount * Vec3(std::cos(turns.x), std::cos(turns.y), std::cos(turns.z));
 }
 
@@ -88,7 +88,7 @@ bool answers_light(const Shading& s) {
 
 Vec3 own_radiance(const World& world, const Shading& s, bool glowing) {
     return s.colour.rgb * s.opacity *
-           (s.finish->ambient * world.settings.ambient_light +
+           (s.finish->ambient * world.rules.settings.ambient_light +
             (glowing ? s.finish->emission : Vec3(0)));
 }
 

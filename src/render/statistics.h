@@ -20,8 +20,8 @@ struct RayCounts {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;     ///< towards luminaires and light sources
     std::uint64_t scattered = 0;  ///< reflected and refracted
-    /// For each of World::light_statements, and at the end for rays that met no luminaire. Empty
-    /// when nobody asks.
+    /// For each of Provenance::light_statements, and at the end for rays that met no luminaire.
+    /// Empty when nobody asks.
     std::vector<LightCount> lights = {};
     /// Of the radiance that is asked for at the moment, in the sample that it is asked for.
     Vec3 share = Vec3(1);

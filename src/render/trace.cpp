@@ -80,25 +80,25 @@ Vec3 bump_place(const Projection& camera, double u, double v) {
 }  // namespace
 
 Ray pinhole_ray(const World& world, double u, double v) {
-    Ray ray = world.camera.ray(u, v);
-    if (ray.direction != Vec3(0) && world.camera_normal.pattern)
-        ray.direction = bumped(world.camera_normal, ray.direction, bump_place(world.camera, u, v),
-                               world.pattern_scene());
+    Ray ray = world.view.camera.ray(u, v);
+    if (ray.direction != Vec3(0) && world.view.camera_normal.pattern)
+        ray.direction = bumped(world.view.camera_normal, ray.direction,
+                               bump_place(world.view.camera, u, v), world.pattern_scene());
     return ray;
 }
 
 Ray camera_ray(const World& world, double u, double v, const Key& key) {
     const Ray ray = pinhole_ray(world, u, v);
-    if (ray.direction == Vec3(0) || world.camera.lens_radius == 0) return ray;
-    return world.camera.through_lens(
+    if (ray.direction == Vec3(0) || world.view.camera.lens_radius == 0) return ray;
+    return world.view.camera.through_lens(
         ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
 }
 
 Tracer::Tracer(const World& world, const Tracing& wanted)
     : world_(world), direct_light_(world, wanted.shadow_rays), clear_sky_(wanted.clear_sky) {
-    if (wanted.counts_lights) rays_.lights.resize(world.light_statements.size() + 1);
-    if (world.notes_solids() && !world.camera.parallel)
-        around_camera_ = world.containing(world.camera.location);
+    if (wanted.counts_lights) rays_.lights.resize(world.provenance.light_statements.size() + 1);
+    if (world.notes_solids() && !world.view.camera.parallel)
+        around_camera_ = world.containing(world.view.camera.location);
 }
 
 Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
@@ -108,8 +108,9 @@ Vec3 Tracer::radiance(const Ray& ray, const Key& key) {
     Path path;
     path.ray = ray;
     path.key = key;
-    path.solids = world_.notes_solids() && world_.camera.parallel ? world_.containing(ray.origin)
-                                                                  : around_camera_;
+    path.solids = world_.notes_solids() && world_.view.camera.parallel
+                      ? world_.containing(ray.origin)
+                      : around_camera_;
     return follow(path);
 }
 
@@ -152,7 +153,8 @@ bool Tracer::in_the_open(const Path& path) const {
 }
 
 Vec3 Tracer::follow(const Path& path) {
-    if (path.level >= world_.settings.max_trace_level || path.weight < world_.settings.adc_bailout)
+    if (path.level >= world_.rules.settings.max_trace_level ||
+        path.weight < world_.rules.settings.adc_bailout)
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
@@ -169,30 +171,32 @@ Vec3 Tracer::follow(const Path& path) {
 
 /// What is seen of what is so far away.
 Vec3 Tracer::veiled(const Path& path, double distance, const Vec3& seen) const {
-    const Vec3 behind = world_.rainbows.empty() ? seen
-                                                : arched(world_.rainbows, path.ray, distance, seen,
-                                                         uniform(path.key, Purpose::rainbow));
-    return fogged(world_.fogs, path.ray, distance, behind, world_.pattern_scene().noise_generator);
+    const Vec3 behind = world_.sky.rainbows.empty()
+                            ? seen
+                            : arched(world_.sky.rainbows, path.ray, distance, seen,
+                                     uniform(path.key, Purpose::rainbow));
+    return fogged(world_.sky.fogs, path.ray, distance, behind,
+                  world_.pattern_scene().noise_generator);
 }
 
 /// What lies behind everything.
 Vec3 Tracer::beyond(const Path& path) {
-    if (path.counted && !world_.sky_light.empty()) return Vec3(0);
+    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
     const Vec3& direction = path.ray.direction;
     if (!clear_sky_) return world_.sky_radiance(direction);
     if (path.kind != RayKind::camera)
-        return world_.sky_radiance(direction, world_.background.mirrored());
+        return world_.sky_radiance(direction, world_.sky.background.mirrored());
     clear_ += rays_.clear * world_.sky_clear(direction);
-    if (world_.language_version < 3.7) return Vec3(0);
-    return world_.sky_radiance(direction, world_.background.covering());
+    if (world_.rules.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.sky.background.covering());
 }
 
 /// Notes what a luminaire shows that is seen itself.
 void Tracer::credit(const Hit& hit, const Vec3& shown) {
-    if (rays_.lights.empty() || world_.luminaires.empty()) return;
-    const LightIndex light = world_.luminaire_of[hit.primitive];
+    if (rays_.lights.empty() || world_.lights.luminaires.empty()) return;
+    const LightIndex light = world_.lights.luminaire_of[hit.primitive];
     if (light != no_primitive)
-        rays_.lights[world_.statement_of_luminaire[light]].seen += rays_.share * shown;
+        rays_.lights[world_.provenance.statement_of_luminaire[light]].seen += rays_.share * shown;
 }
 
 void Tracer::take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> use) {
@@ -207,7 +211,7 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
     const SurfacePlace place(world_, hit, s);
     Vec3 sum(0);
     const auto show = [&](double share, const Texture& texture) {
-        if (share < world_.settings.adc_bailout) return;
+        if (share < world_.rules.settings.adc_bailout) return;
         for_layers(texture, s.position, s.normal, place.scene,
                    [&](double weight, std::span<const Layer> layers) {
                        const Scaled scaled(rays_, Vec3(share * weight));
@@ -222,8 +226,8 @@ Vec3 Tracer::surface(const Path& path, const Hit& hit) {
 /// behind.
 Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
                      std::span<const Layer> layers) {
-    if (world_.quality < quality_light) return layers.back().colour.rgb;
-    const double bailout = world_.settings.adc_bailout;
+    if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
+    const double bailout = world_.rules.settings.adc_bailout;
     const bool transparent = world_.material(hit.primitive).transparent;
     const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
                           return layer.finish->reflection.fresnel;
@@ -239,9 +243,9 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
     if (transparent)
         for (const Layer& layer : layers) behind *= kept(with_layer(world_, common, layer));
     // A negative share, which takes away what is behind, counts like a positive one.
-    const bool clear = std::abs(grey(behind)) > bailout && world_.quality >= quality_pigments;
-    const bool counted = path.counted && !world_.luminaires.empty() &&
-                         world_.luminaire_of[hit.primitive] != no_primitive;
+    const bool clear = std::abs(grey(behind)) > bailout && world_.rules.quality >= quality_pigments;
+    const bool counted = path.counted && !world_.lights.luminaires.empty() &&
+                         world_.lights.luminaire_of[hit.primitive] != no_primitive;
     const Shading top = with_layer(world_, common, layers.front());
     const double cosine = -dot(top.view, top.normal);
     const bool total =
@@ -255,13 +259,13 @@ Vec3 Tracer::layered(const Path& path, const Hit& hit, const Shading& common,
         result += through * lit(path, hit, s, through, !counted);
         // Total reflection stands for that of all layers with the normal by which it happens.
         const bool replaced = total && s.normal == top.normal;
-        const bool reflects = !replaced && world_.quality >= quality_reflection;
+        const bool reflects = !replaced && world_.rules.quality >= quality_reflection;
         const Vec3 amount = reflects ? reflectivity(s, surface.plain) : Vec3(0);
         if (amount != Vec3(0))
             result +=
                 reflected(path, s, amount, share * most_reflected(s.finish->reflection, amount),
                           s.finish->reflection.exponent);
-        if (s.finish->microfacet.on && world_.quality >= quality_reflection)
+        if (s.finish->microfacet.on && world_.rules.quality >= quality_reflection)
             result += through * scattered(path, s, share, through);
         if (&layer != &layers.back()) through *= kept(s);
     }
@@ -371,7 +375,7 @@ Vec3 Tracer::transmitted(const Path& path, const Shading& s, const Interface& su
                          const Vec3& share) {
     const bool straight = std::abs(surface.ratio - 1) < 1e-10;
     // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
-    if (straight && path.level + 1 >= world_.settings.max_trace_level) return Vec3(0);
+    if (straight && path.level + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
     Path next = path;
     next.ray = {s.position, path.ray.direction};
     if (!straight) {

@@ -41,8 +41,8 @@ public:
     /// How much of the last sample is what is behind everything and clear: 0 to 1.
     double clear() const { return std::min(clear_, 1.0); }
 
-    /// The light of each of World::light_statements in all samples since the last call. Lights must
-    /// be counted.
+    /// The light of each of Provenance::light_statements in all samples since the last call. Lights
+    /// must be counted.
     void take_lights(FunctionRef<void(std::size_t statement, const Vec3&)> use);
 
 private:
