@@ -90,9 +90,9 @@ std::string fill(std::size_t items) {
 }  // namespace
 
 std::string index_slice(const World& world) {
-    const WideTree& tree = world.tree;
+    const WideTree& tree = world.geometry.tree;
     if (tree.nodes().empty()) return "<svg xmlns='http://www.w3.org/2000/svg'/>\n";
-    const Slice slice(world.camera, crowded(tree));
+    const Slice slice(world.view.camera, crowded(tree));
     std::string cells, nodes;
     tree.for_each_node([&](std::uint32_t number, const TreeFrame& frame, int level) {
         const TreeNode& node = tree.nodes()[number];

@@ -119,7 +119,7 @@ std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
     double all = 0;
-    std::vector<double> share(world.light_statements.size());
+    std::vector<double> share(world.provenance.light_statements.size());
     for (key.sample = 0; key.sample < tries; ++key.sample) {
         const Vec2 place{uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
         all += grey(integrator.radiance(ray_through(world, at, place, key), key));
@@ -137,7 +137,7 @@ std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
             text += message("  ", std::round(1000 * light / all) / 10, " %  ", what, "\n");
     };
     for (const std::size_t i : order)
-        line(share[i], statement_text(world.light_statements[i], shown.sources));
+        line(share[i], statement_text(world.provenance.light_statements[i], shown.sources));
     line(all - std::accumulate(share.begin(), share.end(), 0.0), "sky, ambient light and fog");
     return text.empty() ? "" : message("light:\n", text);
 }
@@ -163,9 +163,10 @@ std::string what_is_under(const Exhibit& shown, int x, int y) {
     std::string text = message("<", x, ", ", y, ">: rgb ", vector_text(film.at(x, y).mean()), "\n");
     const PrimaryHit seen = primary_hit(shown.world, middle_ray(shown.world, at));
     if (seen.object > 0)
-        text +=
-            message("object ", seen.object, ": ",
-                    statement_text(shown.world.object_spans[seen.object - 1], shown.sources), "\n");
+        text += message(
+            "object ", seen.object, ": ",
+            statement_text(shown.world.provenance.object_spans[seen.object - 1], shown.sources),
+            "\n");
     if (seen.met)
         text +=
             message("at ", vector_text(seen.hit.position), ", normal ", vector_text(seen.normal),

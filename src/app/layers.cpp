@@ -210,7 +210,7 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     const Names words;
     std::vector<std::string> names;
     std::set<std::string> taken = {"rest"};
-    for (const Span& statement : world.light_statements) {
+    for (const Span& statement : world.provenance.light_statements) {
         const std::string called = name_of(statement, sources, words);
         std::string name = called;
         for (int i = 2; !taken.insert(name).second; ++i) name = message(called, "_", i);

@@ -34,8 +34,8 @@ std::string layer_list(std::span<const PictureLayer>);
 /// What the film has to gather for these layers.
 Aovs extras_for(std::span<const PictureLayer>, bool alpha);
 
-/// Names of the layers of light, one for each of World::light_statements: of the declared name or
-/// the macro that a statement shows, or of its first word; a number tells equal ones apart.
+/// Names of the layers of light, one for each of Provenance::light_statements: of the declared name
+/// or the macro that a statement shows, or of its first word; a number tells equal ones apart.
 std::vector<std::string> light_names(const World&, const SourceStore&);
 
 struct FilmFiles {

@@ -19,8 +19,9 @@ std::string percent(double part, double whole) {
 }
 
 std::vector<std::size_t> made_by(const World& world) {
-    std::vector<std::size_t> counts(world.light_statements.size());
-    for (const auto* lights : {&world.statement_of_luminaire, &world.statement_of_light})
+    std::vector<std::size_t> counts(world.provenance.light_statements.size());
+    for (const auto* lights :
+         {&world.provenance.statement_of_luminaire, &world.provenance.statement_of_light})
         for (const std::uint32_t statement : *lights) ++counts[statement];
     return counts;
 }
@@ -44,7 +45,7 @@ std::string statement_text(const Span& span, const SourceStore& sources) {
 std::string light_report(const World& world, const LightLedger& counted,
                          const SourceStore& sources) {
     std::vector<LightCount> lights = counted.lights;
-    lights.resize(world.light_statements.size() + 1);
+    lights.resize(world.provenance.light_statements.size() + 1);
     double light = 0, rays = 0;
     for (const LightCount& each : lights) {
         light += each.light.value();
@@ -64,7 +65,8 @@ std::string light_report(const World& world, const LightLedger& counted,
                 "\n";
     };
     for (const std::size_t i : order)
-        line(lights[i], message(made[i]), statement_text(world.light_statements[i], sources));
+        line(lights[i], message(made[i]),
+             statement_text(world.provenance.light_statements[i], sources));
     line(lights.back(), "", "rays that met no light");
     return text;
 }

@@ -213,7 +213,7 @@ private:
                 if (each.severity == Severity::error) diagnostics_.add(each);
             if (problems.failed()) return;
             Diagnostics unheard;
-            world.other_moments.push_back(compile(std::move(scene), compile_options(), unheard));
+            world.shutter.push_back(compile(std::move(scene), compile_options(), unheard));
         }
         share_light_statements(world, sources_);
     }

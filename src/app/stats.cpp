@@ -44,16 +44,16 @@ std::size_t peak_memory_bytes() {
 }
 
 void complete(RunStatistics& run, const World& world, const RenderSettings& settings) {
-    run.objects = world.objects;
-    run.primitives = world.material_of.size();
-    run.luminaires = world.luminaires.size();
-    run.light_sources = world.lights.size();
-    run.index = Kinds<RayIndex>::infos[world.settings.index.index()]->name;
-    run.tree = statistics(world.tree);
+    run.objects = world.provenance.object_count;
+    run.primitives = world.appearance.material_of.size();
+    run.luminaires = world.lights.luminaires.size();
+    run.light_sources = world.lights.sources.size();
+    run.index = Kinds<RayIndex>::infos[world.rules.settings.index.index()]->name;
+    run.tree = statistics(world.geometry.tree);
     run.peak_memory_bytes = peak_memory_bytes();
     run.light_sampler_bytes =
-        std::visit([](const auto& built) { return built.memory_bytes(); }, world.sampler);
-    const LightSampler& sampler = world.settings.light_sampler;
+        std::visit([](const auto& built) { return built.memory_bytes(); }, world.lights.sampler);
+    const LightSampler& sampler = world.rules.settings.light_sampler;
     run.light_sampler = Kinds<LightSampler>::infos[sampler.index()]->name;
     if (std::holds_alternative<LightOctree>(sampler))
         run.light_octree_bytes = run.light_sampler_bytes;

@@ -12,7 +12,7 @@ namespace {
 std::string written_out(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
 
 std::string sampler_text(const World& world) {
-    LightSampler sampler = world.settings.light_sampler;
+    LightSampler sampler = world.rules.settings.light_sampler;
     const ItemInfo& info = *Kinds<LightSampler>::infos[sampler.index()];
     const std::string fields = written_fields(info, Kinds<LightSampler>::address(sampler));
     return message(info.name, fields.empty() ? "" : " ", fields);
@@ -22,29 +22,32 @@ std::string sampler_text(const World& world) {
 std::string luminaire_text(const World& world) {
     std::array<std::size_t, std::variant_size_v<Emitter>> counts{};
     double greatest = 0;
-    for (const Luminaire& luminaire : world.luminaires) {
+    for (const Luminaire& luminaire : world.lights.luminaires) {
         ++counts[luminaire.emitter.index()];
         greatest = std::max(greatest, max_component(luminaire.radiance));
     }
-    return message(world.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
+    return message(world.lights.luminaires.size(), " (", counts[0], " spheres, ", counts[1],
                    " triangles, ", counts[2] + counts[3], " others), greatest radiance ", greatest);
 }
 
 }  // namespace
 
 std::string report(const World& world) {
-    const TreeStatistics tree = statistics(world.tree);
-    const Projection& camera = world.camera;
+    const TreeStatistics tree = statistics(world.geometry.tree);
+    const Projection& camera = world.view.camera;
     return message(
-        "objects: ", world.objects, "\n", "primitives: ", world.spheres.size(), " spheres, ",
-        world.triangles.size(), " triangles, ", world.shapes.size(), " other shapes, ",
-        world.composites.size(), " composites; ", world.unbounded.size(), " unbounded\n",
-        "materials: ", world.materials.size(), "\n", "luminaires: ", luminaire_text(world), "\n",
-        "light sampler: ", sampler_text(world), "\n", "light sources: ", world.lights.size(), "\n",
-        "index: ", Kinds<RayIndex>::infos[world.settings.index.index()]->name, ", ", tree.nodes,
-        " nodes, ", tree.leaves, " leaves, depth ", tree.max_depth, ", ", tree.bytes, " bytes\n",
-        "camera: ", camera.parallel ? "parallel rays" : "rays from a point", ", location ",
-        written_out(camera.location), ", direction ", written_out(camera.direction), ", right ",
-        written_out(camera.right), ", up ", written_out(camera.up), "\n",
-        "max_trace_level: ", world.settings.max_trace_level, "\n");
+        "objects: ", world.provenance.object_count, "\n",
+        "primitives: ", world.geometry.spheres.size(), " spheres, ",
+        world.geometry.triangles.size(), " triangles, ", world.geometry.shapes.size(),
+        " other shapes, ", world.geometry.composites.size(), " composites; ",
+        world.geometry.unbounded.size(), " unbounded\n",
+        "materials: ", world.appearance.materials.size(), "\n",
+        "luminaires: ", luminaire_text(world), "\n", "light sampler: ", sampler_text(world), "\n",
+        "light sources: ", world.lights.sources.size(), "\n",
+        "index: ", Kinds<RayIndex>::infos[world.rules.settings.index.index()]->name, ", ",
+        tree.nodes, " nodes, ", tree.leaves, " leaves, depth ", tree.max_depth, ", ", tree.bytes,
+        " bytes\n", "camera: ", camera.parallel ? "parallel rays" : "rays from a point",
+        ", location ", written_out(camera.location), ", direction ", written_out(camera.direction),
+        ", right ", written_out(camera.right), ", up ", written_out(camera.up), "\n",
+        "max_trace_level: ", world.rules.settings.max_trace_level, "\n");
 }

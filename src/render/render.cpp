@@ -29,19 +29,20 @@ constexpr std::uint64_t samples_between_questions = 16;
 /// `quiet`: the light hardly differs from sample to sample.
 SampleRule sample_rule(const World& world, const RenderSettings& settings, bool quiet) {
     if (settings.samples > 0 || settings.noise > 0) return NoiseRule();
-    if (world.camera.blurs()) return world.camera.blur;
+    if (world.view.camera.blurs()) return world.view.camera.blur;
     // As many as a pixel gets for its contrast.
     const auto depth = static_cast<std::uint32_t>(settings.antialias_depth);
     const std::uint32_t by_contrast = depth * depth + 1;
     if (settings.antialias && world.left_to_chance() && quiet) return NoiseRule{by_contrast};
-    if (!settings.antialias || world.left_to_chance() || world.camera.mesh) return NoiseRule();
-    if (settings.sampling_method > 1) return corner_rule(settings, world.settings.assumed_gamma);
-    return contrast_rule(settings, world.settings.assumed_gamma);
+    if (!settings.antialias || world.left_to_chance() || world.view.camera.mesh) return NoiseRule();
+    if (settings.sampling_method > 1)
+        return corner_rule(settings, world.rules.settings.assumed_gamma);
+    return contrast_rule(settings, world.rules.settings.assumed_gamma);
 }
 
 /// Whether the number of samples depends on that of shadow rays.
 bool follows_shadow_rays(const World& world, const RenderSettings& settings) {
-    return settings.samples <= 0 && settings.noise <= 0 && !world.camera.blurs();
+    return settings.samples <= 0 && settings.noise <= 0 && !world.view.camera.blurs();
 }
 
 /// `rays`: at each hit, where it matters.
@@ -51,7 +52,7 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
         return settings.samples > 0 ? std::clamp(settings.samples, 2, first_for_noise)
                                     : first_for_noise;
     if (settings.samples > 0) return settings.samples;
-    if (world.camera.blurs()) return std::max(2, world.camera.blur.least);
+    if (world.view.camera.blurs()) return std::max(2, world.view.camera.blur.least);
     // With more shadow rays each, fewer samples tell as much.
     constexpr int least = 4, to_middle = 16;
     if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
@@ -69,8 +70,9 @@ int first_samples(const World& world, const RenderSettings& settings, const Samp
     const auto* const noise = std::get_if<NoiseRule>(&rule);
     if (noise && noise->at_most > 0) return std::min(usual, first_of_quiet);
     if (settings.samples > 0 || settings.noise > 0) return usual;
-    const int moments = 1 + static_cast<int>(world.other_moments.size());
-    return std::max({usual, moments, world.camera.mesh ? world.camera.mesh->rays_per_pixel() : 1});
+    const int moments = 1 + static_cast<int>(world.shutter.size());
+    return std::max(
+        {usual, moments, world.view.camera.mesh ? world.view.camera.mesh->rays_per_pixel() : 1});
 }
 
 class Renderer {
@@ -144,7 +146,7 @@ private:
     std::vector<Integrator> integrators_of_moments() const {
         std::vector<Integrator> integrators;
         integrators.emplace_back(world_, tracing_);
-        for (const World& moment : world_.other_moments) integrators.emplace_back(moment, tracing_);
+        for (const World& moment : world_.shutter) integrators.emplace_back(moment, tracing_);
         return integrators;
     }
 
@@ -278,7 +280,7 @@ private:
         key.pixel = mix(static_cast<std::uint64_t>(settings_.seed)) + state_.film.index(x, y);
         key.sample = sample;
         const std::size_t moment = sample % work.integrators.size();
-        const World& world = moment == 0 ? world_ : world_.other_moments[moment - 1];
+        const World& world = moment == 0 ? world_ : world_.shutter[moment - 1];
         const Ray ray = ray_through(world, point(x, y), place(world, key), key);
         Integrator& integrator = work.integrators[moment];
         const std::uint64_t before_rays = integrator.ledger().shadow;
@@ -294,7 +296,7 @@ private:
         if (const auto* rule = std::get_if<CornerRule>(&plan_.rule))
             return place_in_pixel(*rule, key);
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
-        if (!settings_.antialias && world.camera.lens_radius == 0) return Vec2(0.5);
+        if (!settings_.antialias && world.view.camera.lens_radius == 0) return Vec2(0.5);
         return {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
     }
 
@@ -326,7 +328,7 @@ RenderPlan plan_of(const World& world, const RenderSettings& settings) {
     const Pilot tried = pilot(world, settings);
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(
-        world, settings, tried.quiet && !world.lights.empty() && world.sky_light.empty());
+        world, settings, tried.quiet && !world.lights.sources.empty() && world.sky.light.empty());
     const int samples = first_samples(world, settings, rule, shared);
     return {world, settings, tried.shadow_rays, static_cast<std::uint32_t>(samples), rule};
 }

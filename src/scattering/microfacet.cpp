@@ -39,12 +39,12 @@ double unhidden(double width, double cosine) {
 }
 
 /// One surface of facets with the light and the viewer; all cosines are above 0.
-struct Geometry {
+struct FacetGeometry {
     double light, viewer, facet, between;  ///< between: the light and the facet's normal
 };
 
 /// What is reflected of light of colour 1, without Fresnel's share.
-double reflected(double width, const Geometry& g) {
+double reflected(double width, const FacetGeometry& g) {
     return density(width, g.facet) * unhidden(width, g.light) * unhidden(width, g.viewer) * pi *
            g.light;
 }
@@ -87,7 +87,7 @@ Vec3 seen_facet(const Vec3& viewer, double width, Vec2 place) {
 }  // namespace
 
 Vec3 facet_response(const Shading& s, const Vec3& to_light, bool wide_only) {
-    Geometry g;
+    FacetGeometry g;
     g.light = dot(s.normal, to_light);
     if (g.light <= 1e-10) return Vec3(0);
     g.viewer = viewer_cosine(s);

@@ -15,10 +15,12 @@ class Integrator;
 struct Aovs {
     bool alpha = false;    ///< how much of what is behind everything is clear
     bool surface = false;  ///< albedo, normal, depth and object
-    bool lights = false;   ///< red, green and blue of each of World::light_statements
+    bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
 
     /// How many sums each pixel has.
-    std::size_t count(const World& world) const { return count(world.light_statements.size()); }
+    std::size_t count(const World& world) const {
+        return count(world.provenance.light_statements.size());
+    }
     std::size_t count(std::size_t statements) const {
         return first_light() + (lights ? 3 * statements : 0);
     }

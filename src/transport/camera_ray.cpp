@@ -7,10 +7,10 @@ namespace {
 
 /// As camera_ray(), without a lens.
 Ray pinhole_ray(const World& world, double u, double v) {
-    Ray ray = world.camera.ray(u, v);
-    if (ray.direction != Vec3(0) && world.camera_normal.pattern)
-        ray.direction = bumped(world.camera_normal, ray.direction, world.camera.normal_place(u, v),
-                               world.pattern_scene());
+    Ray ray = world.view.camera.ray(u, v);
+    if (ray.direction != Vec3(0) && world.view.camera_normal.pattern)
+        ray.direction = bumped(world.view.camera_normal, ray.direction,
+                               world.view.camera.normal_place(u, v), world.pattern_scene());
     return ray;
 }
 
@@ -25,7 +25,7 @@ Place on_screen(const PicturePoint& at, Vec2 place) {
 
 Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint32_t sample) {
     // As in POV-Ray, where faces stand for pixels the first row is seen twice, and the last never.
-    return world.camera.mesh->ray(
+    return world.view.camera.mesh->ray(
         {at.x, std::max(at.y - 1, 0), at.width, at.height, sample, place.u + 0.5, place.v + 0.5});
 }
 
@@ -33,18 +33,18 @@ Ray mesh_ray(const World& world, const PicturePoint& at, Place place, std::uint3
 
 Ray camera_ray(const World& world, double u, double v, const Key& key) {
     const Ray ray = pinhole_ray(world, u, v);
-    if (ray.direction == Vec3(0) || world.camera.lens_radius == 0) return ray;
-    return world.camera.through_lens(
+    if (ray.direction == Vec3(0) || world.view.camera.lens_radius == 0) return ray;
+    return world.view.camera.through_lens(
         ray, {uniform(key, Purpose::lens_u), uniform(key, Purpose::lens_v)});
 }
 
 Ray ray_through(const World& world, const PicturePoint& at, Vec2 place, const Key& key) {
     const Place p = on_screen(at, place);
-    return world.camera.mesh ? mesh_ray(world, at, p, key.sample)
-                             : camera_ray(world, p.u, p.v, key);
+    return world.view.camera.mesh ? mesh_ray(world, at, p, key.sample)
+                                  : camera_ray(world, p.u, p.v, key);
 }
 
 Ray middle_ray(const World& world, const PicturePoint& at) {
     const Place p = on_screen(at, {0.5, 0.5});
-    return world.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
+    return world.view.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
 }

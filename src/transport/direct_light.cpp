@@ -46,8 +46,8 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     Vec3 sum(0);
     if (!layer.bsdf.answers_light()) return sum;
     sum = from_sources(layer, key, ledger);
-    if (!world_.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
-    if (world_.sky_light.empty()) return sum;
+    if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
+    if (world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
     for (int i = 0; i < count; ++i) of_sky += from_sky(layer, key.part(count, i), ledger);
@@ -58,7 +58,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
 void DirectLight::record(LightLedger& ledger, LightIndex light, const Vec3& seen,
                          const Vec3& throughput, std::uint64_t count) const {
     if (ledger.lights.empty()) return;
-    LightCount& own = ledger.lights[world_.statement_of_luminaire[light]];
+    LightCount& own = ledger.lights[world_.provenance.statement_of_luminaire[light]];
     own.light.add(grey(seen) / asked_here_);
     own.seen += throughput * seen / asked_here_;
     own.rays += count;
@@ -96,7 +96,7 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
                 sum += from_answer(answer, layer, key.part(count, i), ledger);
             return sum / asked_here_;
         },
-        world_.sampler);
+        world_.lights.sampler);
 }
 
 /// One shadow ray's worth of luminaires.
@@ -153,7 +153,7 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
 template <class Density>
 Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, const Key& key,
                                  LightLedger& ledger, const Density& density) {
-    const Luminaire& luminaire = world_.luminaires[pick.light];
+    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
     const Vec3& position = layer.vertex.position();
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         const auto drawn = searched->draw(position, place_on_light(key));
@@ -202,7 +202,7 @@ void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const 
     met_.clear();
     tree.along(point.position, direction, [&](LightIndex light) {
         meetings_.clear();
-        meet(world_.luminaires[light], point, direction, meetings_);
+        meet(world_.lights.luminaires[light], point, direction, meetings_);
         for (const LightMeeting& meeting : meetings_)
             // The point may lie on a luminaire, which does not light itself there.
             if (meeting.distance > vertex.tolerance()) met_.push_back({meeting, light});
@@ -224,7 +224,7 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
         const Vec3 passed =
             world_.transmittance(ray, vertex.tolerance(), met.meeting.distance, vertex.around);
         if (passed == Vec3(0)) break;
-        const Luminaire& luminaire = world_.luminaires[met.light];
+        const Luminaire& luminaire = world_.lights.luminaires[met.light];
         const Vec3 seen = weight(met.light, met.meeting.density) * passed *
                           radiance(luminaire, ray.at(met.meeting.distance));
         record(ledger, met.light, seen, layer.throughput, 1);
@@ -248,7 +248,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         Hit hit;
         if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
         const double distance = dot(hit.position - ray.origin, direction);
-        const LightIndex light = world_.luminaire_of[hit.primitive];
+        const LightIndex light = world_.lights.luminaire_of[hit.primitive];
         if (light != no_primitive) {
             const Vec3 clear = passed == 0 ? Vec3(1)
                                            : world_.transmittance(ray, vertex.tolerance(), distance,
@@ -260,7 +260,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
             const Vec3 seen =
                 weights == Vec3(0)
                     ? weights
-                    : clear * weights * radiance(world_.luminaires[light], hit.position);
+                    : clear * weights * radiance(world_.lights.luminaires[light], hit.position);
             record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
             met_.push_back({{distance, 0}, light});
             sum += seen;
@@ -277,7 +277,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
 template <class Visit>
 void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& direction,
                                 const Distance& there, const Visit& visit) {
-    const Luminaire& luminaire = world_.luminaires[light];
+    const Luminaire& luminaire = world_.lights.luminaires[light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         if (std::ranges::find(met_, light, &Met::light) == met_.end())
             visit(searched->density(s.position, direction));
@@ -296,10 +296,10 @@ std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) c
     if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
     LightSight result{
         dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
-    const LightIndex light = world_.luminaire_of[hit.primitive];
+    const LightIndex light = world_.lights.luminaire_of[hit.primitive];
     if (light != no_primitive) {
         result.light = light;
-        result.luminance = luminance(radiance(world_.luminaires[light], hit.position));
+        result.luminance = luminance(radiance(world_.lights.luminaires[light], hit.position));
     }
     result.passes = luminance(world_.passed(hit, ray));
     return result;
@@ -308,7 +308,7 @@ std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) c
 /// A direction from where the sky is bright or the surface answers, weighed by the density that
 /// both ways together have.
 Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& ledger) const {
-    const SkyLight& sky = world_.sky_light;
+    const SkyLight& sky = world_.sky.light;
     const Vertex& vertex = layer.vertex;
     const double u = uniform(key, Purpose::sky_choice);
     const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
@@ -328,7 +328,7 @@ Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& l
 
 Vec3 DirectLight::from_sources(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     Vec3 sum(0);
-    for (const SourceSet& set : world_.source_sets) {
+    for (const SourceSet& set : world_.lights.source_sets) {
         if (!world_.reaches(set.group, *layer.vertex.material)) continue;
         if (set.drawn())
             sum += from_drawn_sources(set, layer, key, ledger);
@@ -344,7 +344,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer
     const std::uint64_t before = ledger.shadow;
     const Vec3 seen = weight * source_light(world_, light, layer, key, ledger);
     if (ledger.lights.empty()) return seen;
-    LightCount& own = ledger.lights[world_.statement_of_light[light]];
+    LightCount& own = ledger.lights[world_.provenance.statement_of_light[light]];
     own.light.add(grey(seen));
     own.seen += layer.throughput * seen;
     own.rays += ledger.shadow - before;

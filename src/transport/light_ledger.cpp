@@ -5,10 +5,10 @@
 
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
                  const Vec3& light) {
-    if (ledger.lights.empty() || world.luminaires.empty()) return;
-    const LightIndex luminaire = world.luminaire_of[primitive];
+    if (ledger.lights.empty() || world.lights.luminaires.empty()) return;
+    const LightIndex luminaire = world.lights.luminaire_of[primitive];
     if (luminaire != no_primitive)
-        ledger.lights[world.statement_of_luminaire[luminaire]].seen += light;
+        ledger.lights[world.provenance.statement_of_luminaire[luminaire]].seen += light;
 }
 
 void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, const Vec3&)> use) {

@@ -22,8 +22,8 @@ struct LightLedger {
     std::uint64_t camera = 0;
     std::uint64_t shadow = 0;     ///< towards luminaires and light sources
     std::uint64_t scattered = 0;  ///< reflected and refracted
-    /// For each of World::light_statements, and at the end for rays that met no luminaire. Empty
-    /// when nobody asks.
+    /// For each of Provenance::light_statements, and at the end for rays that met no luminaire.
+    /// Empty when nobody asks.
     std::vector<LightCount> lights = {};
 
     LightLedger& operator+=(const LightLedger& other) {
@@ -42,6 +42,6 @@ struct LightLedger {
 /// Notes the light of a luminaire that is seen itself: what of it comes to the sample.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 
-/// The light of each of World::light_statements in all samples since the last call. Lights must be
+/// The light of each of Provenance::light_statements in all samples since the last call. Lights must be
 /// counted.
 void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Vec3&)> use);

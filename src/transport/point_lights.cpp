@@ -65,7 +65,7 @@ private:
         const Vec3 left =
             world_.transmittance(ray, vertex_.tolerance(), *until, vertex_.around, apart_for_light);
         if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
-        return left * left_by(world_.fogs, ray, *until, world_.pattern_scene().noise_generator);
+        return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }
 
     /// The way to the window, which may not be there in this direction.
@@ -146,8 +146,8 @@ private:
 Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
                   LightLedger& ledger) {
     const Key own{key.pixel, key.sample, key.path * 31u + 7u * (light + 1), 0};
-    const Composite* window = world.light_reach[light].window.get();
+    const Composite* window = world.lights.reach[light].window.get();
     return std::visit(
         [&](const auto& l) { return SourceLight(world, l, window, layer, own, ledger).seen(); },
-        world.lights[light]);
+        world.lights.sources[light]);
 }

@@ -43,9 +43,9 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
       clear_sky_(wanted.clear_sky) {
-    if (wanted.counts_lights) ledger_.lights.resize(world.light_statements.size() + 1);
-    if (world.notes_solids() && !world.camera.parallel)
-        around_camera_ = world.containing(world.camera.location);
+    if (wanted.counts_lights) ledger_.lights.resize(world.provenance.light_statements.size() + 1);
+    if (world.notes_solids() && !world.view.camera.parallel)
+        around_camera_ = world.containing(world.view.camera.location);
 }
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
@@ -55,13 +55,15 @@ Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     PathState path;
     path.ray = ray;
     path.key = key;
-    path.media = world_.notes_solids() && world_.camera.parallel ? world_.containing(ray.origin)
-                                                                 : around_camera_;
+    path.media = world_.notes_solids() && world_.view.camera.parallel
+                     ? world_.containing(ray.origin)
+                     : around_camera_;
     return follow(path);
 }
 
 Vec3 PovRayIntegrator::follow(const PathState& path) {
-    if (path.depth >= world_.settings.max_trace_level || path.weight < world_.settings.adc_bailout)
+    if (path.depth >= world_.rules.settings.max_trace_level ||
+        path.weight < world_.rules.settings.adc_bailout)
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
@@ -75,21 +77,21 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
 
 /// What lies behind everything.
 Vec3 PovRayIntegrator::background(const PathState& path) {
-    if (path.counted && !world_.sky_light.empty()) return Vec3(0);
+    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
     const Vec3& direction = path.ray.direction;
     if (!clear_sky_) return world_.sky_radiance(direction);
     if (path.kind != RayKind::camera)
-        return world_.sky_radiance(direction, world_.background.mirrored());
+        return world_.sky_radiance(direction, world_.sky.background.mirrored());
     clear_ += path.clear * world_.sky_clear(direction);
-    if (world_.language_version < 3.7) return Vec3(0);
-    return world_.sky_radiance(direction, world_.background.covering());
+    if (world_.rules.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.sky.background.covering());
 }
 
 /// What all textures that are mixed at a hit show together.
 Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
     const Vertex vertex = vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
     Vec3 sum(0);
-    for_visible_layers(world_, vertex, world_.settings.adc_bailout,
+    for_visible_layers(world_, vertex, world_.rules.settings.adc_bailout,
                        [&](double weight, std::span<const Layer> layers) {
                            sum += weight * layered(path.dimmed(Vec3(weight)), vertex, layers);
                        });
@@ -100,9 +102,9 @@ Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
 /// behind.
 Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                                std::span<const Layer> layers) {
-    if (world_.quality < quality_light) return layers.back().colour.rgb;
+    if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const PrimitiveIndex primitive = vertex.hit.primitive;
-    const double bailout = world_.settings.adc_bailout;
+    const double bailout = world_.rules.settings.adc_bailout;
     const bool transparent = vertex.material->transparent;
     const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
                           return layer.finish->reflection.fresnel;
@@ -119,9 +121,9 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
     if (transparent)
         for (const Layer& layer : layers) behind *= kept(with_layer(world_, vertex, layer));
     // A negative share, which takes away what is behind, counts like a positive one.
-    const bool clear = std::abs(grey(behind)) > bailout && world_.quality >= quality_pigments;
-    const bool counted = path.counted && !world_.luminaires.empty() &&
-                         world_.luminaire_of[primitive] != no_primitive;
+    const bool clear = std::abs(grey(behind)) > bailout && world_.rules.quality >= quality_pigments;
+    const bool counted = path.counted && !world_.lights.luminaires.empty() &&
+                         world_.lights.luminaire_of[primitive] != no_primitive;
     const Shading top = with_layer(world_, vertex, layers.front());
     const bool total = clear && surface.bands == 0 && reflects_totally(top, surface.ratio);
     Vec3 result(0), through(1);
@@ -134,7 +136,7 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
         result += through * lit(below, vertex, s, !counted);
         // Total reflection stands for that of all layers with the normal by which it happens.
         const bool replaced = total && s.normal == top.normal;
-        const bool reflects = !replaced && world_.quality >= quality_reflection;
+        const bool reflects = !replaced && world_.rules.quality >= quality_reflection;
         const Vec3 amount = reflects ? reflectivity(s, surface.plain) : Vec3(0);
         if (amount != Vec3(0)) {
             const double weight = share * greatest_reflectivity(s.finish->reflection, amount);
@@ -142,7 +144,7 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                           ? reflected(path, vertex, s, amount, weight)
                           : reflected_to_a_power(path, vertex, s, amount, weight);
         }
-        if (s.finish->microfacet.on && world_.quality >= quality_reflection)
+        if (s.finish->microfacet.on && world_.rules.quality >= quality_reflection)
             result += through * scattered(below, vertex, s, share);
         if (&layer != &layers.back()) through *= kept(s);
     }
@@ -236,7 +238,7 @@ Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, 
                                    const Interface& surface, const Vec3& share) {
     const bool straight = std::abs(surface.ratio - 1) < 1e-10;
     // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
-    if (straight && path.depth + 1 >= world_.settings.max_trace_level) return Vec3(0);
+    if (straight && path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
     PathState next = path.dimmed(share);
     next.ray = {vertex.position(),
                 straight ? path.ray.direction : refracted_direction(s, surface.ratio)};

@@ -19,7 +19,8 @@ PrimaryHit primary_hit(const World& world, const Ray& ray) {
     });
     seen.normal = seen.normal == Vec3(0) ? vertex.shading.normal : unit(seen.normal);
     seen.distance = length(seen.hit.position - ray.origin);
-    if (!world.object_of.empty()) seen.object = world.object_of[seen.hit.primitive] + 1;
+    if (!world.provenance.object_of.empty())
+        seen.object = world.provenance.object_of[seen.hit.primitive] + 1;
     return seen;
 }
 

@@ -11,7 +11,8 @@ struct PrimaryHit {
     Vec3 albedo = Vec3(0);  ///< the colours of all layers, as far as they are opaque
     Vec3 normal = Vec3(0);  ///< unit, towards the viewer, as the surface is shaded
     double distance = 0;    ///< from the ray's origin
-    /// From 1 in the order of World::object_spans; 0 also where the world remembers no objects.
+    /// From 1 in the order of Provenance::object_spans; 0 also where the world remembers no
+    /// objects.
     std::uint32_t object = 0;
 };
 

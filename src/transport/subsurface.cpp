@@ -49,7 +49,7 @@ public:
     }
 
     Vec3 seen(const PathState& path) {
-        const SubsurfaceSettings& wanted = world_.settings.subsurface;
+        const SubsurfaceSettings& wanted = world_.rules.settings.subsurface;
         const auto count = [&](int samples) {
             return static_cast<int>(std::ceil(needed * samples * std::fmin(path.weight, 1)));
         };
@@ -66,15 +66,15 @@ private:
     /// POV-Ray sends rays to the surface from a point below it, and leaves out those that miss: of
     /// a plane these are half of them, so that what is left comes out twice as bright.
     static bool is_plane(const World& world, PrimitiveIndex primitive) {
-        const std::size_t others = world.spheres.size() + world.triangles.size();
-        return primitive >= others && primitive < world.leaves_begin() &&
-               std::holds_alternative<Plane>(world.shapes[primitive - others].shape);
+        const std::size_t others = world.geometry.spheres.size() + world.geometry.triangles.size();
+        return primitive >= others && primitive < world.geometry.leaves_begin() &&
+               std::holds_alternative<Plane>(world.geometry.shapes[primitive - others].shape);
     }
 
     /// In the scene's units. What lets no light in does so nearly.
     static Vec3 free_path(const World& world, const Shading& s) {
         const Vec3& way = s.finish->subsurface.translucency;
-        return glm::max(way, Vec3(1e-4 * max_component(way))) / world.settings.mm_per_unit;
+        return glm::max(way, Vec3(1e-4 * max_component(way))) / world.rules.settings.mm_per_unit;
     }
 
     /// One of several samples: its key, and three numbers below 1 that chance decides by.
@@ -204,7 +204,7 @@ private:
 
     /// Light of a source that is scattered once, on the way that the refracted ray takes inside.
     Vec3 light_scattered_once(const Draw& draw) {
-        if (world_.lights.empty()) return Vec3(0);
+        if (world_.lights.sources.empty()) return Vec3(0);
         const double cosine = std::fmax(-dot(s_.view, s_.geometric_normal), 0);
         const double behind = std::sqrt(1 - (1 - cosine * cosine) / (ior_ * ior_));
         const Ray inner{s_.position,
@@ -216,23 +216,24 @@ private:
         const double chance = dot(extinction, left) / 3;
         double from = layer_.vertex.tolerance();
         if (!(chance > 0) || next(inner, from, way)) return Vec3(0);
-        const auto count = static_cast<double>(world_.lights.size());
+        const auto count = static_cast<double>(world_.lights.sources.size());
         const auto light = static_cast<std::uint32_t>(count * draw.v);
         const Vec3 seen = dipole_.scattering() * left * light_from(light, inner.at(way), draw.key) *
                           (count / (4 * pi * chance));
         if (!ledger_.lights.empty())
-            ledger_.lights[world_.statement_of_light[light]].seen += draw.throughput * seen;
+            ledger_.lights[world_.provenance.statement_of_light[light]].seen +=
+                draw.throughput * seen;
         return seen;
     }
 
     /// What gets to a point inside straight from a source, its way in as if nothing were bent, but
     /// as long as it is then. As in POV-Ray, it is the light per area of the surface that counts.
     Vec3 light_from(std::uint32_t light, const Vec3& point, const Key& key) {
-        if (!world_.reaches(world_.light_reach[light].group, *layer_.vertex.material))
+        if (!world_.reaches(world_.lights.reach[light].group, *layer_.vertex.material))
             return Vec3(0);
         const Vec3 direction =
             std::visit([&](const auto& l) { return incidence(l, l.location, point).direction; },
-                       world_.lights[light]);
+                       world_.lights.sources[light]);
         double from = layer_.vertex.tolerance();
         const auto way_in = next({point, direction}, from, 1e20);
         if (!way_in) return Vec3(0);
@@ -266,7 +267,7 @@ private:
 }  // namespace
 
 bool scatters_inside(const World& world, const Shading& s) {
-    return world.settings.subsurface.on && world.quality >= quality_full &&
+    return world.rules.settings.subsurface.on && world.rules.quality >= quality_full &&
            s.finish->subsurface.translucency != Vec3(0) && s.finish->diffuse != 0 &&
            !s.finish->microfacet.on;
 }

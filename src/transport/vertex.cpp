@@ -25,7 +25,7 @@ Shading with_layer(const World& world, const Vertex& vertex, const Layer& layer)
 }
 
 ShadingRules shading_rules(const World& world) {
-    return {world.settings.irid_wavelength, world.settings.ambient_light,
+    return {world.rules.settings.irid_wavelength, world.rules.settings.ambient_light,
             world.pattern_scene().noise_generator};
 }
 

@@ -15,16 +15,17 @@ enum class PrimitiveKind { sphere, triangle, shape, leaf };
 
 /// A primitive by its number among those of its kind, when all of the others are known, too.
 inline PrimitiveIndex primitive(const World& world, PrimitiveKind kind, std::uint32_t index) {
-    const auto triangles = static_cast<PrimitiveIndex>(world.spheres.size());
-    const auto shapes = static_cast<PrimitiveIndex>(triangles + world.triangles.size());
-    return std::array{0u, triangles, shapes, world.leaves_begin()}[static_cast<std::size_t>(kind)] +
+    const auto triangles = static_cast<PrimitiveIndex>(world.geometry.spheres.size());
+    const auto shapes = static_cast<PrimitiveIndex>(triangles + world.geometry.triangles.size());
+    return std::array{0u, triangles, shapes,
+                      world.geometry.leaves_begin()}[static_cast<std::size_t>(kind)] +
            index;
 }
 
 /// Numbers of the statements that make lights, in the order in which they do.
 class LightStatements {
 public:
-    explicit LightStatements(World& world) : all_(world.light_statements) {}
+    explicit LightStatements(World& world) : all_(world.provenance.light_statements) {}
 
     void begin(Span statement) { now_ = statement; }
 
@@ -46,23 +47,24 @@ private:
     std::map<std::pair<SourceId, std::uint64_t>, std::uint32_t> numbers_;
 };
 
-/// Fills World::object_of and World::object_spans, if that is wanted.
+/// Fills Provenance::object_of and Provenance::object_spans, if that is wanted.
 class ObjectMemory {
 public:
     ObjectMemory(World& world, bool wanted) : world_(world), wanted_(wanted) {}
 
     /// What is placed from now on belongs to another object.
     void begin(Span object) {
-        if (wanted_) world_.object_spans.push_back(object);
+        if (wanted_) world_.provenance.object_spans.push_back(object);
     }
     void placed(PrimitiveKind kind) {
         if (wanted_)
             objects_[static_cast<std::size_t>(kind)].push_back(
-                static_cast<std::uint32_t>(world_.object_spans.size() - 1));
+                static_cast<std::uint32_t>(world_.provenance.object_spans.size() - 1));
     }
     void finish() {
         for (const auto& objects : objects_)
-            world_.object_of.insert(world_.object_of.end(), objects.begin(), objects.end());
+            world_.provenance.object_of.insert(world_.provenance.object_of.end(), objects.begin(),
+                                               objects.end());
     }
 
 private:

@@ -17,58 +17,61 @@
 namespace {
 
 std::uint32_t item_count(const World& world) {
-    return world.leaves_begin() + static_cast<std::uint32_t>(world.composites.size());
+    return world.geometry.leaves_begin() +
+           static_cast<std::uint32_t>(world.geometry.composites.size());
 }
 
 /// Empty for what has no end.
 Box bounds_in_tree(const World& world, std::uint32_t item) {
-    return std::ranges::binary_search(world.unbounded, item) ? Box() : item_bounds(world, item);
+    return std::ranges::binary_search(world.geometry.unbounded, item) ? Box()
+                                                                      : item_bounds(world, item);
 }
 
 Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
-    if (item < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[item];
+    if (item < world.geometry.spheres.size()) {
+        const SpherePrimitive& s = world.geometry.spheres[item];
         return clipped_bounds(Sphere{s.centre, s.radius}, cell);
     }
-    if (item >= world.leaves_begin()) return cell;
-    const std::size_t face = item - world.spheres.size();
-    if (face < world.triangles.size()) {
-        const TrianglePrimitive& t = world.triangles[face];
+    if (item >= world.geometry.leaves_begin()) return cell;
+    const std::size_t face = item - world.geometry.spheres.size();
+    if (face < world.geometry.triangles.size()) {
+        const TrianglePrimitive& t = world.geometry.triangles[face];
         return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
     }
-    const PlacedShape& placed = world.shapes[face - world.triangles.size()];
+    const PlacedShape& placed = world.geometry.shapes[face - world.geometry.triangles.size()];
     return clipped_bounds(stick_around(placed.shape, bounds(placed.shape), placed.transform.get()),
                           cell);
 }
 
 void build_index(World& world, int threads) {
-    world.tree = build_tree(
+    world.geometry.tree = build_tree(
         item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
         [&](std::uint32_t item, const Box& cell) { return part_in_tree(world, item, cell); },
-        tree_settings(world.settings.index), threads);
-    const auto spheres = static_cast<std::uint32_t>(world.spheres.size());
-    const auto faces = static_cast<std::uint32_t>(world.triangles.size());
-    const PackedKinds kinds{
-        spheres, spheres + faces,
-        [&](std::uint32_t item) {
-            return PackedKinds::Ball{world.spheres[item].centre, world.spheres[item].radius};
-        },
-        [&](std::uint32_t item) {
-            const TrianglePrimitive& t = world.triangles[item - spheres];
-            return std::array{t.corner1, t.corner2, t.corner3};
-        },
-        [&](std::uint32_t item) { return item_bounds(world, item); }};
-    world.tree.pack(leaf_packs(kinds), threads);
+        tree_settings(world.rules.settings.index), threads);
+    const auto spheres = static_cast<std::uint32_t>(world.geometry.spheres.size());
+    const auto faces = static_cast<std::uint32_t>(world.geometry.triangles.size());
+    const PackedKinds kinds{spheres, spheres + faces,
+                            [&](std::uint32_t item) {
+                                return PackedKinds::Ball{world.geometry.spheres[item].centre,
+                                                         world.geometry.spheres[item].radius};
+                            },
+                            [&](std::uint32_t item) {
+                                const TrianglePrimitive& t =
+                                    world.geometry.triangles[item - spheres];
+                                return std::array{t.corner1, t.corner2, t.corner3};
+                            },
+                            [&](std::uint32_t item) { return item_bounds(world, item); }};
+    world.geometry.tree.pack(leaf_packs(kinds), threads);
 }
 
 /// The planes of a scene in world space: where points to be lit may be, besides the bounded
 /// primitives.
 std::vector<Plane> world_planes(const World& world) {
     std::vector<Plane> planes;
-    for (const std::uint32_t primitive : world.unbounded) {
-        if (primitive >= world.leaves_begin()) continue;
+    for (const std::uint32_t primitive : world.geometry.unbounded) {
+        if (primitive >= world.geometry.leaves_begin()) continue;
         const PlacedShape& placed =
-            world.shapes[primitive - world.spheres.size() - world.triangles.size()];
+            world.geometry.shapes[primitive - world.geometry.shapes_begin()];
         const Plane* plane = std::get_if<Plane>(&placed.shape);
         if (!plane) continue;
         planes.push_back(placed.transform ? moved(*plane, *placed.transform)
@@ -79,49 +82,51 @@ std::vector<Plane> world_planes(const World& world) {
 
 /// Divides what has no end into planes and others.
 void note_planes(World& world) {
-    for (const std::uint32_t item : world.unbounded) {
-        const std::size_t shape = item - world.spheres.size() - world.triangles.size();
-        const Plane* plane = shape < world.shapes.size() && !world.shapes[shape].transform
-                                 ? std::get_if<Plane>(&world.shapes[shape].shape)
-                                 : nullptr;
+    for (const std::uint32_t item : world.geometry.unbounded) {
+        const std::size_t shape = item - world.geometry.shapes_begin();
+        const Plane* plane =
+            shape < world.geometry.shapes.size() && !world.geometry.shapes[shape].transform
+                ? std::get_if<Plane>(&world.geometry.shapes[shape].shape)
+                : nullptr;
         if (!plane) {
-            world.endless.push_back(item);
+            world.geometry.endless.push_back(item);
             continue;
         }
         Crossings found;
         crossings(*plane, {Vec3(0), plane->normal}, found);
-        world.planes.push_back({found[0].normal, plane->distance, item});
+        world.geometry.planes.push_back({found[0].normal, plane->distance, item});
     }
 }
 
 /// Lights as they are seen at a quality.
 void simplify_lights(World& world) {
-    if (world.quality < quality_light) {
-        world.lights.clear();
-        world.light_reach.clear();
+    if (world.rules.quality < quality_light) {
+        world.lights.sources.clear();
+        world.lights.reach.clear();
     }
-    if (world.quality < quality_shadows)
-        for (LightReach& reach : world.light_reach) reach.window = nullptr;
-    if (world.quality >= quality_areas) return;
-    for (Light& light : world.lights) std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
+    if (world.rules.quality < quality_shadows)
+        for (LightReach& reach : world.lights.reach) reach.window = nullptr;
+    if (world.rules.quality >= quality_areas) return;
+    for (Light& light : world.lights.sources)
+        std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
 
 World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
                 Diagnostics& diagnostics) {
     World world;
-    world.quality = options.quality;
-    world.settings = scene.settings;
-    if (options.index) world.settings.index = *options.index;
-    world.language_version = scene.language_version;
-    world.camera = projection(scene.camera);
-    world.camera_normal = scene.camera_normal;
-    world.background = scene.background;
+    world.rules.quality = options.quality;
+    world.rules.settings = scene.settings;
+    if (options.index) world.rules.settings.index = *options.index;
+    world.rules.language_version = scene.language_version;
+    world.view.camera = projection(scene.camera);
+    world.view.camera_normal = scene.camera_normal;
+    world.sky.background = scene.background;
     if (scene.language_version < 3.7)  // it was always seen
-        world.background.colour.filter = world.background.colour.transmit = 0;
-    world.sky = scene.sky;
-    if (world.quality >= quality_full) {
-        world.fogs = scene.fogs;
-        world.rainbows = scene.rainbows;
+        world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;
+    world.sky.sphere = scene.sky;
+    if (world.rules.quality >= quality_full) {
+        world.sky.fogs = scene.fogs;
+        world.sky.rainbows = scene.rainbows;
     }
     flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);
@@ -130,10 +135,11 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
 
 /// Around all points that lie inside of a primitive that is no face, or of a composite.
 Box inside_box(const World& world, std::uint32_t item) {
-    if (item < world.spheres.size()) return item_bounds(world, item);
-    if (item >= world.leaves_begin())
-        return world.composites[item - world.leaves_begin()].composite->inside_bounds();
-    const PlacedShape& placed = world.shapes[item - world.spheres.size() - world.triangles.size()];
+    if (item < world.geometry.spheres.size()) return item_bounds(world, item);
+    if (item >= world.geometry.leaves_begin())
+        return world.geometry.composites[item - world.geometry.leaves_begin()]
+            .composite->inside_bounds();
+    const PlacedShape& placed = world.geometry.shapes[item - world.geometry.shapes_begin()];
     const Box box = inside_bounds(placed.shape);
     return placed.transform ? placed.transform->box(box) : box;
 }
@@ -152,15 +158,15 @@ ClearSolids find_clear_solids(const World& world) {
             around.push_back(box);
         }
     }
-    clear.index = PartIndex(std::move(around), world.settings.index);
+    clear.index = PartIndex(std::move(around), world.rules.settings.index);
     return clear;
 }
 
 void note_luminaires(World& world) {
-    if (world.luminaires.empty()) return;
-    world.luminaire_of.assign(world.material_of.size(), no_primitive);
-    for (LightIndex light = 0; light < world.luminaires.size(); ++light)
-        world.luminaire_of[world.luminaires[light].primitive] = light;
+    if (world.lights.luminaires.empty()) return;
+    world.lights.luminaire_of.assign(world.appearance.material_of.size(), no_primitive);
+    for (LightIndex light = 0; light < world.lights.luminaires.size(); ++light)
+        world.lights.luminaire_of[world.lights.luminaires[light].primitive] = light;
 }
 
 /// Finds out where luminaires are bright whose glow varies, unless they are too many.
@@ -168,11 +174,11 @@ void map_brightness(World& world) {
     // Points that are asked for their glow, and the fewest cells that tell something.
     constexpr double most_points = 1 << 19, least_cells = 4;
     double faces = 0;
-    for (const Luminaire& luminaire : world.luminaires)
+    for (const Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying) faces += static_cast<double>(face_count(luminaire.emitter));
     const double cells = std::fmin(std::sqrt(most_points / (4 * faces)), Brightness::most_cells);
     if (!(faces > 0 && cells >= least_cells)) return;
-    for (Luminaire& luminaire : world.luminaires)
+    for (Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying && face_count(luminaire.emitter) > 0)
             luminaire.brightness =
                 brightness_of(luminaire, static_cast<int>(cells), [&](const Vec3& point) {
@@ -190,31 +196,31 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
 
 /// What a flattened world still lacks.
 void build_indices(World& world, const CompileOptions& options) {
-    if (options.light_sampler) world.settings.light_sampler = *options.light_sampler;
+    if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
     note_planes(world);
     build_index(world, options.threads);
-    if (world.notes_solids() && world.camera.parallel)
-        world.clear_solids = find_clear_solids(world);
+    if (world.notes_solids() && world.view.camera.parallel)
+        world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);
-    if (world.sky && world.sky->luminaire && world.quality >= quality_shadows)
-        world.sky_light =
+    if (world.sky.sphere && world.sky.sphere->luminaire && world.rules.quality >= quality_shadows)
+        world.sky.light =
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     // After the tree, whose building takes the most memory.
     std::vector<Box> boxes(item_count(world));
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
         boxes[item] = bounds_in_tree(world, item);
     const std::vector<Plane> planes = world_planes(world);
-    LightScene lit{world.luminaires, boxes, planes};
-    lit.pixel = pixel_angle(world.camera, options);
-    if (!world.camera.parallel) lit.eye = world.camera.location;
-    const auto* octree = std::get_if<LightOctree>(&world.settings.light_sampler);
+    LightScene lit{world.lights.luminaires, boxes, planes};
+    lit.pixel = pixel_angle(world.view.camera, options);
+    if (!world.view.camera.parallel) lit.eye = world.view.camera.location;
+    const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
     if (octree && !octree->paper) find_leans(world, lit.eye, options.threads);
-    world.sampler = build(world.settings.light_sampler, lit, options.threads);
+    world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
-    for (const LightReach& reach : world.light_reach) group_of.push_back(reach.group);
-    world.source_sets =
-        source_sets(world.lights, group_of, world.settings.light_sampler, lit,
+    for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
+    world.lights.source_sets =
+        source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
                     world.left_to_chance() ? most_asked_among_samples : most_asked_sources);
 }
 

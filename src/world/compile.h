@@ -14,7 +14,7 @@ struct CompileOptions {
     std::optional<RayIndex> index;              ///< the same
     int quality = 9;                            ///< see RenderSettings
     int width = 320, height = 240;   ///< of the picture; how fine light is looked at depends on it
-    bool remembers_objects = false;  ///< World::object_of is wanted
+    bool remembers_objects = false;  ///< Provenance::object_of is wanted
 };
 
 /// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is

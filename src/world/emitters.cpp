@@ -24,7 +24,7 @@ public:
         if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
             face_count(plain) > 0)
             return plain;
-        CompositeEmitter bright = alone(world_.shapes[glow.index], look);
+        CompositeEmitter bright = alone(world_.geometry.shapes[glow.index], look);
         return bright.guide && bright.unevenness > Brightness::uneven ? Emitter(std::move(bright))
                                                                       : plain;
     }
@@ -33,28 +33,29 @@ private:
     Emitter by_shape(const GlowingPrimitive& glow, const Luminaire& look) {
         switch (glow.kind) {
             case PrimitiveKind::sphere: {
-                const SpherePrimitive& s = world_.spheres[glow.index];
+                const SpherePrimitive& s = world_.geometry.spheres[glow.index];
                 return SphereEmitter{s.centre, s.radius};
             }
             case PrimitiveKind::triangle: {
-                const TrianglePrimitive& t = world_.triangles[glow.index];
+                const TrianglePrimitive& t = world_.geometry.triangles[glow.index];
                 return TriangleEmitter{t.corner1, t.corner2, t.corner3};
             }
             case PrimitiveKind::leaf: {
-                const PlacedComposite& placed = world_.composites[world_.composite_of[glow.index]];
-                const PrimitiveIndex leaf = world_.leaves_begin() + glow.index;
+                const PlacedComposite& placed =
+                    world_.geometry.composites[world_.geometry.composite_of[glow.index]];
+                const PrimitiveIndex leaf = world_.geometry.leaves_begin() + glow.index;
                 return composite(placed.composite, leaf - placed.first_leaf, look);
             }
             case PrimitiveKind::shape:
                 break;
         }
-        const PlacedShape& placed = world_.shapes[glow.index];
+        const PlacedShape& placed = world_.geometry.shapes[glow.index];
         if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
         return alone(placed, look);
     }
 
     CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
-        CompositeBuilder builder(world_.settings.index);
+        CompositeBuilder builder(world_.rules.settings.index);
         const PartRef part = builder.add({placed.shape, placed.transform});
         return composite(make_handle<Composite>(builder.finish(part)), part.index, look);
     }
@@ -81,8 +82,9 @@ void set_radiance(const World& world, Luminaire& luminaire) {
         luminaire.varying = true;
     };
     if (look.texture2) include(look.texture2), include(look.texture3);
-    const auto parts = world.part_textures.find(luminaire.primitive);
-    if (parts != world.part_textures.end()) std::ranges::for_each(parts->second, include);
+    const auto parts = world.appearance.part_textures.find(luminaire.primitive);
+    if (parts != world.appearance.part_textures.end())
+        std::ranges::for_each(parts->second, include);
 }
 
 }  // namespace
@@ -96,8 +98,8 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         set_radiance(world, luminaire);
         luminaire.emitter = emitters.of(glow, luminaire);
         if (emitting_area(luminaire.emitter) > 0) {
-            world.luminaires.push_back(std::move(luminaire));
-            world.statement_of_luminaire.push_back(glow.statement);
+            world.lights.luminaires.push_back(std::move(luminaire));
+            world.provenance.statement_of_luminaire.push_back(glow.statement);
         } else
             diagnostics.add(
                 warning(Fault::degenerate, glow.span,

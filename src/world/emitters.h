@@ -13,9 +13,9 @@ struct GlowingPrimitive {
     PrimitiveKind kind;
     std::uint32_t index;      ///< among those of its kind
     Span span;                ///< of the object
-    std::uint32_t statement;  ///< of World::light_statements
+    std::uint32_t statement;  ///< of Provenance::light_statements
 };
 
-/// Fills World::luminaires and World::statement_of_luminaire. What has no area is warned of.
-/// `guided`: those without a formula get their guides, which only rays need.
+/// Fills WorldLights::luminaires and Provenance::statement_of_luminaire. What has no area is warned
+/// of. `guided`: those without a formula get their guides, which only rays need.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);

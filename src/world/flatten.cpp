@@ -22,11 +22,6 @@ bool is_composite(const Object& object) {
     return object.confines || object.inverse || (group && group->csg != Csg::together);
 }
 
-/// POV-Ray asks a solid as a whole who sees it; only some heed what is said of their parts.
-Hidden heeded_in(Csg csg) {
-    return {false, csg == Csg::merge, csg == Csg::merge || csg == Csg::together};
-}
-
 template <class T>
 bool has_looks_of(const Object& object) {
     const auto* shape = std::get_if<Shape>(&object.form);
@@ -48,13 +43,15 @@ public:
     Flattener(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten what,
               bool remembers_objects)
         : world_(world),
+          geometry_(world.geometry),
           diagnostics_(diagnostics),
           objects_(world, remembers_objects),
           statements_(world),
           all_(what == Flatten::everything),
-          only_lights_count_(!all_ && !scene.lights.empty() && !world.settings.ambient_luminaires),
+          only_lights_count_(!all_ && !scene.lights.empty() &&
+                             !world.rules.settings.ambient_luminaires),
           materials_(world),
-          shapes_(world.settings.index) {}
+          shapes_(world.rules.settings.index) {}
 
     /// First pass: primitives are numbered spheres, triangles, shapes, so each kind is kept apart
     /// until all are known. `whole`: though it is taken apart, it is one for those who see it, as
@@ -63,7 +60,7 @@ public:
         if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
         const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
         if (dark || is_composite(object)) {
-            ++world_.objects;
+            ++world_.provenance.object_count;
             objects_.begin(object.span);
             if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
@@ -81,7 +78,7 @@ public:
                 ? materials_.of_parts(object, here, outer.transform, components)
                 : materials_.index(here);
         const auto* row = std::get_if<SphereRow>(&object.form);
-        world_.objects += row ? row->spheres.size() : 1;
+        world_.provenance.object_count += row ? row->spheres.size() : 1;
         const bool placed = all_ || materials_.glows(material);
         if (row) {
             for (std::size_t i = 0; placed && i < row->spheres.size(); ++i) {
@@ -102,7 +99,7 @@ public:
                                             : std::vector{materials_.own(material)},
                      object.span);
         } else {
-            note_parts(PrimitiveKind::shape, world_.shapes.size(), std::move(components));
+            note_parts(PrimitiveKind::shape, geometry_.shapes.size(), std::move(components));
             place(shape, here, material, object.span);
         }
     }
@@ -120,31 +117,30 @@ public:
             reach.window = make_handle<Composite>(composite_of(*placed.projected_through, shapes_));
         // Those of a group belong to its statement.
         if (group == 0) statements_.begin(placed.span);
-        world_.statement_of_light.push_back(statements_.number());
-        world_.lights.push_back(std::move(placed.light));
-        world_.light_reach.push_back(std::move(reach));
+        world_.provenance.statement_of_light.push_back(statements_.number());
+        world_.lights.sources.push_back(std::move(placed.light));
+        world_.lights.reach.push_back(std::move(reach));
     }
 
     void finish() {
-        auto& all = world_.material_of;
+        auto& all = world_.appearance.material_of;
         all = std::move(sphere_materials_);
-        all.insert(all.end(), triangle_materials_.begin(), triangle_materials_.end());
-        all.insert(all.end(), shape_materials_.begin(), shape_materials_.end());
-        all.insert(all.end(), leaf_materials_.begin(), leaf_materials_.end());
-        if (!world_.normals.empty())
-            world_.normals_of.resize(world_.triangles.size(), no_primitive);
+        for (const auto* more : {&triangle_materials_, &shape_materials_, &leaf_materials_})
+            all.insert(all.end(), more->begin(), more->end());
+        if (!geometry_.normals.empty())
+            geometry_.normals_of.resize(geometry_.triangles.size(), no_primitive);
         objects_.finish();
         const PrimitiveIndex shapes = primitive(world_, PrimitiveKind::shape, 0),
-                             leaves = world_.leaves_begin();
-        for (std::uint32_t& item : world_.unbounded) item += shapes;
-        for (std::uint32_t i = 0; i < world_.composites.size(); ++i) {
-            PlacedComposite& placed = world_.composites[i];
+                             leaves = geometry_.leaves_begin();
+        for (std::uint32_t& item : geometry_.unbounded) item += shapes;
+        for (std::uint32_t i = 0; i < geometry_.composites.size(); ++i) {
+            PlacedComposite& placed = geometry_.composites[i];
             placed.first_leaf += leaves;
             if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
-                world_.unbounded.push_back(leaves + i);
+                geometry_.unbounded.push_back(leaves + i);
         }
         for (Parted& each : parted_)
-            world_.part_textures[primitive(world_, each.kind, each.index)] =
+            world_.appearance.part_textures[primitive(world_, each.kind, each.index)] =
                 std::move(each.textures);
         add_luminaires(world_, glowing_, all_, diagnostics_);
     }
@@ -186,7 +182,7 @@ private:
 
     /// The lights of a light group come into the world where the group stands.
     void enter_group(const Union& group, Inherited& here) {
-        if (!opens_group(world_.light_groups, group, here)) return;
+        if (!opens_group(world_.lights.groups, group, here)) return;
         const std::uint32_t number = here.light_group;
         for (const PlacedLight& light : group.lights)
             add_light(here.transform ? moved(light, *here.transform) : light, number);
@@ -241,7 +237,7 @@ private:
                       std::uint32_t material, Span span) {
         const double scale = transform ? transform->uniform_scale() : 1;
         // Of a sphere that has been turned, only the shape in its place knows where u is 0.
-        const bool wrapped = transform && world_.materials[material].uv;
+        const bool wrapped = transform && world_.appearance.materials[material].uv;
         if (scale == 0 || wrapped) return add_shape(sphere, transform, material, span);
         const Vec3 centre = transform ? transform->point(sphere.centre) : sphere.centre;
         add_sphere({centre, sphere.radius * scale}, material, span);
@@ -251,8 +247,8 @@ private:
     void add_mesh(const Mesh& mesh, const Transform* transform,
                   const std::vector<std::uint32_t>& materials, Span span) {
         // The outer side of a mesh is the same in a mirror.
-        const bool turned =
-            world_.materials[materials.front()].inner && transform && transform->determinant() < 0;
+        const bool turned = world_.appearance.materials[materials.front()].inner && transform &&
+                            transform->determinant() < 0;
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             MeshFace f{face(mesh, i), face_uvs(mesh, i),
                        mesh.looks.empty() ? Face{-1, -1, -1} : mesh.looks[i]};
@@ -260,10 +256,10 @@ private:
             const std::uint32_t material = materials_.of_face(materials, f.looks);
             const auto& [a, b, c] = f.shape.corners;
             add_triangle(placed(TrianglePrimitive{a, b, c}, transform), material, span);
-            if (world_.materials[material].uv) {
-                world_.uvs_of.resize(world_.triangles.size(), no_primitive);
-                world_.uvs_of.back() = static_cast<std::uint32_t>(world_.uvs.size());
-                world_.uvs.push_back(f.uvs);
+            if (world_.appearance.materials[material].uv) {
+                geometry_.uvs_of.resize(geometry_.triangles.size(), no_primitive);
+                geometry_.uvs_of.back() = static_cast<std::uint32_t>(geometry_.uvs.size());
+                geometry_.uvs.push_back(f.uvs);
             }
             // As in POV-Ray, those of a mesh are mixed before they are placed.
             const auto& normals = f.shape.normals;
@@ -273,33 +269,33 @@ private:
     }
 
     void add_sphere(const SpherePrimitive& sphere, std::uint32_t material, Span span) {
-        note_luminaire(PrimitiveKind::sphere, world_.spheres.size(), material, span);
-        world_.spheres.push_back(sphere);
+        note_luminaire(PrimitiveKind::sphere, geometry_.spheres.size(), material, span);
+        geometry_.spheres.push_back(sphere);
         sphere_materials_.push_back(material);
         objects_.placed(PrimitiveKind::sphere);
     }
 
     void add_triangle(const TrianglePrimitive& t, std::uint32_t material, Span span) {
-        note_luminaire(PrimitiveKind::triangle, world_.triangles.size(), material, span);
-        world_.triangles.push_back(t);
+        note_luminaire(PrimitiveKind::triangle, geometry_.triangles.size(), material, span);
+        geometry_.triangles.push_back(t);
         triangle_materials_.push_back(material);
         objects_.placed(PrimitiveKind::triangle);
     }
 
     /// Of the triangle that was added last.
     void add_normals(const CornerNormals& n) {
-        world_.normals_of.resize(world_.triangles.size(), no_primitive);
-        world_.normals_of.back() = static_cast<std::uint32_t>(world_.normals.size());
-        world_.normals.push_back(n);
+        geometry_.normals_of.resize(geometry_.triangles.size(), no_primitive);
+        geometry_.normals_of.back() = static_cast<std::uint32_t>(geometry_.normals.size());
+        geometry_.normals.push_back(n);
     }
 
     void add_shape(const BuiltShape& shape, const Handle<Transform>& transform,
                    std::uint32_t material, Span span) {
-        const auto index = static_cast<std::uint32_t>(world_.shapes.size());
+        const auto index = static_cast<std::uint32_t>(geometry_.shapes.size());
         const Box own = bounds(shape);
         note(PrimitiveKind::shape, index, material, span, finite(own));
-        if (!finite(own)) world_.unbounded.push_back(index);
-        world_.shapes.push_back({shape, transform, transform ? transform->box(own) : own});
+        if (!finite(own)) geometry_.unbounded.push_back(index);
+        geometry_.shapes.push_back({shape, transform, transform ? transform->box(own) : own});
         shape_materials_.push_back(material);
         objects_.placed(PrimitiveKind::shape);
     }
@@ -329,7 +325,7 @@ private:
                     : flattener.materials_.index(look);
             flattener.note_parts(PrimitiveKind::leaf, flattener.leaf_materials_.size(),
                                  std::move(parts));
-            transparent |= flattener.world_.materials[material].transparent;
+            transparent |= flattener.world_.appearance.materials[material].transparent;
             flattener.leaf_materials_.push_back(material);
             flattener.leaf_spans_.push_back(object.span);
             flattener.objects_.placed(PrimitiveKind::leaf);
@@ -338,17 +334,17 @@ private:
 
     void add_composite(const Object& object, const Inherited& outer) {
         const auto first = static_cast<PrimitiveIndex>(leaf_materials_.size());
-        CompositeBuilder builder(world_.settings.index);
+        CompositeBuilder builder(world_.rules.settings.index);
         LeafVisitor visitor{*this, {outer}};
         const PartRef root =
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));
-        const auto number = static_cast<std::uint32_t>(world_.composites.size());
+        const auto number = static_cast<std::uint32_t>(geometry_.composites.size());
         const Box around = noticed_within(object);
-        world_.composites.push_back({composite, first, visitor.transparent,
-                                     outer.transform ? outer.transform->box(around) : around});
+        geometry_.composites.push_back({composite, first, visitor.transparent,
+                                        outer.transform ? outer.transform->box(around) : around});
         for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {
-            world_.composite_of.push_back(number);
+            geometry_.composite_of.push_back(number);
             const Box& seen = composite->leaf_bounds(static_cast<std::uint32_t>(leaf - first));
             if (!seen.empty())
                 note(PrimitiveKind::leaf, leaf, leaf_materials_[leaf], leaf_spans_[leaf],
@@ -373,6 +369,7 @@ private:
     }
 
     World& world_;
+    Geometry& geometry_;
     Diagnostics& diagnostics_;
     std::vector<std::uint32_t> sphere_materials_, triangle_materials_, shape_materials_,
         leaf_materials_;

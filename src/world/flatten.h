@@ -11,6 +11,7 @@ enum class Flatten {
     luminaires,  ///< of other objects only their number and their materials
 };
 
-/// Fills the world's primitives, materials and luminaires, and World::object_of if that is wanted.
+/// Fills the world's primitives, materials and luminaires, and Provenance::object_of if that is
+/// wanted.
 void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything,
              bool remembers_objects = false);

@@ -78,7 +78,7 @@ Vec3 lean_of_round(const Tried& tried) {
 
 Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
              std::size_t pairs) {
-    const Luminaire& luminaire = world.luminaires[light];
+    const Luminaire& luminaire = world.lights.luminaires[light];
     const LightBounds b = bounds(luminaire);
     const bool flat = b.axis != Vec3(0);
     const Vec3 pole = flat ? b.axis : Vec3(0, 0, 1);
@@ -112,12 +112,12 @@ Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& e
 }  // namespace
 
 void find_leans(World& world, const std::optional<Vec3>& eye, int threads) {
-    const std::size_t count = world.luminaires.size();
+    const std::size_t count = world.lights.luminaires.size();
     if (count < 2) return;
     const std::size_t pairs = std::min(most_pairs, most_rays / (2 * count));
     if (pairs == 0) return;
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            world.luminaires[light].lean = lean_of(world, light, eye, pairs);
+            world.lights.luminaires[light].lean = lean_of(world, light, eye, pairs);
     });
 }

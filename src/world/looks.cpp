@@ -68,20 +68,21 @@ void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3&
 }  // namespace
 
 const CompositeLeaf& World::leaf(std::uint32_t number) const {
-    const PlacedComposite& placed = composites[composite_of[number]];
-    return placed.composite->leaf(number + leaves_begin() - placed.first_leaf);
+    const PlacedComposite& placed = geometry.composites[geometry.composite_of[number]];
+    return placed.composite->leaf(number + geometry.leaves_begin() - placed.first_leaf);
 }
 
 void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point,
                          Use use) const {
     const Material& look = material(primitive);
     if (look.texture2) {
-        const TrianglePrimitive& face = triangles[primitive - spheres.size()];
+        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.spheres.size()];
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
                      positive(corner_weights(corners(face), point)), use);
     }
-    const auto found = part_textures.empty() ? part_textures.end() : part_textures.find(primitive);
-    if (found == part_textures.end()) return use(1, *look.texture);
+    const auto found = appearance.part_textures.empty() ? appearance.part_textures.end()
+                                                        : appearance.part_textures.find(primitive);
+    if (found == appearance.part_textures.end()) return use(1, *look.texture);
     const PartLooks looks{*look.texture, found->second};
     const auto show = [&](const auto& placed) {
         const Vec3 here = local(placed.transform, point);
@@ -90,30 +91,30 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
         else
             blend_corners(*std::get<Shared<BuiltMesh>>(placed.shape), looks, part, here, use);
     };
-    if (primitive < leaves_begin())
-        show(shapes[primitive - spheres.size() - triangles.size()]);
+    if (primitive < geometry.leaves_begin())
+        show(geometry.shapes[primitive - geometry.shapes_begin()]);
     else
-        show(leaf(primitive - leaves_begin()));
+        show(leaf(primitive - geometry.leaves_begin()));
 }
 
 Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) const {
-    const std::size_t first_shape = spheres.size() + triangles.size();
+    const std::size_t first_shape = geometry.shapes_begin();
     std::optional<Vec2> found;
-    if (primitive < spheres.size()) {
-        const SpherePrimitive& s = spheres[primitive];
+    if (primitive < geometry.spheres.size()) {
+        const SpherePrimitive& s = geometry.spheres[primitive];
         found = ::uv(Sphere{s.centre, s.radius}, point, part);
     } else if (primitive < first_shape) {
-        const auto number = static_cast<std::uint32_t>(primitive - spheres.size());
-        if (number < uvs_of.size() && uvs_of[number] != no_primitive) {
-            const Vec3 w = corner_weights(corners(triangles[number]), point);
-            const std::array<Vec2, 3>& at = uvs[uvs_of[number]];
+        const auto number = static_cast<std::uint32_t>(primitive - geometry.spheres.size());
+        if (number < geometry.uvs_of.size() && geometry.uvs_of[number] != no_primitive) {
+            const Vec3 w = corner_weights(corners(geometry.triangles[number]), point);
+            const std::array<Vec2, 3>& at = geometry.uvs[geometry.uvs_of[number]];
             return w.x * at[0] + w.y * at[1] + w.z * at[2];
         }
-    } else if (primitive < leaves_begin()) {
-        const PlacedShape& placed = shapes[primitive - first_shape];
+    } else if (primitive < geometry.leaves_begin()) {
+        const PlacedShape& placed = geometry.shapes[primitive - first_shape];
         found = ::uv(placed.shape, local(placed.transform, point), part);
     } else {
-        const CompositeLeaf& placed = leaf(primitive - leaves_begin());
+        const CompositeLeaf& placed = leaf(primitive - geometry.leaves_begin());
         found = ::uv(placed.shape, local(placed.transform, point), part);
     }
     // As in POV-Ray, around what has no u and v, pictures lie on the plane of x and y.

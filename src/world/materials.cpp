@@ -58,7 +58,7 @@ std::uint32_t Materials::index(const Inherited& look) {
                   look.hollow};
     if (last_key_ != key) {
         last_key_ = key;
-        const auto next = static_cast<std::uint32_t>(world_.materials.size());
+        const auto next = static_cast<std::uint32_t>(world_.appearance.materials.size());
         const auto [found, added] = indices_.try_emplace(key, next);
         if (added) add(look);
         last_ = found->second;
@@ -68,41 +68,42 @@ std::uint32_t Materials::index(const Inherited& look) {
 
 /// What is to glow by its ambient does.
 Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
-    const GlobalSettings& settings = world_.settings;
+    const GlobalSettings& settings = world_.rules.settings;
     return simplified(
         settings.ambient_luminaires ? kindled(texture, settings.ambient_light) : texture,
-        world_.quality);
+        world_.rules.quality);
 }
 
 void Materials::add(const Inherited& look) {
     Material material;
     material.texture = lit(*look.texture);
     const Texture& texture = *material.texture;
-    if (look.inner) material.inner = simplified(*look.inner, world_.quality);
+    if (look.inner) material.inner = simplified(*look.inner, world_.rules.quality);
     material.interior = settled(look.interior ? *look.interior : nullptr, texture);
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
     material.light_group = look.light_group;
     material.shared_interior = look.shared_interior;
-    material.no_shadow = look.no_shadow || world_.quality < quality_shadows;
+    material.no_shadow = look.no_shadow || world_.rules.quality < quality_shadows;
     material.no_image = look.no_image;
     material.no_reflection = look.no_reflection;
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
     material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
-    material.solid = static_cast<std::uint32_t>(world_.materials.size());
-    world_.any_transparent |= material.transparent;
-    world_.any_clear |= material.transparent || material.no_shadow;
-    world_.any_left_out |= look.no_image || look.no_reflection;
-    world_.any_scattering |= scatters(texture);
-    glows_.push_back(world_.quality >= quality_shadows && !look.no_luminaire &&
-                     max_component(lighting_emission(texture)) > world_.settings.luminaires_above);
-    world_.materials.push_back(std::move(material));
+    material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
+    world_.appearance.any_transparent |= material.transparent;
+    world_.appearance.any_clear |= material.transparent || material.no_shadow;
+    world_.appearance.any_left_out |= look.no_image || look.no_reflection;
+    world_.appearance.any_scattering |= scatters(texture);
+    glows_.push_back(world_.rules.quality >= quality_shadows && !look.no_luminaire &&
+                     max_component(lighting_emission(texture)) >
+                         world_.rules.settings.luminaires_above);
+    world_.appearance.materials.push_back(std::move(material));
 }
 
 std::uint32_t Materials::own(std::uint32_t material) {
-    const auto number = static_cast<std::uint32_t>(world_.materials.size());
-    world_.materials.push_back(Material(world_.materials[material]));
-    world_.materials.back().solid = number;
+    const auto number = static_cast<std::uint32_t>(world_.appearance.materials.size());
+    world_.appearance.materials.push_back(Material(world_.appearance.materials[material]));
+    world_.appearance.materials.back().solid = number;
     glows_.push_back(glows_[material]);
     return number;
 }
@@ -114,15 +115,16 @@ std::vector<std::uint32_t> Materials::of_faces(const Object& mesh, const Inherit
     for (const Handle<Texture>& texture : mesh.part_textures->list) {
         part.texture = &world_texture(texture, outside, look.uv);
         result.push_back(own(index(part)));
-        world_.materials[result.back()].solid = result.front();
+        world_.appearance.materials[result.back()].solid = result.front();
     }
     return result;
 }
 
 /// A material of which a part has another look.
 void Materials::include(std::uint32_t material, std::uint32_t part) {
-    world_.materials[material].transparent |= world_.materials[part].transparent;
-    world_.materials[material].uv |= world_.materials[part].uv;
+    world_.appearance.materials[material].transparent |=
+        world_.appearance.materials[part].transparent;
+    world_.appearance.materials[material].uv |= world_.appearance.materials[part].uv;
     glows_[material] = glows_[material] || glows_[part];
 }
 
@@ -134,9 +136,9 @@ std::uint32_t Materials::of_face(const std::vector<std::uint32_t>& materials, co
     const auto [found, added] = blended_.try_emplace({materials.front(), looks}, 0);
     if (!added) return found->second;
     const std::uint32_t mixed = found->second = own(part(0));
-    world_.materials[mixed].solid = materials.front();
-    world_.materials[mixed].texture2 = world_.materials[part(1)].texture;
-    world_.materials[mixed].texture3 = world_.materials[part(2)].texture;
+    world_.appearance.materials[mixed].solid = materials.front();
+    world_.appearance.materials[mixed].texture2 = world_.appearance.materials[part(1)].texture;
+    world_.appearance.materials[mixed].texture3 = world_.appearance.materials[part(2)].texture;
     include(mixed, part(1));
     include(mixed, part(2));
     return mixed;

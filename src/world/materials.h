@@ -24,6 +24,11 @@ struct Hidden {
     }
 };
 
+/// POV-Ray asks a solid as a whole who sees it; only some heed what is said of their parts.
+inline Hidden heeded_in(Csg csg) {
+    return {false, csg == Csg::merge, csg == Csg::merge || csg == Csg::together};
+}
+
 /// What an object has from the unions around it. Handles are referred to where they are: counting
 /// their holders for each of a million objects takes longer than all else.
 struct Inherited : Hidden {

@@ -19,12 +19,14 @@ void share_light_statements(World& world, const SourceStore& sources) {
     };
     const auto renumber = [&](World& moment) {
         std::vector<std::uint32_t> now;
-        for (const Span& statement : moment.light_statements) now.push_back(number(statement));
-        for (auto* list : {&moment.statement_of_luminaire, &moment.statement_of_light})
+        for (const Span& statement : moment.provenance.light_statements)
+            now.push_back(number(statement));
+        for (auto* list :
+             {&moment.provenance.statement_of_luminaire, &moment.provenance.statement_of_light})
             for (std::uint32_t& statement : *list) statement = now[statement];
     };
     renumber(world);
-    for (World& moment : world.other_moments) renumber(moment);
-    for (World& moment : world.other_moments) moment.light_statements = all;
-    world.light_statements = std::move(all);
+    for (World& moment : world.shutter) renumber(moment);
+    for (World& moment : world.shutter) moment.provenance.light_statements = all;
+    world.provenance.light_statements = std::move(all);
 }

@@ -4,18 +4,18 @@
 #include "shape/slabs.h"
 
 Box item_bounds(const World& world, std::uint32_t item) {
-    if (item >= world.leaves_begin())
-        return world.composites[item - world.leaves_begin()].composite->bounds();
-    if (item < world.spheres.size()) {
-        const SpherePrimitive& s = world.spheres[item];
+    if (item >= world.geometry.leaves_begin())
+        return world.geometry.composites[item - world.geometry.leaves_begin()].composite->bounds();
+    if (item < world.geometry.spheres.size()) {
+        const SpherePrimitive& s = world.geometry.spheres[item];
         return {s.centre - s.radius, s.centre + s.radius};
     }
-    const std::size_t face = item - world.spheres.size();
-    if (face < world.triangles.size()) {
-        const TrianglePrimitive& t = world.triangles[face];
+    const std::size_t face = item - world.geometry.spheres.size();
+    if (face < world.geometry.triangles.size()) {
+        const TrianglePrimitive& t = world.geometry.triangles[face];
         return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
     }
-    return world.shapes[face - world.triangles.size()].box;
+    return world.geometry.shapes[face - world.geometry.triangles.size()].box;
 }
 
 bool precedes(const World& world, std::uint32_t item, std::uint32_t other, const Ray& ray) {

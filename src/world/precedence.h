@@ -8,7 +8,7 @@
 
 #include "world/world.h"
 
-/// Around a primitive, or around a composite, counted from world.leaves_begin() on.
+/// Around a primitive, or around a composite, counted from world.geometry.leaves_begin() on.
 Box item_bounds(const World&, std::uint32_t item);
 
 /// Whether the ray meets an item before another one that it meets at the same distance.

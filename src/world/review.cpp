@@ -21,9 +21,9 @@ bool shows_itself(const Material& material) {
 }
 
 bool dark(const World& world) {
-    return world.lights.empty() && world.luminaires.empty() && !world.sky &&
-           greatest(world.background.radiance()) <= 0 &&
-           std::ranges::none_of(world.materials, shows_itself);
+    return world.lights.sources.empty() && world.lights.luminaires.empty() && !world.sky.sphere &&
+           greatest(world.sky.background.radiance()) <= 0 &&
+           std::ranges::none_of(world.appearance.materials, shows_itself);
 }
 
 class Surroundings {
@@ -33,7 +33,7 @@ public:
     /// The first solid object of the scene around the camera that does not say `hollow` and changes
     /// the picture, as it keeps out fog or all light. Null: none.
     const Object* first() {
-        const Vec3 camera = world_.camera.location;
+        const Vec3 camera = world_.view.camera.location;
         for (const ObjectHandle& object : scene_.objects)
             if (!object->hollow && !object->no_image && surrounds(object, camera) &&
                 (world_.has_air() || keeps_light_out(object)))
@@ -57,9 +57,10 @@ private:
         const auto within = [&](const Luminaire& each) {
             return surrounds(object, bounds(each).centre);
         };
-        const bool lit = !scene_.lights.empty() || !world_.luminaires.empty() || world_.sky;
+        const bool lit =
+            !scene_.lights.empty() || !world_.lights.luminaires.empty() || world_.sky.sphere;
         return lit && std::ranges::none_of(scene_.lights, reaches) &&
-               std::ranges::none_of(world_.luminaires, within);
+               std::ranges::none_of(world_.lights.luminaires, within);
     }
 
     /// A quick answer, for most objects.
@@ -94,14 +95,15 @@ private:
 
 /// A dome that glows, which POV-Ray has as a backdrop only.
 const Luminaire* dome(const World& world) {
-    for (const Luminaire& luminaire : world.luminaires) {
+    for (const Luminaire& luminaire : world.lights.luminaires) {
         const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter);
         const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter);
         const bool turned = composite && composite->composite->leaf_count() == 1,
                    hidden = world.material(luminaire.primitive).no_image;
         const bool within =
-            sphere ? length(world.camera.location - sphere->centre) < sphere->radius
-                   : (turned || hidden) && contains(bounds(luminaire).box, world.camera.location);
+            sphere
+                ? length(world.view.camera.location - sphere->centre) < sphere->radius
+                : (turned || hidden) && contains(bounds(luminaire).box, world.view.camera.location);
         if (within) return &luminaire;
     }
     return nullptr;
@@ -122,24 +124,26 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                     ? "the camera is inside of this object, and fog is outside: it is not hollow"
                     : "the camera is inside of this object, and all light is outside")
                 .with_help("the word `hollow` in the object says that this is meant"));
-    if (world.objects == 0)
+    if (world.provenance.object_count == 0)
         diagnostics.add(warning(Fault::no_object, {}, "there is no object to be seen"));
     else if (dark(world))
         diagnostics.add(
             warning(Fault::no_light, {}, "nothing lights this scene")
                 .with_help("light_source { <10, 20, -10>, rgb 1 }, or finish { emission 5 } in an "
                            "object"));
-    if (const Luminaire* around = world.settings.luminaires_said ? nullptr : dome(world)) {
-        const auto number = static_cast<std::size_t>(around - world.luminaires.data());
+    if (const Luminaire* around = world.rules.settings.luminaires_said ? nullptr : dome(world)) {
+        const auto number = static_cast<std::size_t>(around - world.lights.luminaires.data());
         diagnostics.add(
-            warning(Fault::glowing_dome,
-                    world.light_statements[world.statement_of_luminaire[number]],
-                    "the emission of this object, which is around the camera, lights the scene")
+            warning(
+                Fault::glowing_dome,
+                world.provenance.light_statements[world.provenance.statement_of_luminaire[number]],
+                "the emission of this object, which is around the camera, lights the scene")
                 .with_help("the word `no_luminaire` in the object stops that; global_settings { "
                            "luminaires emission } says that it is meant"));
     }
     const auto unused = [](const Material& m) { return lets_light_in(*m.texture); };
-    if (!world.settings.subsurface.on && std::ranges::any_of(world.materials, unused))
+    if (!world.rules.settings.subsurface.on &&
+        std::ranges::any_of(world.appearance.materials, unused))
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`subsurface` of finishes has no effect: the scene does not ask "
                                 "for it")

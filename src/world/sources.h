@@ -17,7 +17,7 @@ inline constexpr std::size_t most_asked_among_samples = 32;
 /// Sources that light the same objects.
 struct SourceSet {
     std::uint32_t group = 0;            ///< of lights; 0: of all objects
-    std::vector<std::uint32_t> lights;  ///< in World::lights
+    std::vector<std::uint32_t> lights;  ///< in WorldLights::sources
     /// One for each when some are chosen; none when all are asked.
     std::vector<Luminaire> emitters = {};
     bool parallel = false;  ///< light has the same direction everywhere: that is where emitters are

@@ -29,7 +29,7 @@ double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint6
 
 void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
                        Candidate& best) const {
-    const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
+    const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
     Crossings found;
     crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
                  {range.min, best.t}, found);
@@ -46,7 +46,7 @@ void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval&
 template <class Wanted>
 void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& range,
                            Candidate& best, Wanted wanted) const {
-    const PlacedComposite& placed = composites[index];
+    const PlacedComposite& placed = geometry.composites[index];
     const auto own = [&](std::uint32_t leaf) { return wanted(placed.first_leaf + leaf); };
     const auto met = placed.composite->first(ray, {range.min, best.t}, own);
     if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
@@ -55,17 +55,17 @@ void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& 
 void World::meet(PrimitiveIndex primitive, ReadyRay& ready, const Interval& range,
                  Candidate& best) const {
     const Ray& ray = ready.ray();
-    if (primitive < spheres.size()) {
-        const SpherePrimitive& s = spheres[primitive];
+    if (primitive < geometry.spheres.size()) {
+        const SpherePrimitive& s = geometry.spheres[primitive];
         const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
         if (t < best.t) best = {t, primitive};
-    } else if (primitive < spheres.size() + triangles.size()) {
-        const TrianglePrimitive& face = triangles[primitive - spheres.size()];
+    } else if (primitive < geometry.shapes_begin()) {
+        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.spheres.size()];
         const TriangleHit hit =
             ready.sheared().meet(face.corner1, face.corner2, face.corner3, {range.min, best.t});
         if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
     } else {
-        const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
+        const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
         if (!ready.slabs().miss(placed.box, {range.min, best.t}))
             meet_shape(primitive, ray, range, best);
     }
@@ -83,15 +83,15 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
     hit.part = found.part;
     hit.position = ray.at(found.t);
     hit.tolerance = tolerance_at(ray, found.t);
-    if (found.primitive < spheres.size()) {
-        hit.normal =
-            (hit.position - spheres[found.primitive].centre) / spheres[found.primitive].radius;
-    } else if (found.primitive < spheres.size() + triangles.size()) {
-        const std::size_t face = found.primitive - spheres.size();
-        const TrianglePrimitive& f = triangles[face];
+    if (found.primitive < geometry.spheres.size()) {
+        hit.normal = (hit.position - geometry.spheres[found.primitive].centre) /
+                     geometry.spheres[found.primitive].radius;
+    } else if (found.primitive < geometry.shapes_begin()) {
+        const std::size_t face = found.primitive - geometry.spheres.size();
+        const TrianglePrimitive& f = geometry.triangles[face];
         hit.normal = unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
-        if (!normals_of.empty() && normals_of[face] != no_primitive) {
-            const CornerNormals& n = normals[normals_of[face]];
+        if (!geometry.normals_of.empty() && geometry.normals_of[face] != no_primitive) {
+            const CornerNormals& n = geometry.normals[geometry.normals_of[face]];
             hit.smooth_normal = unit((1 - found.weight2 - found.weight3) * n.normal1 +
                                      found.weight2 * n.normal2 + found.weight3 * n.normal3);
             return hit;
@@ -107,11 +107,11 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
     ReadyRay ready(ray);
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
-    const std::uint32_t first_composite = leaves_begin();
+    const std::uint32_t first_composite = geometry.leaves_begin();
     const auto there = [&](PrimitiveIndex primitive) {
-        return !any_left_out || !left_out(primitive, kind);
+        return !appearance.any_left_out || !left_out(primitive, kind);
     };
-    const auto first_shape = static_cast<std::uint32_t>(spheres.size() + triangles.size());
+    const auto first_shape = geometry.shapes_begin();
     std::uint32_t met = 0;  // the item of `best`
     // Of surfaces in one place one counts, whatever the order of asking: what has no end; of two
     // spheres or triangles, as meshes are full of, the lower number; else see precedence.h.
@@ -131,14 +131,14 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         else
             met = item;
     };
-    for (const EndlessPlane& plane : planes) {
+    for (const EndlessPlane& plane : geometry.planes) {
         const double t = plane.meet(ray);
         if (!(t > tolerance && t <= best.t) || !there(plane.primitive)) continue;
         if (t == best.t && met < plane.primitive) continue;
         best = {t, plane.primitive, plane.normal};
         met = plane.primitive;
     }
-    for (const std::uint32_t item : endless) ask(item);
+    for (const std::uint32_t item : geometry.endless) ask(item);
     met = 0;
     Asked asked;
     const auto ask_in_tree = [&](std::uint32_t item) {
@@ -149,7 +149,7 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         return false;
     };
     PackRay packed(ray);
-    tree.traverse(ray, {tolerance, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
+    geometry.tree.traverse(ray, {tolerance, best.t}, [&](const TreeLeaf& leaf, Interval& left) {
         packed.candidates(leaf, left, ask_in_tree);
         left.max = best.t;
         return false;
@@ -161,8 +161,8 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
 
 void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
                     Passages& found) const {
-    if (item >= leaves_begin()) {
-        const PlacedComposite& placed = composites[item - leaves_begin()];
+    if (item >= geometry.leaves_begin()) {
+        const PlacedComposite& placed = geometry.composites[item - geometry.leaves_begin()];
         const auto passed = [&](std::uint32_t leaf) {
             const Material& m = material(placed.first_leaf + leaf);
             return m.transparent && !m.no_shadow;
@@ -173,24 +173,24 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
         return;
     }
     if (material(item).no_shadow) return;
-    if (item < spheres.size()) {
-        const SpherePrimitive& s = spheres[item];
+    if (item < geometry.spheres.size()) {
+        const SpherePrimitive& s = geometry.spheres[item];
         const double near = first_crossing(s.centre, s.radius, ray, range);
         if (near >= range.max) return;
         found.push_back({near, item, ray.at(near) - s.centre});
         const double far =
             first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
         if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
-    } else if (item < spheres.size() + triangles.size()) {
+    } else if (item < geometry.shapes_begin()) {
         Candidate best{range.max};
         ReadyRay ready(ray);
         meet(item, ready, range, best);
-        const TrianglePrimitive& face = triangles[item - spheres.size()];
+        const TrianglePrimitive& face = geometry.triangles[item - geometry.spheres.size()];
         if (best.primitive != no_primitive)
             found.push_back(
                 {best.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
     } else {
-        const PlacedShape& placed = shapes[item - spheres.size() - triangles.size()];
+        const PlacedShape& placed = geometry.shapes[item - geometry.shapes_begin()];
         Crossings all;
         all_crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
                          range, all);
@@ -206,16 +206,17 @@ void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
 bool World::opaque_between(std::uint32_t item, ReadyRay& ready, const Interval& range) const {
     const auto blocks = [&](PrimitiveIndex primitive) { return material(primitive).stops_light(); };
     Candidate nearest{range.max};
-    if (item >= leaves_begin())
-        meet_composite(item - leaves_begin(), ready.ray(), range, nearest, blocks);
+    if (item >= geometry.leaves_begin())
+        meet_composite(item - geometry.leaves_begin(), ready.ray(), range, nearest, blocks);
     else if (blocks(item))
         meet(item, ready, range, nearest);
     return nearest.primitive != no_primitive;
 }
 
 bool World::may_pass(std::uint32_t item) const {
-    return item < leaves_begin() ? material(item).transparent
-                                 : composites[item - leaves_begin()].transparent;
+    return item < geometry.leaves_begin()
+               ? material(item).transparent
+               : geometry.composites[item - geometry.leaves_begin()].transparent;
 }
 
 /// Leaves out what is clear and follows another, or an end of the way, too closely.
@@ -265,24 +266,24 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     ReadyRay ready(ray);
     ShortList<std::uint32_t, 16> clear;
     const auto blocks = [&](std::uint32_t item) {
-        if (any_transparent && may_pass(item)) clear.push_back(item);
+        if (appearance.any_transparent && may_pass(item)) clear.push_back(item);
         return opaque_between(item, ready, range);
     };
-    for (const EndlessPlane& plane : planes) {
+    for (const EndlessPlane& plane : geometry.planes) {
         if (!range.contains(plane.meet(ray))) continue;
         if (material(plane.primitive).stops_light()) return Vec3(0);
         clear.push_back(plane.primitive);
     }
-    if (std::ranges::any_of(endless, blocks)) return Vec3(0);
+    if (std::ranges::any_of(geometry.endless, blocks)) return Vec3(0);
     PackRay packed(ray);
     Asked asked;
     const auto blocks_in_tree = [&](std::uint32_t item) {
-        return !(item >= spheres.size() + triangles.size() && asked.before(item)) && blocks(item);
+        return !(item >= geometry.shapes_begin() && asked.before(item)) && blocks(item);
     };
     const bool blocked =
-        tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
-            return any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
-                             : packed.blocked(leaf, whole, blocks_in_tree);
+        geometry.tree.traverse_likely(ray, range, [&](const TreeLeaf& leaf, const Interval& whole) {
+            return appearance.any_clear ? packed.candidates(leaf, whole, blocks_in_tree)
+                                        : packed.blocked(leaf, whole, blocks_in_tree);
         });
     if (blocked) return Vec3(0);
 
@@ -300,18 +301,22 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
-    if (primitive < spheres.size())
-        return length(point - spheres[primitive].centre) < spheres[primitive].radius;
-    if (primitive < spheres.size() + triangles.size()) return false;
-    if (primitive >= leaves_begin())
-        return composites[composite_of[primitive - leaves_begin()]].composite->inside(point);
-    const PlacedShape& placed = shapes[primitive - spheres.size() - triangles.size()];
+    if (primitive < geometry.spheres.size())
+        return length(point - geometry.spheres[primitive].centre) <
+               geometry.spheres[primitive].radius;
+    if (primitive < geometry.shapes_begin()) return false;
+    if (primitive >= geometry.leaves_begin())
+        return geometry.composites[geometry.composite_of[primitive - geometry.leaves_begin()]]
+            .composite->inside(point);
+    const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
     return inside(placed.shape, placed.transform ? placed.transform->inverse_point(point) : point);
 }
 
 bool World::is_noted_solid(std::uint32_t item) const {
-    if (item >= spheres.size() && item < spheres.size() + triangles.size()) return false;
-    const auto* placed = item < leaves_begin() ? nullptr : &composites[item - leaves_begin()];
+    if (item >= geometry.spheres.size() && item < geometry.shapes_begin()) return false;
+    const auto* placed = item < geometry.leaves_begin()
+                             ? nullptr
+                             : &geometry.composites[item - geometry.leaves_begin()];
     const Material& outer = material(placed ? placed->first_leaf : item);
     // What is opaque may be around the camera, or have holes that it is seen through.
     return (has_air() && !outer.hollow) || outer.interior ||
@@ -319,9 +324,9 @@ bool World::is_noted_solid(std::uint32_t item) const {
 }
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& found) const {
-    if (item < leaves_begin() && contains_point(item, point)) found.push_back(item);
-    if (item < leaves_begin()) return;
-    const PlacedComposite& placed = composites[item - leaves_begin()];
+    if (item < geometry.leaves_begin() && contains_point(item, point)) found.push_back(item);
+    if (item < geometry.leaves_begin()) return;
+    const PlacedComposite& placed = geometry.composites[item - geometry.leaves_begin()];
     if (!contains(placed.around, point) || !placed.composite->inside(point)) return;
     // What is in the solid is what is behind its first transparent leaf.
     PrimitiveIndex leaf = placed.first_leaf;
@@ -331,14 +336,16 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& 
 
 EnteredSolids World::containing(const Vec3& point) const {
     EnteredSolids found;
-    if (camera.parallel) {
-        for (const std::uint32_t item : clear_solids.unbounded) add_if_inside(item, point, found);
-        clear_solids.index.around(point, [&](std::uint32_t part) {
-            add_if_inside(clear_solids.bounded[part], point, found);
+    if (view.camera.parallel) {
+        for (const std::uint32_t item : geometry.clear_solids.unbounded)
+            add_if_inside(item, point, found);
+        geometry.clear_solids.index.around(point, [&](std::uint32_t part) {
+            add_if_inside(geometry.clear_solids.bounded[part], point, found);
         });
         return found;
     }
-    for (std::uint32_t item = 0; item < leaves_begin() + composites.size(); ++item)
+    for (std::uint32_t item = 0; item < geometry.leaves_begin() + geometry.composites.size();
+         ++item)
         if (is_noted_solid(item)) add_if_inside(item, point, found);
     return found;
 }
@@ -354,33 +361,34 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
 }
 
 bool World::reaches(std::uint32_t light_group, const Material& lit) const {
-    if (light_group == 0) return light_groups[lit.light_group].global_lights;
-    return light_group == lit.light_group || light_group == light_groups[lit.light_group].outer;
+    if (light_group == 0) return lights.groups[lit.light_group].global_lights;
+    return light_group == lit.light_group || light_group == lights.groups[lit.light_group].outer;
 }
 
 bool World::light_is_drawn() const {
-    return !luminaires.empty() ||
-           std::ranges::any_of(source_sets, [](const SourceSet& set) { return set.drawn(); });
+    return !lights.luminaires.empty() ||
+           std::ranges::any_of(lights.source_sets,
+                               [](const SourceSet& set) { return set.drawn(); });
 }
 
 Vec3 World::sky_radiance(const Vec3& direction, const Vec3& behind) const {
-    if (!sky) return behind;
-    return radiance(*sky, direction, behind, pattern_scene(), language_version < 3.7);
+    if (!sky.sphere) return behind;
+    return radiance(*sky.sphere, direction, behind, pattern_scene(), rules.language_version < 3.7);
 }
 
 double World::sky_clear(const Vec3& direction) const {
-    if (language_version < 3.7) return 1;
-    const double clear = std::clamp(grey(background.colour.passing()), 0.0, 1.0);
-    if (!sky) return clear;
+    if (rules.language_version < 3.7) return 1;
+    const double clear = std::clamp(grey(sky.background.colour.passing()), 0.0, 1.0);
+    if (!sky.sphere) return clear;
     const auto seen = [&](const Vec3& behind) {
-        return radiance(*sky, direction, behind, pattern_scene(), false);
+        return radiance(*sky.sphere, direction, behind, pattern_scene(), false);
     };
     return std::min(1.0, clear * std::abs(grey(seen(Vec3(1)) - seen(Vec3(0)))));
 }
 
 double World::opacity(const Colour& colour) const {
     // Before version 3.7, filter counted by the brightest channel of the colour.
-    if (language_version < 3.7)
+    if (rules.language_version < 3.7)
         return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
     return colour.opacity();
 }

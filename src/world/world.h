@@ -40,7 +40,7 @@ struct Material {
     bool hollow = false;
     bool uv = false;                  ///< a texture asks for u and v
     Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
-    std::uint32_t light_group = 0;    ///< in World::light_groups; 0: none
+    std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
     /// Number of the union that gave its interior to all of its parts: rays take them for one solid
     /// that they enter and leave in turn, as in POV-Ray. 0: the interior is its own.
     std::uint32_t shared_interior = 0;
@@ -115,6 +115,98 @@ struct LightReach {
     Handle<Composite> window = nullptr;  ///< it lights what is seen through this; null: all
 };
 
+/// Where surfaces are.
+struct Geometry {
+    /// Number of the first shape among the primitives.
+    PrimitiveIndex shapes_begin() const {
+        return static_cast<PrimitiveIndex>(spheres.size() + triangles.size());
+    }
+
+    /// Number of the first leaf of a composite among the primitives. The tree and `unbounded` have
+    /// the composites themselves from this number on.
+    PrimitiveIndex leaves_begin() const {
+        return shapes_begin() + static_cast<PrimitiveIndex>(shapes.size());
+    }
+
+    // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
+    std::vector<SpherePrimitive> spheres;
+    std::vector<TrianglePrimitive> triangles;
+    std::vector<PlacedShape> shapes;
+    std::vector<PlacedComposite> composites;
+    std::vector<std::uint32_t> composite_of;  ///< of the leaves
+    std::vector<CornerNormals> normals;       ///< of the smooth triangles
+    /// Per triangle: index in normals, or no_primitive; empty when none is smooth.
+    std::vector<std::uint32_t> normals_of;
+    std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
+    /// Per triangle: index in uvs, or no_primitive; the last ones are left out when they have none.
+    std::vector<std::uint32_t> uvs_of;
+    /// Planes and the like, asked apart from the tree; ascending.
+    std::vector<std::uint32_t> unbounded;
+    std::vector<EndlessPlane> planes;    ///< those of them that are planes in their own place
+    std::vector<std::uint32_t> endless;  ///< the others
+    WideTree tree;
+    ClearSolids clear_solids;  ///< empty unless the camera is parallel
+};
+
+/// How surfaces look.
+struct Appearance {
+    std::vector<Material> materials;
+    std::vector<std::uint32_t> material_of;  ///< per primitive
+    /// Of faces of meshes that are leaves, and of components of blobs.
+    std::unordered_map<PrimitiveIndex, TextureList> part_textures;
+    bool any_transparent = false;  ///< rays must know what they are inside of
+    bool any_left_out = false;     ///< some objects are not there for some rays
+    bool any_scattering = false;   ///< a finish has facets
+    bool any_clear = false;        ///< shadow rays may pass through something
+};
+
+/// What gives light, except for the sky.
+struct WorldLights {
+    std::vector<Luminaire> luminaires;
+    /// Per primitive: index in luminaires, or no_primitive; empty if none glows.
+    std::vector<std::uint32_t> luminaire_of;
+    BuiltLightSampler sampler;  ///< among the luminaires
+    std::vector<Light> sources;
+    std::vector<LightReach> reach;       ///< of each source
+    std::vector<SourceSet> source_sets;  ///< all sources
+    std::vector<LightGroup> groups{1};   ///< the first stands for what is in none
+};
+
+/// What rays meet where they meet no surface, and on their way.
+struct Sky {
+    Background background;
+    std::optional<SkySphere> sphere;
+    std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
+    SkyLight light;  ///< empty unless the sky is a luminaire
+};
+
+/// From where the world is seen.
+struct WorldView {
+    Projection camera;
+    Bump camera_normal;
+};
+
+/// What holds for the whole scene.
+struct Rules {
+    GlobalSettings settings;
+    double language_version = 3.7;
+    int quality = 9;  ///< see surface/simplified.h
+};
+
+/// Which parts of the scene's text made what.
+struct Provenance {
+    /// The statements of the scene that made luminaires and lights, and which one made each of
+    /// them.
+    std::vector<Span> light_statements;
+    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
+    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
+    /// the scene makes them. Both are empty unless compile() was asked to remember.
+    std::vector<std::uint32_t> object_of;
+    std::vector<Span> object_spans;
+    std::size_t object_count = 0;  ///< as the scene counts them
+};
+
 /// Where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
@@ -153,9 +245,9 @@ public:
     /// is.
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be such solids.
-    bool notes_solids() const { return any_transparent || has_air(); }
+    bool notes_solids() const { return appearance.any_transparent || has_air(); }
     /// Whether there is fog or a rainbow.
-    bool has_air() const { return !fogs.empty() || !rainbows.empty(); }
+    bool has_air() const { return !sky.fogs.empty() || !sky.rainbows.empty(); }
 
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
@@ -163,7 +255,7 @@ public:
     EnteredSolids containing(const Vec3&) const;
 
     const Material& material(PrimitiveIndex primitive) const {
-        return materials[material_of[primitive]];
+        return appearance.materials[appearance.material_of[primitive]];
     }
 
     /// Radiance that the primitive emits at a point of its surface.
@@ -180,7 +272,7 @@ public:
 
     /// What comes from a direction in which there is nothing.
     Vec3 sky_radiance(const Vec3& direction) const {
-        return sky_radiance(direction, background.radiance());
+        return sky_radiance(direction, sky.background.radiance());
     }
     /// The same with that light of the background.
     Vec3 sky_radiance(const Vec3& direction, const Vec3& behind) const;
@@ -200,7 +292,8 @@ public:
 
     /// What all patterns of the scene have in common, for a point that is on no surface.
     PatternScene pattern_scene() const {
-        return {noise_generator(settings.noise_generator), settings.number_of_waves, nullptr};
+        return {noise_generator(rules.settings.noise_generator), rules.settings.number_of_waves,
+                nullptr};
     }
 
     /// The same for a point of a surface, without how it is seen.
@@ -218,79 +311,27 @@ public:
         if (const std::uint32_t number = material(primitive).shared_interior)
             return above_all - number;
         const bool face =
-            primitive >= spheres.size() && primitive < spheres.size() + triangles.size();
-        if (primitive >= leaves_begin())
-            return leaves_begin() + composite_of[primitive - leaves_begin()];
+            primitive >= geometry.spheres.size() && primitive < geometry.shapes_begin();
+        if (primitive >= geometry.leaves_begin())
+            return geometry.leaves_begin() +
+                   geometry.composite_of[primitive - geometry.leaves_begin()];
         return face ? ~material(primitive).solid : primitive;
-    }
-
-    /// Number of the first leaf of a composite among the primitives. The tree and `unbounded` have
-    /// the composites themselves from this number on.
-    PrimitiveIndex leaves_begin() const {
-        return static_cast<PrimitiveIndex>(spheres.size() + triangles.size() + shapes.size());
     }
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
-        return light_is_drawn() || !sky_light.empty() || any_scattering || !other_moments.empty();
+        return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
+               !shutter.empty();
     }
 
-    // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
-    std::vector<SpherePrimitive> spheres;
-    std::vector<TrianglePrimitive> triangles;
-    std::vector<PlacedShape> shapes;
-    std::vector<PlacedComposite> composites;
-    std::vector<std::uint32_t> composite_of;  ///< of the leaves
-    std::vector<CornerNormals> normals;       ///< of the smooth triangles
-    std::vector<std::uint32_t>
-        normals_of;  ///< per triangle: index in normals, or no_primitive; empty when none is smooth
-    std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
-    std::vector<std::uint32_t> uvs_of;  ///< per triangle: index in uvs, or no_primitive; the last
-                                        ///< ones are left out when they have none
-    /// Of faces of meshes that are leaves, and of components of blobs.
-    std::unordered_map<PrimitiveIndex, TextureList> part_textures;
-    /// Planes and the like, asked apart from the tree; ascending.
-    std::vector<std::uint32_t> unbounded;
-    std::vector<EndlessPlane> planes;        ///< those of them that are planes in their own place
-    std::vector<std::uint32_t> endless;      ///< the others
-    std::vector<std::uint32_t> material_of;  ///< per primitive
-    std::vector<Material> materials;
-    WideTree tree;
-    ClearSolids clear_solids;  ///< empty unless the camera is parallel
-
-    std::vector<Luminaire> luminaires;
-    std::vector<std::uint32_t>
-        luminaire_of;  ///< per primitive: index in luminaires, or no_primitive; empty if none glows
-    BuiltLightSampler sampler;
-    SkyLight sky_light;  ///< empty unless the sky is a luminaire
-    /// The statements of the scene that made luminaires and lights, and which one made each of
-    /// them.
-    std::vector<Span> light_statements;
-    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
-    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
-    /// the scene makes them. Both are empty unless compile() was asked to remember.
-    std::vector<std::uint32_t> object_of;
-    std::vector<Span> object_spans;
-    std::vector<Light> lights;
-    std::vector<LightReach> light_reach;      ///< of each light
-    std::vector<SourceSet> source_sets;       ///< all of them
-    std::vector<LightGroup> light_groups{1};  ///< the first stands for what is in none
-
-    Projection camera;
-    Bump camera_normal;
-    Background background;
-    std::optional<SkySphere> sky;
-    std::vector<Fog> fogs;
-    std::vector<Rainbow> rainbows;
-    GlobalSettings settings;
-    double language_version = 3.7;
-    std::size_t objects = 0;           ///< as the scene counts them
-    bool any_transparent = false;      ///< rays must know what they are inside of
-    bool any_left_out = false;         ///< some objects are not there for some rays
-    bool any_scattering = false;       ///< a finish has facets
-    bool any_clear = false;            ///< shadow rays may pass through something
-    int quality = 9;                   ///< see surface/simplified.h
-    std::vector<World> other_moments;  ///< the scene while the camera's shutter stays open
+    Geometry geometry;
+    Appearance appearance;
+    WorldLights lights;
+    Sky sky;
+    WorldView view;
+    Rules rules;
+    Provenance provenance;
+    std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
 
 private:
     struct Candidate {

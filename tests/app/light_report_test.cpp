@@ -31,7 +31,7 @@ Rendering rendered(const World& world, int threads) {
 
 TEST_CASE("the report of light has a line for each statement that makes lights", "[app]") {
     const World world = world_of(ten_lights);
-    REQUIRE(world.light_statements.size() == 2);
+    REQUIRE(world.provenance.light_statements.size() == 2);
     SourceStore sources;
     sources.add("scene.pov", ten_lights);
     const Rendering made = rendered(world, 1);

@@ -28,7 +28,7 @@ std::vector<Seen> seen_points(const World& world, int across) {
                                     0.5 - (i / across + 0.5) / across);
         Hit hit;
         if (ray.direction == Vec3(0) || !world.first_hit(ray, 0, RayKind::camera, hit)) continue;
-        if (world.luminaire_of[hit.primitive] != no_primitive) continue;
+        if (world.lights.luminaire_of[hit.primitive] != no_primitive) continue;
         const Vec3 normal = dot(hit.normal, ray.direction) > 0 ? -hit.normal : hit.normal;
         result.push_back({{hit.position, normal}, hit.tolerance});
     }
@@ -97,17 +97,18 @@ void choices() {
                 [&](const auto& b) {
                     b.choose(points[i].point, Key{i, 1, 0, 0}, picks);
                 },
-                world.sampler);
+                world.lights.sampler);
         choosing = cpu_seconds() - start;
     }
     const double start = cpu_seconds();
     for (std::size_t i = 0; i < std::min(picks.size(), points.size()); ++i)
-        if (const auto to = sample(world.luminaires[picks[i].light], points[i].point, {0.3, 0.7}))
+        if (const auto to =
+                sample(world.lights.luminaires[picks[i].light], points[i].point, {0.3, 0.7}))
             world.transmittance({points[i].point.position, to->direction}, points[i].tolerance,
                                 to->distance);
     tracing = cpu_seconds() - start;
     std::printf("city, %zu luminaires: choosing is %.0f %% of choosing and tracing\n",
-                world.luminaires.size(), 100 * choosing / (choosing + tracing));
+                world.lights.luminaires.size(), 100 * choosing / (choosing + tracing));
 }
 
 /// How many luminaires give 95 and 99 % of the light of a point. [claim-10]
@@ -117,7 +118,7 @@ void contributors() {
         std::vector<std::size_t> counts95, counts99;
         for (const Seen& seen : seen_points(world, 9)) {
             std::vector<double> given;
-            for (const Luminaire& luminaire : world.luminaires) {
+            for (const Luminaire& luminaire : world.lights.luminaires) {
                 const auto to = sample(luminaire, seen.point, {0.4, 0.6});
                 if (!to || !(dot(to->direction, seen.point.normal) > 0)) continue;
                 const Ray ray{seen.point.position, to->direction};
@@ -142,8 +143,8 @@ void contributors() {
         std::printf(
             "%s, %zu luminaires: 95 %% of a point's light come from %zu of them (median; "
             "%zu at 9 of 10 points), 99 %% from %zu (%zu)\n",
-            title, world.luminaires.size(), at(counts95, 0.5), at(counts95, 0.9), at(counts99, 0.5),
-            at(counts99, 0.9));
+            title, world.lights.luminaires.size(), at(counts95, 0.5), at(counts95, 0.9),
+            at(counts99, 0.5), at(counts99, 0.9));
     }
 }
 
@@ -159,7 +160,7 @@ void threshold() {
         for (const Seen& seen : points)
             surfaces.push_back({seen.point.position - 0.1, seen.point.position + 0.1});
         const double start = cpu_seconds();
-        const BuiltPaperOctree built(settings, {world.luminaires, surfaces}, 1);
+        const BuiltPaperOctree built(settings, {world.lights.luminaires, surfaces}, 1);
         const double built_in = cpu_seconds() - start;
         std::vector<std::size_t> lengths;
         for (const Seen& seen : points) lengths.push_back(built.bright(seen.point.position));
@@ -190,9 +191,10 @@ void split() {
         for (std::uint32_t i = 0; i < tries; ++i) {
             const Key key{n, i, 0, 0};
             picks.clear();
-            std::visit([&](const auto& b) { b.choose(seen.point, key, picks); }, world.sampler);
+            std::visit([&](const auto& b) { b.choose(seen.point, key, picks); },
+                       world.lights.sampler);
             if (picks.empty()) continue;
-            const Luminaire& luminaire = world.luminaires[picks[0].light];
+            const Luminaire& luminaire = world.lights.luminaires[picks[0].light];
             const Vec2 place{uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
             const auto to = sample(luminaire, seen.point, place);
             const double whole = unoccluded(luminaire, seen.point) / picks[0].expected;
@@ -267,8 +269,8 @@ void bulb() {
         const Measured found = measure(world, strategy, 200);
         if (first == 0) first = found.seconds;
         std::printf("bulb of %zu patches: %.2f s (%.2f), mean %.4f, RMSE %.5f\n",
-                    world.luminaires.size(), found.seconds, found.seconds / first, found.mean,
-                    found.rmse);
+                    world.lights.luminaires.size(), found.seconds, found.seconds / first,
+                    found.mean, found.rmse);
         std::fflush(stdout);
     }
 }

@@ -38,9 +38,9 @@ void compare(const std::string& title, const std::string& file, const Declares& 
         if (opponent == 0) opponent = found.work();
         std::printf(
             "%-22s %7zu  %-24s %3d x %d %8.2f s  mean %.4f  RMSE %.5f  at equal time %.3f\n",
-            title.c_str(), world.luminaires.size() + world.lights.size(), strategy.name.c_str(),
-            strategy.samples, strategy.shadow_rays, found.seconds, found.mean, found.rmse,
-            found.work() / opponent);
+            title.c_str(), world.lights.luminaires.size() + world.lights.sources.size(),
+            strategy.name.c_str(), strategy.samples, strategy.shadow_rays, found.seconds,
+            found.mean, found.rmse, found.work() / opponent);
         std::fflush(stdout);
     }
 }
@@ -82,7 +82,7 @@ void growth() {
             const double relative = found.rmse / found.mean;
             if (seconds == 0) seconds = found.seconds, noise = relative;
             std::printf("%s, %7zu luminaires: %.2f s (%.2f), RMSE over mean %.3f (%.2f)\n",
-                        title.c_str(), world.luminaires.size(), found.seconds,
+                        title.c_str(), world.lights.luminaires.size(), found.seconds,
                         found.seconds / seconds, relative, relative / noise);
             std::fflush(stdout);
         }
@@ -275,7 +275,7 @@ void figure5() {
     std::printf(
         "figure 5, %zu luminaires: %.1f %% of the pixels refined, %.2f samples a pixel, "
         "RMSE %.5f, %.2f times that of as many everywhere\n",
-        world.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
+        world.lights.luminaires.size(), 100 * more / count, mean, rmse, rmse / equal);
 }
 
 void million() {

@@ -154,7 +154,7 @@ TEST_CASE("the sign of a radius does not count, and what has none is left out") 
         CHECK(extents(std::string(text).replace(at, 1, "-")) ==
               extents(std::string(text).replace(at, 1, "")));
     }
-    CHECK(world_of("#for (I, -9, 9) sphere { 0, I } #end").spheres.size() == 18);
+    CHECK(world_of("#for (I, -9, 9) sphere { 0, I } #end").geometry.spheres.size() == 18);
     CHECK(extents("difference { sphere { 0, 1 } sphere { 0, 0 } }") == "2 2;");
     for (const char* nothing :
          {"sphere { 0, 0 }", "cylinder { 0, y, 0 }", "cone { 0, 0, y, 0 }", "torus { 1, 0 }",

@@ -20,7 +20,7 @@ TEST_CASE("every example renders", "[examples]") {
         const std::string path = fs::relative(entry.path(), CANDELABRA_SOURCE_DIR).string();
         INFO(path);
         const World world = world_of_file(path, {}, {});
-        CHECK(world.luminaires.size() > 0);
+        CHECK(world.lights.luminaires.size() > 0);
         RenderSettings settings;
         settings.width = 32;
         settings.height = 24;
@@ -58,11 +58,11 @@ TEST_CASE("pictures are the same by both indexes", "[examples]") {
 TEST_CASE("the paper's flakes have its numbers of spheres and luminaires", "[examples]") {
     const auto luminaires = [](const Declares& declares) {
         return world_of_file("examples/paper/fig6.pov", declares, ConstantAlpha{})
-            .luminaires.size();
+            .lights.luminaires.size();
     };
     const World world = world_of_file("examples/paper/fig6.pov", {}, ConstantAlpha{});
-    CHECK(world.spheres.size() == 2 * 7381);
-    CHECK(world.luminaires.size() == 7381);
+    CHECK(world.geometry.spheres.size() == 2 * 7381);
+    CHECK(world.lights.luminaires.size() == 7381);
     CHECK(luminaires({{"Luminaires", 1.0}}) == 1);
     CHECK(luminaires({{"Depth", 5.0}}) == 66430);
 }

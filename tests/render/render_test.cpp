@@ -190,7 +190,7 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
 TEST_CASE("lights are counted by statement when that is asked for, the same by any threads",
           "[render]") {
     const World world = world_of(four_lamps + std::string("light_source { 5*y, 0.1 }"));
-    REQUIRE(world.light_statements.size() == 2);
+    REQUIRE(world.provenance.light_statements.size() == 2);
     RenderHooks hooks;
     hooks.counts_lights = true;
     const LightLedger one = render(world, small(1), hooks).rays,
@@ -203,8 +203,8 @@ TEST_CASE("lights are counted by statement when that is asked for, the same by a
         rays += one.lights[i].rays;
     }
     CHECK(rays == one.shadow);
-    CHECK(one.lights[world.statement_of_light[0]].light.value() > 0);
-    CHECK(one.lights[world.statement_of_luminaire[0]].light.value() > 0);
+    CHECK(one.lights[world.provenance.statement_of_light[0]].light.value() > 0);
+    CHECK(one.lights[world.provenance.statement_of_luminaire[0]].light.value() > 0);
     CHECK(render(world, small(1)).rays.lights.empty());
 }
 

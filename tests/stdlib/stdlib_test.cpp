@@ -82,7 +82,7 @@ TEST_CASE("light arrays place as many lamps as they are asked for", "[stdlib]") 
     for (const Case& c : cases) {
         const World world = world_of(before + c.array + " }");
         INFO(c.array);
-        CHECK(world.luminaires.size() == c.lamps);
+        CHECK(world.lights.luminaires.size() == c.lamps);
     }
 }
 
@@ -94,7 +94,7 @@ std::string radiances(const std::string& call) {
         #include "light_arrays.inc" #declare L = sphere { 0, 0.05 } object { )" +
                                  call + " }");
     std::string text;
-    for (const Luminaire& each : world.luminaires)
+    for (const Luminaire& each : world.lights.luminaires)
         text += message(text.empty() ? "" : " | ", each.radiance.x, " ", each.radiance.y, " ",
                         each.radiance.z);
     return text;

@@ -51,7 +51,7 @@ const std::string lamps[] = {
 
 TEST_CASE("the light of all statements together is the picture", "[render]") {
     const World world = world_of(room + lamps[0] + lamps[1] + lamps[2]);
-    REQUIRE(world.light_statements.size() == 3);
+    REQUIRE(world.provenance.light_statements.size() == 3);
     Aovs extras;
     extras.lights = true;
     const RenderState state = made(world, extras);

@@ -63,7 +63,7 @@ TEST_CASE("objects have numbers in the order of the scene", "[render]") {
     CHECK(number({-0.7, 2.5, 0}) == 5);
     CHECK(number({0.7, 2.5, 0}) == 6);
     CHECK(number({0, -4.5, 0}) == 7);
-    CHECK(world.object_spans.size() == 7);
-    CHECK(world.objects == 7);
-    CHECK(world_of(scene).object_of.empty());
+    CHECK(world.provenance.object_spans.size() == 7);
+    CHECK(world.provenance.object_count == 7);
+    CHECK(world_of(scene).provenance.object_of.empty());
 }

@@ -15,22 +15,23 @@ TEST_CASE("every object that emits becomes a luminaire", "[world]") {
         sphere { 20, 1 pigment { rgb 0 } finish { emission 4 } }
         sphere { 30, 1 }
     )");
-    REQUIRE(world.luminaires.size() == 4);
-    CHECK(world.luminaires[0].radiance == Vec3(4, 2, 0));
-    CHECK_FALSE(world.luminaires[0].varying);
-    CHECK(world.luminaires[3].varying);
-    CHECK(world.luminaires[3].radiance == Vec3(2));
-    CHECK(world.objects == 6);
+    REQUIRE(world.lights.luminaires.size() == 4);
+    CHECK(world.lights.luminaires[0].radiance == Vec3(4, 2, 0));
+    CHECK_FALSE(world.lights.luminaires[0].varying);
+    CHECK(world.lights.luminaires[3].varying);
+    CHECK(world.lights.luminaires[3].radiance == Vec3(2));
+    CHECK(world.provenance.object_count == 6);
 }
 
 TEST_CASE("the command line's light sampler goes before the scene's", "[world]") {
     Diagnostics diagnostics;
     const Scene scene =
         scene_of("global_settings { light_sampler { every_light } } sphere { 0, 1 }");
-    CHECK(compile(scene, {}, diagnostics).sampler.index() == LightSampler(EveryLight{}).index());
+    CHECK(compile(scene, {}, diagnostics).lights.sampler.index() ==
+          LightSampler(EveryLight{}).index());
     CompileOptions options;
     options.light_sampler = LinearAlpha{};
-    CHECK(compile(scene, options, diagnostics).sampler.index() ==
+    CHECK(compile(scene, options, diagnostics).lights.sampler.index() ==
           LightSampler(LinearAlpha{}).index());
 }
 
@@ -50,10 +51,10 @@ TEST_CASE("a survey finds the materials and luminaires that a world has, and no 
     Diagnostics diagnostics;
     const Scene scene = scene_of(script);
     const World world = compile(scene, {}, diagnostics), seen = survey(scene, diagnostics);
-    CHECK(seen.objects == world.objects);
-    CHECK(seen.materials.size() == world.materials.size());
-    CHECK(seen.luminaires.size() == world.luminaires.size());
-    CHECK(seen.spheres.size() == 1);
-    CHECK(seen.shapes.empty());
-    CHECK(seen.composites.size() == 1);
+    CHECK(seen.provenance.object_count == world.provenance.object_count);
+    CHECK(seen.appearance.materials.size() == world.appearance.materials.size());
+    CHECK(seen.lights.luminaires.size() == world.lights.luminaires.size());
+    CHECK(seen.geometry.spheres.size() == 1);
+    CHECK(seen.geometry.shapes.empty());
+    CHECK(seen.geometry.composites.size() == 1);
 }

@@ -15,19 +15,19 @@ TEST_CASE("primitives of each kind become luminaires", "[world]") {
         sphere { 5, 1 }
         superellipsoid { <0.5, 0.5> translate 9*x }
     )");
-    CHECK(world.luminaires.size() == 6);
+    CHECK(world.lights.luminaires.size() == 6);
     const auto made = [&](auto kind) {
-        return std::ranges::count_if(world.luminaires, [](const Luminaire& each) {
+        return std::ranges::count_if(world.lights.luminaires, [](const Luminaire& each) {
             return std::holds_alternative<decltype(kind)>(each.emitter);
         });
     };
     CHECK(made(SphereEmitter()) == 1);
     CHECK(made(TriangleEmitter()) == 1);
-    for (const Luminaire& each : world.luminaires) {
+    for (const Luminaire& each : world.lights.luminaires) {
         CHECK(each.radiance == Vec3(2));
         CHECK_FALSE(each.varying);
-        CHECK(world.luminaire_of[each.primitive] ==
-              static_cast<LightIndex>(&each - world.luminaires.data()));
+        CHECK(world.lights.luminaire_of[each.primitive] ==
+              static_cast<LightIndex>(&each - world.lights.luminaires.data()));
     }
 }
 
@@ -38,6 +38,6 @@ TEST_CASE("textures of a blob that is not placed do not go to the next shape", "
         torus { 2, 0.5 pigment { rgb 1 } finish { emission 2 } }
     )"),
                                diagnostics);
-    REQUIRE(world.luminaires.size() == 1);
-    CHECK_FALSE(world.luminaires[0].varying);
+    REQUIRE(world.lights.luminaires.size() == 1);
+    CHECK_FALSE(world.lights.luminaires[0].varying);
 }

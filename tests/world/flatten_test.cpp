@@ -15,7 +15,7 @@ TEST_CASE("children inherit what they do not say", "[world]") {
             no_shadow
         }
     )");
-    REQUIRE(world.spheres.size() == 2);
+    REQUIRE(world.geometry.spheres.size() == 2);
     CHECK(world.material(0).texture->pigment.colour.rgb.x == 0.25);
     CHECK(world.material(1).texture->pigment.colour.rgb.x == 0.5);
     CHECK(world.material(1).no_shadow);
@@ -36,9 +36,9 @@ TEST_CASE("many copies of an object share their looks", "[world]") {
         #declare Lamp = union { sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } } cylinder { 0, y, 0.1 pigment { rgb 0 } } }
         #for (I, 1, 100) object { Lamp translate 3*I*x } #end
     )");
-    CHECK(world.objects == 200);
-    CHECK(world.materials.size() == 2);
-    CHECK(world.luminaires.size() == 100);
+    CHECK(world.provenance.object_count == 200);
+    CHECK(world.appearance.materials.size() == 2);
+    CHECK(world.lights.luminaires.size() == 100);
 }
 
 TEST_CASE("a luminaire that cannot light says so", "[world]") {
@@ -84,7 +84,7 @@ TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
     const auto solids = [](const std::string& script) {
         const World world = world_of("#version 3.7; " + script);
         std::vector<std::uint32_t> result;
-        for (PrimitiveIndex i = 0; i < world.material_of.size(); ++i)
+        for (PrimitiveIndex i = 0; i < world.appearance.material_of.size(); ++i)
             result.push_back(world.solid(i));
         std::ranges::sort(result);
         return std::unique(result.begin(), result.end()) - result.begin();

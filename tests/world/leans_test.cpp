@@ -14,7 +14,7 @@ std::vector<Vec3> leans(const std::string& text, const std::string& eye = "<0, 2
         world_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +
                  "#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
     std::vector<Vec3> result;
-    for (const Luminaire& luminaire : world.luminaires) result.push_back(luminaire.lean);
+    for (const Luminaire& luminaire : world.lights.luminaires) result.push_back(luminaire.lean);
     return result;
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("leans are the same for any number of threads", "[world]") {
     const World one = compile(scene, options, diagnostics);
     options.threads = 3;
     const World three = compile(scene, options, diagnostics);
-    REQUIRE(one.luminaires.size() == 601);
-    for (std::size_t i = 0; i < one.luminaires.size(); ++i)
-        CHECK(one.luminaires[i].lean == three.luminaires[i].lean);
+    REQUIRE(one.lights.luminaires.size() == 601);
+    for (std::size_t i = 0; i < one.lights.luminaires.size(); ++i)
+        CHECK(one.lights.luminaires[i].lean == three.lights.luminaires[i].lean);
 }

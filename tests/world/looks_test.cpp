@@ -108,7 +108,7 @@ TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
     const World world = world_of(
         "#version 3.7; blob { threshold 0.2 sphere { 0, 1, 1 pigment { "
         "rgb 1 } finish { emission 2 } } sphere { x, 1, 1 } }");
-    REQUIRE(world.luminaires.size() == 1);
-    CHECK(world.luminaires[0].radiance == Vec3(2));
-    CHECK(world.luminaires[0].varying);
+    REQUIRE(world.lights.luminaires.size() == 1);
+    CHECK(world.lights.luminaires[0].radiance == Vec3(2));
+    CHECK(world.lights.luminaires[0].varying);
 }

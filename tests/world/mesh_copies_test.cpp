@@ -89,8 +89,8 @@ TEST_CASE("the first copies of a mesh are taken apart", "[world]") {
 
 TEST_CASE("copies of a mesh that are whole look as those that are taken apart", "[world]") {
     const World copies = world_of(sheets("Copy")), others = world_of(sheets("Sheet()"));
-    CHECK(copies.shapes.size() == others.shapes.size() + 7);
-    CHECK(copies.triangles.size() == others.triangles.size() / 8);
+    CHECK(copies.geometry.shapes.size() == others.geometry.shapes.size() + 7);
+    CHECK(copies.geometry.triangles.size() == others.geometry.triangles.size() / 8);
     RenderSettings settings;
     settings.width = 64;
     settings.height = 48;
@@ -104,7 +104,7 @@ TEST_CASE("copies of a mesh that are whole look as those that are taken apart", 
 
 TEST_CASE("a whole copy of a mesh is one luminaire, and as bright as its faces are", "[world]") {
     const World copies = world_of(globes("Copy")), others = world_of(globes("Globe()"));
-    CHECK(copies.luminaires.size() == others.luminaires.size() / 2 + 1);
+    CHECK(copies.lights.luminaires.size() == others.lights.luminaires.size() / 2 + 1);
     RenderSettings settings;
     settings.width = 32;
     settings.height = 24;

@@ -70,19 +70,19 @@ TEST_CASE("fewer light sources are all asked where pixels have many samples anyw
     const std::string some = "#for (I, 1, 50) light_source { I*x, 1 } #end plane { y, 0 } ";
     CHECK_FALSE(world_of(some).left_to_chance());
     const World world = world_of(some + "sphere { y, 1 pigment { rgb 1 } finish { emission 1 } }");
-    CHECK(world.source_sets[0].drawn());
+    CHECK(world.lights.source_sets[0].drawn());
 }
 
 TEST_CASE("each light group has its own set", "[world]") {
     const std::string group =
         "light_group { #for (I, 1, 150) light_source { I*x, 1 } #end sphere { 0, 1 } }";
     const World world = world_of("light_source { y, 1 } sphere { 3*x, 1 }" + group + group);
-    REQUIRE(world.source_sets.size() == 3);
-    CHECK_FALSE(world.source_sets[0].drawn());
+    REQUIRE(world.lights.source_sets.size() == 3);
+    CHECK_FALSE(world.lights.source_sets[0].drawn());
     for (const std::size_t i : {1u, 2u}) {
-        CHECK(world.source_sets[i].group == i);
-        CHECK(world.source_sets[i].lights.size() == 150);
-        CHECK(world.source_sets[i].drawn());
+        CHECK(world.lights.source_sets[i].group == i);
+        CHECK(world.lights.source_sets[i].lights.size() == 150);
+        CHECK(world.lights.source_sets[i].drawn());
     }
     CHECK(world.light_is_drawn());
 }

@@ -55,12 +55,12 @@ TEST_CASE("of surfaces in one place that of the first object is hit", "[world]")
 
 TEST_CASE("spheres under a similarity stay spheres, others become shapes", "[world]") {
     const World round = world_of("sphere { <1, 0, 0>, 1 scale 2 rotate 90*y translate 3*z }");
-    REQUIRE(round.spheres.size() == 1);
-    CHECK(length(round.spheres[0].centre - Vec3(0, 0, 1)) < 1e-12);
-    CHECK(round.spheres[0].radius == Approx(2));
+    REQUIRE(round.geometry.spheres.size() == 1);
+    CHECK(length(round.geometry.spheres[0].centre - Vec3(0, 0, 1)) < 1e-12);
+    CHECK(round.geometry.spheres[0].radius == Approx(2));
 
     const World oval = world_of("sphere { 0, 1 scale <2, 1, 1> }");
-    REQUIRE(oval.shapes.size() == 1);
+    REQUIRE(oval.geometry.shapes.size() == 1);
     const Hit hit = first(oval, Vec3(5, 0, 0), Vec3(0));
     CHECK(hit.position.x == Approx(2));
     CHECK(hit.normal.x == Approx(1));
@@ -131,14 +131,14 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         CAPTURE(point.x, point.y, point.z);
         CHECK(found == expected);
     }
-    CHECK(parallel.clear_solids.bounded.size() > 20);
+    CHECK(parallel.geometry.clear_solids.bounded.size() > 20);
 }
 
 TEST_CASE("the background's transparency counts from version 3.7 on", "[world]") {
     const std::string text = "background { rgbft <1, 0.5, 0.2, 0.25, 0.5> }";
     const World now = world_of("#version 3.7; " + text), old = world_of("#version 3.6; " + text);
     CHECK(now.sky_radiance(Vec3(0, 0, 1)) == Vec3(0.5, 0.25, 0.1));
-    CHECK(now.background.covering() == Vec3(0.25, 0.125, 0.05));
-    CHECK(now.background.mirrored() == Vec3(1, 0.5, 0.2));
+    CHECK(now.sky.background.covering() == Vec3(0.25, 0.125, 0.05));
+    CHECK(now.sky.background.mirrored() == Vec3(1, 0.5, 0.2));
     CHECK(old.sky_radiance(Vec3(0, 0, 1)) == Vec3(1, 0.5, 0.2));
 }
