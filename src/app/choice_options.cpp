@@ -46,6 +46,10 @@ void store::luminaires(Options& options, const Given& given, Diagnostics& diagno
                "--luminaires 0.5 leaves those that are dimmer out");
 }
 
+void store::integrator(Options& options, const Given& given, Diagnostics& diagnostics) {
+    choose(options.render.integrator, "integrator", given, diagnostics);
+}
+
 void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {
     choose(options.render.index, "index", given, diagnostics);
 }

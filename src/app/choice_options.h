@@ -8,6 +8,7 @@
 namespace store {
 
 void sampler(Options&, const Given&, Diagnostics&);
+void integrator(Options&, const Given&, Diagnostics&);
 void index(Options&, const Given&, Diagnostics&);
 void luminaires(Options&, const Given&, Diagnostics&);
 

@@ -72,6 +72,9 @@ void add_sampling(Words& words, const Options& options) {
     if (settings.light_sampler)
         words.add_long("light-sampler",
                        Kinds<LightSampler>::infos[settings.light_sampler->index()]->name);
+    if (settings.integrator)
+        words.add_long("integrator",
+                       Kinds<IntegratorSettings>::infos[settings.integrator->index()]->name);
     if (settings.seed != usual.seed) words.add_long("seed", settings.seed);
 }
 

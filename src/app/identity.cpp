@@ -41,6 +41,10 @@ void add_settings(Identity& identity, const RenderSettings& settings) {
     identity.emplace_back(
         "light-sampler",
         sampler ? std::string(Kinds<LightSampler>::infos[sampler->index()]->name) : "the scene's");
+    if (settings.integrator)
+        identity.emplace_back(
+            "integrator",
+            std::string(Kinds<IntegratorSettings>::infos[settings.integrator->index()]->name));
 }
 
 std::string sampling(const Options& options) {

@@ -151,6 +151,9 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "index", value, "name", store::index,
            "what finds the surfaces that rays meet, instead of the scene's: kd_tree or "
            "bounding_boxes; pictures are the same"),
+    option("", "", "integrator", value, "name", store::integrator,
+           "how light is followed, instead of the scene's: pov_ray or path_traced; see "
+           "INTEGRATORS"),
     setting("", "", "seed", "seed"),
     setting("WT", "Work_Threads", "threads", "threads"),
     that(Touches::reads,

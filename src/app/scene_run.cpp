@@ -170,7 +170,7 @@ private:
         statistics_.parse = time_now();
         Scene scene = evaluate_scene(main, folder_of(output), 0, diagnostics_);
         statistics_.parse = time_now() - statistics_.parse;
-        settle_luminaires(scene.settings, options_.render);
+        settle_settings(scene.settings, options_.render);
         if (console_.files_read) console_.files_read(files_);
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
@@ -207,7 +207,7 @@ private:
             Diagnostics problems;
             const double ahead = view.shutter * i / view.moments;
             Scene scene = evaluate_scene(main, picture_folder, ahead, problems);
-            settle_luminaires(scene.settings, options_.render);
+            settle_settings(scene.settings, options_.render);
             // What is no error has been said of the first moment.
             for (const Diagnostic& each : problems.all())
                 if (each.severity == Severity::error) diagnostics_.add(each);

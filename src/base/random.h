@@ -27,7 +27,13 @@ enum class Purpose : std::uint32_t {
     facet_choice,
     facet_u,
     facet_v,
-    light_roulette
+    light_roulette,
+    texture_choice,
+    way_choice,
+    band_choice,
+    bounce_u,
+    bounce_v,
+    roulette
 };
 
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces

@@ -66,6 +66,15 @@ ChoiceBlock<RayIndex> index_block(OpenBlock& block, RayIndex& index) {
             index};
 }
 
+ChoiceBlock<IntegratorSettings> integrator_block(OpenBlock& block, IntegratorSettings& integrator) {
+    const auto all_have_effect = [](OpenBlock&, const IntegratorSettings&, const ItemReader&,
+                                    Span) {};
+    return {block,
+            {"integrator", "way of following light", "{ pov_ray }, or { path_traced [bounces n] }"},
+            all_have_effect,
+            integrator};
+}
+
 /// The fields; `assumed_gamma srgb` is the one that has a word for its value.
 class SettingsFields {
 public:
@@ -174,10 +183,11 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     SettingsFields fields(block, settings);
     auto sampler = sampler_block(block, settings.light_sampler);
     auto index = index_block(block, settings.index);
+    auto integrator = integrator_block(block, settings.integrator);
     LuminairesReader luminaires(block, settings);
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
-    block.read(element.body, luminaires, fields, sampler, index, subsurface);
+    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);

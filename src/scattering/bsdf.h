@@ -15,7 +15,8 @@ enum class Lobes {
     all,
     wide,  ///< without lobes of facets that are so narrow that scattered rays find luminaires
            ///< better
-    without_highlights  ///< of POV-Ray's finish
+    without_highlights,  ///< of POV-Ray's finish; of facets all
+    diffuse
 };
 
 /// Throughout, light of colour 1 is that of a perpendicular irradiance of pi, as in POV-Ray, and

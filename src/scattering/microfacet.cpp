@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 /// A clear coat's reflection straight on: of an index of refraction of 1.5.
 constexpr double coat_facing = 0.04;
-constexpr double most_specular = 0.08;
+constexpr double max_specular = 0.08;
 
 /// Wider lobes are left to the sampling of luminaires.
 constexpr double narrow = 0.1;
@@ -56,7 +56,7 @@ struct Layers {
     explicit Layers(const Shading& s)
         : material(s.finish->microfacet),
           base(s.colour.rgb),
-          facing((1 - material.metallic) * Vec3(most_specular * material.specular) +
+          facing((1 - material.metallic) * Vec3(max_specular * material.specular) +
                  material.metallic * base) {}
 
     Vec3 mirror(double cosine) const { return facing + (Vec3(1) - facing) * grazing(cosine); }
@@ -84,7 +84,25 @@ Vec3 seen_facet(const Vec3& viewer, double width, Vec2 place) {
     return unit(Vec3(width * n.x, width * n.y, std::max(1e-9, n.z)));
 }
 
+/// What the base sends on, below facets that send on a share, without a coat.
+Vec3 base_response(const Shading& s, const Layers& layers, double inner, double light) {
+    return layers.base * ((1 - layers.material.metallic) * (1 - inner) * light * s.opacity);
+}
+
+double inner_share(const Microfacet& m, double between) {
+    return schlick(max_specular * m.specular, between);
+}
+
 }  // namespace
+
+Vec3 facet_base_response(const Shading& s, const Vec3& to_light) {
+    const double light = dot(s.normal, to_light);
+    if (light <= 1e-10) return Vec3(0);
+    const double between = std::clamp(dot(to_light, unit(to_light - s.view)), 0.0, 1.0);
+    const Layers layers(s);
+    return base_response(s, layers, inner_share(layers.material, between), light) *
+           (1 - layers.coat(between));
+}
 
 Vec3 facet_response(const Shading& s, const Vec3& to_light, bool wide_only) {
     FacetGeometry g;
@@ -97,8 +115,7 @@ Vec3 facet_response(const Shading& s, const Vec3& to_light, bool wide_only) {
     const Layers layers(s);
     const Microfacet& m = layers.material;
     const auto counts = [&](double width) { return !wide_only || width >= narrow; };
-    const double inner = schlick(most_specular * m.specular, g.between);
-    Vec3 sum = layers.base * ((1 - m.metallic) * (1 - inner) * g.light * s.opacity);
+    Vec3 sum = base_response(s, layers, inner_share(m, g.between), g.light);
     if (const double w = width(m.roughness); counts(w))
         sum += layers.mirror(g.between) * reflected(w, g);
     const double coat = layers.coat(g.between);

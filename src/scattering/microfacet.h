@@ -14,6 +14,9 @@
 /// find luminaires better. Precondition of all functions here: the finish has facets.
 Vec3 facet_response(const Shading&, const Vec3& to_light, bool wide_only);
 
+/// The part of it that the diffuse base below the facets sends on.
+Vec3 facet_base_response(const Shading&, const Vec3& to_light);
+
 /// What goes to the viewer of light of colour 1 that comes from everywhere, roughly, as a share: by
 /// the diffuse base, and by the wide lobes (0: there is none).
 struct FacetLight {

@@ -50,6 +50,10 @@ constexpr auto groups = std::array{
         "What finds the surfaces that a ray may meet: global_settings { index { name ... } }, "
         "or --index. Pictures are the same by all.",
         Kinds<RayIndex>::infos, "index"},
+    ItemGroup{
+        "Integrators",
+        "How light is followed: global_settings { integrator { name ... } }, or --integrator.",
+        Kinds<IntegratorSettings>::infos, "integrator"},
 };
 
 }  // namespace

@@ -53,6 +53,9 @@ std::string settings_text(const Scene& scene) {
     const std::string index = item_text(settings.index);
     if (index != item_text(GlobalSettings().index))
         text += message(text.empty() ? "" : " ", "index { ", index, " }");
+    const std::string integrator = item_text(settings.integrator);
+    if (integrator != item_text(GlobalSettings().integrator))
+        text += message(text.empty() ? "" : " ", "integrator { ", integrator, " }");
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 

@@ -85,8 +85,9 @@ const ItemInfo RenderSettings::vocabulary = described<RenderSettings>([] {
           between(0, 4096)});
 });
 
-void settle_luminaires(GlobalSettings& scene, const RenderSettings& run) {
+void settle_settings(GlobalSettings& scene, const RenderSettings& run) {
     scene.ambient_luminaires |= run.ambient_luminaires;
+    if (run.integrator) scene.integrator = *run.integrator;
     if (!run.luminaires_above) return;
     scene.luminaires_above = *run.luminaires_above;
     scene.luminaires_said = true;

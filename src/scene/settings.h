@@ -4,6 +4,7 @@
 
 #include "index/settings.h"
 #include "lighting/settings.h"
+#include "method/settings.h"
 #include "surface/subsurface.h"
 #include "vocabulary/item_info.h"
 
@@ -26,8 +27,9 @@ struct GlobalSettings {
     double mm_per_unit = 10;        ///< millimetres; for translucency
     SubsurfaceSettings subsurface;  ///< from the block of that name
     LightSampler light_sampler =
-        LightOctree{};  ///< from the block of that name, which the evaluator reads
-    RayIndex index;     ///< the same
+        LightOctree{};              ///< from the block of that name, which the evaluator reads
+    RayIndex index;                 ///< the same
+    IntegratorSettings integrator;  ///< the same
 
     static const ItemInfo vocabulary;
 };
@@ -50,13 +52,14 @@ struct RenderSettings {
     int quality = 9;      ///< POV-Ray's: see surface/simplified.h
     bool ambient_luminaires = false;  ///< as the global setting of that name
     int seed = 0;
-    int threads = 0;                            ///< 0: one per core
-    std::optional<LightSampler> light_sampler;  ///< overrides the scene's
-    std::optional<RayIndex> index;              ///< the same
-    std::optional<double> luminaires_above;     ///< the same
+    int threads = 0;                               ///< 0: one per core
+    std::optional<LightSampler> light_sampler;     ///< overrides the scene's
+    std::optional<RayIndex> index;                 ///< the same
+    std::optional<IntegratorSettings> integrator;  ///< the same
+    std::optional<double> luminaires_above;        ///< the same
 
     static const ItemInfo vocabulary;
 };
 
-/// Gives the scene the run's rule of what is a luminaire.
-void settle_luminaires(GlobalSettings&, const RenderSettings&);
+/// Gives the scene what the run says instead: its rule of what is a luminaire, and its integrator.
+void settle_settings(GlobalSettings&, const RenderSettings&);

@@ -3,6 +3,7 @@
 // settings choose one (method/settings.h).
 #pragma once
 
+#include "transport/path_traced.h"
 #include "transport/povray.h"
 
 #include <concepts>
@@ -22,8 +23,7 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
 
 class Integrator {
 public:
-    Integrator(const World& world, const Tracing& wanted)
-        : built_(PovRayIntegrator(world, wanted)) {}
+    Integrator(const World& world, const Tracing& wanted) : built_(built(world, wanted)) {}
 
     Vec3 radiance(const Ray& ray, const Key& key) {
         return std::visit([&](auto& built) { return built.radiance(ray, key); }, built_);
@@ -40,7 +40,16 @@ public:
     }
 
 private:
-    using Built = std::variant<PovRayIntegrator>;
+    using Built = std::variant<PovRayIntegrator, PathTracedIntegrator>;
+
+    /// As the settings say, in the order of IntegratorSettings.
+    static Built built(const World& world, const Tracing& wanted) {
+        if (std::holds_alternative<PathTraced>(world.rules.settings.integrator))
+            return PathTracedIntegrator(world, wanted);
+        return PovRayIntegrator(world, wanted);
+    }
+
     Built built_;
 };
-static_assert(IntegratorKind<PovRayIntegrator> && IntegratorKind<Integrator>);
+static_assert(IntegratorKind<PovRayIntegrator> && IntegratorKind<PathTracedIntegrator> &&
+              IntegratorKind<Integrator>);

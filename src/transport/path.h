@@ -14,6 +14,9 @@
 /// one place.
 inline constexpr int max_clear_surfaces = 1000;
 
+/// How a path goes on.
+enum class Bounce : std::uint32_t { reflection, refraction, scattering, diffuse };
+
 struct PathState {
     Ray ray;               ///< its direction is a unit vector
     double tolerance = 0;  ///< hits that are nearer do not count
@@ -23,8 +26,9 @@ struct PathState {
     /// The same for light from behind everything, as POV-Ray counts how clear a picture is: of each
     /// surface's colour only the grey.
     double clear = 1;
-    int depth = 0;   ///< reflections and refractions so far
-    int passed = 0;  ///< surfaces passed without a change of direction, which do not count there
+    int depth = 0;    ///< reflections and refractions so far
+    int bounces = 0;  ///< diffuse ones
+    int passed = 0;   ///< surfaces passed without a change of direction, which do not count there
     /// The greatest change of the pixel that the ray can make, relative to its radiance: POV-Ray's
     /// measure of when to stop.
     double weight = 1;
@@ -40,5 +44,13 @@ struct PathState {
         result.throughput *= share;
         result.clear *= std::min(1.0, std::abs(grey(share)));
         return result;
+    }
+
+    /// Goes on from a surface along the ray, one level deeper.
+    void go_on(const Ray& next, double least_distance, Bounce bounce) {
+        ray = next;
+        tolerance = least_distance;
+        ++depth;
+        key = key.bounced(static_cast<std::uint32_t>(bounce));
     }
 };

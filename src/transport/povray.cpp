@@ -6,6 +6,7 @@
 #include "scattering/phong.h"
 #include "surface/simplified.h"
 #include "transport/atmosphere.h"
+#include "transport/layer_stack.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
@@ -13,26 +14,12 @@
 
 namespace {
 
-enum Bounce : std::uint32_t { reflection, refraction, scattering };
-
-/// The share of light that a solid's inside leaves along the part of a path that ends at its
-/// surface.
-Vec3 left_inside(const World& world, const PathState& path, const Hit& hit) {
-    const auto& interior = world.material(hit.primitive).interior;
-    if (!interior || interior->fade_distance == 0 || !is_in(world, path.media, hit.primitive))
-        return Vec3(1);
-    return attenuation(*interior, length(hit.position - path.ray.origin));
-}
-
 /// The path that goes on as a mirror sends it; without its throughput.
 PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
     PathState next = path;
-    next.ray = {vertex.position(), reflected_direction(s)};
-    next.tolerance = vertex.tolerance();
-    next.depth = path.depth + 1;
+    next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Bounce::reflection);
     next.kind = RayKind::reflected;
     next.counted = false;
-    next.key = path.key.bounced(reflection);
     return next;
 }
 
@@ -103,58 +90,36 @@ Vec3 PovRayIntegrator::surface(const PathState& path, const Hit& hit) {
 Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                                std::span<const Layer> layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
-    const PrimitiveIndex primitive = vertex.hit.primitive;
-    const double bailout = world_.rules.settings.adc_bailout;
-    const bool transparent = vertex.material->transparent;
-    const bool asks = transparent || std::ranges::any_of(layers, [](const Layer& layer) {
-                          return layer.finish->reflection.fresnel;
-                      });
-    const Interface surface =
-        asks ? interface_at(world_, path.media, primitive, path.band) : Interface{};
-    const auto kept = [&](const Shading& s) {
-        const Vec3 clear = s.colour.passing();
-        return s.finish->conserve_energy
-                   ? clear * glm::clamp(Vec3(1) - reflectivity(s, surface.plain), Vec3(0), Vec3(1))
-                   : clear;
-    };
-    Vec3 behind(transparent ? 1 : 0);
-    if (transparent)
-        for (const Layer& layer : layers) behind *= kept(with_layer(world_, vertex, layer));
-    // A negative share, which takes away what is behind, counts like a positive one.
-    const bool clear = std::abs(grey(behind)) > bailout && world_.rules.quality >= quality_pigments;
+    const LayerStack stack(world_, path, vertex, layers);
     const bool counted = path.counted && !world_.lights.luminaires.empty() &&
-                         world_.lights.luminaire_of[primitive] != no_primitive;
-    const Shading top = with_layer(world_, vertex, layers.front());
-    const bool total = clear && surface.bands == 0 && reflects_totally(top, surface.ratio);
-    Vec3 result(0), through(1);
-    for (const Layer& layer : layers) {
-        const bool first = &layer == layers.data();
-        const double share = first ? 1 : grey(through);
-        if (share <= bailout) break;
-        const Shading s = first ? top : with_layer(world_, vertex, layer);
-        const PathState below = path.dimmed(through);
-        result += through * lit(below, vertex, s, !counted);
-        // Total reflection stands for that of all layers with the normal by which it happens.
-        const bool replaced = total && s.normal == top.normal;
-        const bool reflects = !replaced && world_.rules.quality >= quality_reflection;
-        const Vec3 amount = reflects ? reflectivity(s, surface.plain) : Vec3(0);
-        if (amount != Vec3(0)) {
-            const double weight = share * greatest_reflectivity(s.finish->reflection, amount);
-            result += s.finish->reflection.exponent == 1
-                          ? reflected(path, vertex, s, amount, weight)
-                          : reflected_to_a_power(path, vertex, s, amount, weight);
+                         world_.lights.luminaire_of[vertex.hit.primitive] != no_primitive;
+    Vec3 result(0);
+    stack.visit([&](const LayerStack::Seen& layer) {
+        const Shading& s = layer.shading;
+        const Finish& finish = *s.finish;
+        const PathState below = path.dimmed(layer.through);
+        result += layer.through * lit(below, vertex, s, !counted);
+        if (layer.reflected != Vec3(0)) {
+            const double weight =
+                layer.weight * greatest_reflectivity(finish.reflection, layer.reflected);
+            result += finish.reflection.exponent == 1
+                          ? reflected(path, vertex, s, layer.reflected, weight)
+                          : reflected_to_a_power(path, vertex, s, layer.reflected, weight);
         }
-        if (s.finish->microfacet.on && world_.rules.quality >= quality_reflection)
-            result += through * scattered(below, vertex, s, share);
-        if (&layer != &layers.back()) through *= kept(s);
-    }
-    if (!total && !clear) return result;
+        if (finish.microfacet.on && world_.rules.quality >= quality_reflection)
+            result += layer.through * scattered(below, vertex, s, layer.weight);
+    });
+    const bool total = stack.reflects_totally();
+    if (!total && !stack.is_clear()) return result;
+    const Shading& top = stack.top();
+    const Vec3& behind = stack.behind();
     const Vec3 left = left_inside(world_, path, vertex.hit) * top.finish->refraction;
     const PathState inside = path.dimmed(left);
     // Total reflection: nothing is lost, but the ray is worth what one going through would be.
     if (total)
         return result +
                left * reflected(inside, vertex, top, Vec3(1), max_component(glm::abs(behind)));
+    const Interface& surface = stack.interface();
     return result + left * (surface.bands > 0 ? split(inside, vertex, top, surface, behind)
                                               : transmitted(inside, vertex, top, surface, behind));
 }
@@ -204,13 +169,10 @@ Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, co
                 {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
     if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return Vec3(0);
     PathState next = path.dimmed(drawn->weight);
-    next.ray = {vertex.position(), drawn->direction};
-    next.tolerance = vertex.tolerance();
-    next.depth = path.depth + 1;
+    next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Bounce::scattering);
     next.weight = path.weight * weight * max_component(drawn->weight);
     next.kind = RayKind::reflected;
     next.counted = !drawn->narrow;
-    next.key = path.key.bounced(scattering);
     ++ledger_.scattered;
     return drawn->weight * follow(next);
 }
@@ -240,14 +202,13 @@ Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, 
     // What goes straight on takes no level, but needs one that is left, as in POV-Ray.
     if (straight && path.depth + 1 >= world_.rules.settings.max_trace_level) return Vec3(0);
     PathState next = path.dimmed(share);
-    next.ray = {vertex.position(),
-                straight ? path.ray.direction : refracted_direction(s, surface.ratio)};
-    next.tolerance = vertex.tolerance();
-    next.depth = path.depth + (straight ? 0 : 1);
+    next.go_on(
+        {vertex.position(), straight ? path.ray.direction : refracted_direction(s, surface.ratio)},
+        vertex.tolerance(), Bounce::refraction);
+    if (straight) next.depth = path.depth;
     next.passed = path.passed + 1;
     if (next.passed > max_clear_surfaces) return Vec3(0);
     next.weight = path.weight * max_component(glm::abs(share));
-    next.key = path.key.bounced(refraction);
     next.media = surface.behind;
     ++ledger_.scattered;
     return share * follow(next);

@@ -145,6 +145,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "which of the things that glow light others: `luminaires none`, those above a radiance, all "
      "by their emission (as it begins), or `luminaires ambient`: also what old scenes mark by an "
      "ambient of 1 or more"},
+    {"integrator", "global_settings { integrator { path_traced } }",
+     "how light is followed, as --integrator: --help integrators"},
     {"index", "global_settings { index { kd_tree } }",
      "finds the surfaces that rays meet, as --index: --help indexes"},
     {"background", "background { colour }", "what rays see that meet nothing"},

@@ -73,7 +73,7 @@ void World::meet(PrimitiveIndex primitive, ReadyRay& ready, const Interval& rang
 
 bool World::left_out(PrimitiveIndex primitive, RayKind kind) const {
     const Material& m = material(primitive);
-    if (kind == RayKind::light) return false;
+    if (kind == RayKind::light || kind == RayKind::gathering) return false;
     return kind == RayKind::camera ? m.no_image : m.no_reflection;
 }
 

@@ -219,7 +219,7 @@ struct Hit {
 };
 
 /// Who asks: some objects are left out for some rays.
-enum class RayKind { camera, reflected, light };
+enum class RayKind { camera, reflected, light, gathering };
 
 class World {
 public:
@@ -321,7 +321,7 @@ public:
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty();
+               !shutter.empty() || std::holds_alternative<PathTraced>(rules.settings.integrator);
     }
 
     Geometry geometry;

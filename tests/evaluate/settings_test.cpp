@@ -55,6 +55,18 @@ TEST_CASE("each index can be chosen", "[evaluate]") {
     CHECK(std::holds_alternative<LightBvh>(done.scene.settings.light_sampler));
 }
 
+TEST_CASE("each integrator can be chosen", "[evaluate]") {
+    for (std::size_t kind = 0; kind < Kinds<IntegratorSettings>::count; ++kind) {
+        const std::string name(Kinds<IntegratorSettings>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { integrator { " + name + " } }")
+                  .scene.settings.integrator.index() == kind);
+    }
+    const Script done =
+        run("#version 3.7; global_settings { integrator { path_traced { bounces 3 } } }");
+    REQUIRE(done.text.empty());
+    CHECK(std::get<PathTraced>(done.scene.settings.integrator).bounces == 3);
+}
+
 TEST_CASE("a background is one colour, the last one", "[evaluate]") {
     const Script done =
         run("#version 3.7; background { rgb 1 } background { color rgb <1, 2, 3> }");

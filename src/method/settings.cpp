@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "method/settings.h"
+
+#include "vocabulary/schema.h"
+
+const ItemInfo PovRay::vocabulary = described<PovRay>([] {
+    return schema<PovRay>("pov_ray",
+                          "Reflections and refractions, and light that comes straight from lights "
+                          "and luminaires, as POV-Ray.");
+});
+
+const ItemInfo PathTraced::vocabulary = described<PathTraced>([] {
+    using F = Field<PathTraced>;
+    return schema<PathTraced>(
+        "path_traced",
+        "Light that surfaces have reflected lights others, too. From `#version 3.7` on, which the "
+        "scene says, `ambient` has no part in it.",
+        F{"bounces", &PathTraced::bounces, item,
+          "diffuse reflections on the way of light to a surface that is seen",
+          between(0, 1000)});
+});

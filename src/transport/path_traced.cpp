@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/path_traced.h"
+
+#include "scattering/microfacet.h"
+#include "scattering/mirror.h"
+#include "scattering/phong.h"
+#include "surface/simplified.h"
+#include "transport/atmosphere.h"
+#include "transport/subsurface.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+/// Paths with fewer diffuse bounces go on in any case; others by how much they still count.
+constexpr int first_roulette = 2;
+/// That a path goes on all the same.
+constexpr double min_survival = 0.05;
+
+/// The ambient term stands for light that was reflected, so that it has no place beside it. As with
+/// POV-Ray's radiosity, old scenes keep it.
+ShadingRules rules_without_ambient(const World& world) {
+    ShadingRules rules = shading_rules(world);
+    if (world.rules.language_version >= 3.7) rules.ambient_light = Vec3(0);
+    return rules;
+}
+
+/// The share of light from everywhere that the diffuse part sends to the viewer, roughly.
+Vec3 diffuse_albedo(const Shading& s) {
+    const Finish& f = *s.finish;
+    const double amount = f.microfacet.on ? 1 - f.microfacet.metallic
+                                          : std::fmax(f.diffuse, 0) + std::fmax(f.diffuse_back, 0);
+    return s.colour.rgb * (s.opacity * amount);
+}
+
+/// One of two sides of a surface, for a number in [0, 1), which is used up.
+bool is_lower(double& u, double share) {
+    const bool lower = u < share;
+    u = lower ? u / share : (u - share) / (1 - share);
+    u = std::fmin(u, 1 - 0x1p-53);
+    return lower;
+}
+
+}  // namespace
+
+PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
+    : world_(world),
+      rules_(rules_without_ambient(world)),
+      direct_light_(world, wanted.shadow_rays),
+      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces),
+      clear_sky_(wanted.clear_sky) {
+    if (wanted.counts_lights) ledger_.lights.resize(world.provenance.light_statements.size() + 1);
+    if (world.notes_solids() && !world.view.camera.parallel)
+        around_camera_ = world.containing(world.view.camera.location);
+}
+
+Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
+    clear_ = 0;
+    sum_ = Vec3(0);
+    if (ray.direction == Vec3(0)) return sum_;
+    ++ledger_.camera;
+    PathState path;
+    path.ray = ray;
+    path.key = key;
+    path.media = world_.notes_solids() && world_.view.camera.parallel
+                     ? world_.containing(ray.origin)
+                     : around_camera_;
+    while (path.throughput != Vec3(0)) {
+        Hit hit;
+        const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
+        const Veil veil = veil_along(
+            world_, path,
+            met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity());
+        sum_ += path.throughput * veil.added;
+        path = path.dimmed(veil.transmittance);
+        if (!met) {
+            sum_ += path.throughput * background(path);
+            break;
+        }
+        const Vertex vertex =
+            vertex_at(world_, path.ray, hit, {path.media.data(), path.media.size()});
+        // Of textures that are mixed, chance takes one.
+        double u = uniform(path.key, Purpose::texture_choice);
+        PathState next = path;
+        next.throughput = Vec3(0);
+        for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+            if (u >= 0 && u < weight) {
+                next = path;
+                at_vertex(next, vertex, layers);
+            }
+            u -= weight;
+        });
+        path = next;
+    }
+    return sum_;
+}
+
+/// What lies behind everything.
+Vec3 PathTracedIntegrator::background(const PathState& path) {
+    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
+    const Vec3& direction = path.ray.direction;
+    if (!clear_sky_) return world_.sky_radiance(direction);
+    if (path.kind != RayKind::camera)
+        return world_.sky_radiance(direction, world_.sky.background.mirrored());
+    clear_ += path.clear * world_.sky_clear(direction);
+    if (world_.rules.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.sky.background.covering());
+}
+
+/// Adds what the layers send by themselves and of direct light, and lets the path go on.
+void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
+                                     std::span<const Layer> layers) {
+    if (world_.rules.quality < quality_light) {
+        sum_ += path.throughput * layers.back().colour.rgb;
+        path.throughput = Vec3(0);
+        return;
+    }
+    const LayerStack stack(world_, path, vertex, layers);
+    Ways ways;
+    stack.visit([&](const LayerStack::Seen& layer) {
+        gather(path.dimmed(layer.through), vertex, layer.shading);
+        add_ways(path, layer, ways);
+    });
+    if (stack.is_clear()) {
+        const Vec3 left = left_inside(world_, path, vertex.hit) * stack.top().finish->refraction;
+        if (stack.reflects_totally())
+            ways.push_back({Way::total_reflection, stack.top(), left, left});
+        else
+            ways.push_back(
+                {Way::behind, stack.top(), left * stack.behind(), left * stack.behind()});
+    }
+    double all = 0;
+    for (const Way& way : ways) all += max_component(glm::abs(way.share));
+    double u = uniform(path.key, Purpose::way_choice) * all;
+    for (const Way& way : ways) {
+        const double own = max_component(glm::abs(way.share));
+        if (u < own) {
+            if (!follow(way, own / all, vertex, stack, path)) path.throughput = Vec3(0);
+            return;
+        }
+        u -= own;
+    }
+    path.throughput = Vec3(0);
+}
+
+/// What one layer sends by itself and of direct light.
+void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, const Shading& s) {
+    const bool counted = path.counted && !world_.lights.luminaires.empty() &&
+                         world_.lights.luminaire_of[vertex.hit.primitive] != no_primitive;
+    const Vec3 own = own_radiance(s, rules_, !counted);
+    record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
+    const Bsdf whole(s, rules_);
+    Vec3 light = own;
+    if (!scatters_inside(world_, s)) {
+        light += direct_light_({vertex, whole, path.throughput}, path.key, ledger_);
+    } else {
+        const Bsdf highlights = Bsdf::highlights_of(s, rules_);
+        light += direct_light_({vertex, highlights, path.throughput}, path.key, ledger_);
+        light += light_from_inside(world_, direct_light_, {vertex, whole, path.throughput}, path,
+                                   ledger_);
+    }
+    sum_ += path.throughput * light;
+}
+
+void PathTracedIntegrator::add_ways(const PathState& path, const LayerStack::Seen& layer,
+                                    Ways& ways) const {
+    const auto add = [&](Way::Kind kind, const Vec3& through, const Vec3& share) {
+        if (share != Vec3(0)) ways.push_back({kind, layer.shading, through, share});
+    };
+    if (path.depth + 1 < world_.rules.settings.max_trace_level) {
+        add(Way::mirror, layer.reflected, layer.reflected);
+        if (layer.shading.finish->microfacet.on && world_.rules.quality >= quality_reflection)
+            add(Way::facets, layer.through, layer.through);
+    }
+    if (path.bounces < max_bounces_ && world_.rules.quality >= quality_full)
+        add(Way::diffuse, layer.through, layer.through * diffuse_albedo(layer.shading));
+}
+
+/// Turns the path into one that goes on in the way, which was chosen with that chance.
+bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& vertex,
+                                  const LayerStack& stack, PathState& path) {
+    double survival = 1;
+    if (path.bounces >= first_roulette) {
+        const double left = max_component(glm::abs(path.throughput * way.share)) / chance;
+        survival = std::clamp(left, min_survival, 1.0);
+        if (uniform(path.key, Purpose::roulette) >= survival) return false;
+    }
+    ++ledger_.scattered;
+    path = path.dimmed(way.through / (chance * survival));
+    switch (way.kind) {
+        case Way::mirror:
+        case Way::total_reflection: {
+            const Vec3 direction = reflected_direction(way.shading);
+            if (way.kind == Way::mirror)
+                path = path.dimmed(iridescence(way.shading, rules_, direction));
+            path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::reflection);
+            path.kind = RayKind::reflected;
+            path.counted = false;
+            return path.depth < world_.rules.settings.max_trace_level;
+        }
+        case Way::facets:
+            return scatter_by_facets(way.shading, vertex, path);
+        case Way::diffuse:
+            return bounce(way.shading, vertex, stack, path);
+        case Way::behind:
+            return go_behind(way.shading, vertex, stack, path);
+    }
+    return false;
+}
+
+/// A direction of the diffuse part, in proportion to the cosine, on one side of the surface or on
+/// both.
+bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const LayerStack& stack,
+                                  PathState& path) {
+    Vec2 u{uniform(path.key, Purpose::bounce_u), uniform(path.key, Purpose::bounce_v)};
+    const Finish& f = *s.finish;
+    const double back = s.both_sides ? 0.5
+                        : f.diffuse_back > 0
+                            ? f.diffuse_back / (std::fmax(f.diffuse, 0) + f.diffuse_back)
+                            : 0;
+    const bool from_behind = is_lower(u.x, back);
+    const Vec3 normal = from_behind ? -s.normal : s.normal;
+    const double cosine = std::sqrt(1 - u.x), across = std::sqrt(u.x);
+    const double angle = 2 * std::numbers::pi * u.y;
+    const auto [x, y] = perpendiculars(normal);
+    const Vec3 direction =
+        unit(across * (std::cos(angle) * x + std::sin(angle) * y) + cosine * normal);
+    // A bump must not send it through the surface.
+    if ((dot(direction, s.geometric_normal) < 0) != from_behind) return false;
+    const double side = from_behind ? back : 1 - back;
+    // The density is side cosine / pi.
+    const Vec3 answer = Bsdf(s, rules_).evaluate(direction, Lobes::diffuse, 0);
+    path = path.dimmed(answer / (side * std::fmax(cosine, 1e-9)));
+    path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::diffuse);
+    path.depth = 0;
+    path.passed = 0;
+    path.clear = 0;
+    ++path.bounces;
+    path.kind = RayKind::gathering;
+    path.counted = true;
+    if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
+    return true;
+}
+
+bool PathTracedIntegrator::scatter_by_facets(const Shading& s, const Vertex& vertex,
+                                             PathState& path) {
+    const auto drawn =
+        scatter(s, uniform(path.key, Purpose::facet_choice),
+                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
+    if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return false;
+    path = path.dimmed(drawn->weight);
+    path.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Bounce::scattering);
+    path.kind = RayKind::reflected;
+    path.counted = !drawn->narrow;
+    return true;
+}
+
+bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
+                                     const LayerStack& stack, PathState& path) {
+    const Interface& surface = stack.interface();
+    double ratio = surface.ratio;
+    if (surface.bands > 0) {
+        // Of the bands of white light, chance takes one: as all of them together have its mean.
+        const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
+                                             static_cast<double>(surface.bands));
+        path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
+        path = path.dimmed(hue(*path.band));
+        ratio *= std::pow(surface.dispersion, path.band->power());
+        if (reflects_totally(s, ratio)) {
+            path.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(),
+                       Bounce::reflection);
+            path.kind = RayKind::reflected;
+            path.counted = false;
+            return path.depth < world_.rules.settings.max_trace_level;
+        }
+    }
+    const bool straight = std::abs(ratio - 1) < 1e-10;
+    const Vec3 direction = straight ? path.ray.direction : refracted_direction(s, ratio);
+    const int depth = path.depth + (straight ? 0 : 1);
+    path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::refraction);
+    path.depth = depth;
+    path.media = surface.behind;
+    // As in POV-Ray, a ray that goes straight on needs a level that is left.
+    return ++path.passed <= max_clear_surfaces &&
+           depth + (straight ? 1 : 0) < world_.rules.settings.max_trace_level;
+}

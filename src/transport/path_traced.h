@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Path tracing: one path for each sample, which goes on from each vertex in one direction, by
+// chance, and gathers at each vertex the light that comes straight from lights and luminaires. So
+// light that was reflected any number of times counts, too. Unbiased, and the oracle of the other
+// ways of getting indirect light.
+#pragma once
+
+#include "transport/direct_light.h"
+#include "transport/layer_stack.h"
+#include "transport/tracing.h"
+
+class PathTracedIntegrator {
+public:
+    PathTracedIntegrator(const World&, const Tracing&);
+
+    Vec3 radiance(const Ray& ray, const Key& key);
+
+    LightLedger& ledger() { return ledger_; }
+    const HitNoise& noise() const { return direct_light_.noise(); }
+    double clear() const { return std::min(clear_, 1.0); }
+
+private:
+    /// A way in which a path may go on from a vertex.
+    struct Way {
+        enum Kind { mirror, facets, diffuse, behind, total_reflection };
+        Kind kind = mirror;
+        Shading shading;
+        Vec3 through = Vec3(1);  ///< share of what is seen along it that is not part of the way
+        Vec3 share = Vec3(0);    ///< of the radiance along it, expected altogether
+    };
+    using Ways = ShortList<Way, 4>;
+
+    Vec3 background(const PathState&);
+    void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
+    void gather(const PathState&, const Vertex&, const Shading&);
+    void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
+    bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
+    bool bounce(const Shading&, const Vertex&, const LayerStack&, PathState&);
+    bool scatter_by_facets(const Shading&, const Vertex&, PathState&);
+    bool go_behind(const Shading&, const Vertex&, const LayerStack&, PathState&);
+
+    const World& world_;
+    ShadingRules rules_;
+    DirectLight direct_light_;
+    MediaStack around_camera_;
+    LightLedger ledger_;
+    Vec3 sum_ = Vec3(0);  ///< the sample's radiance so far
+    int max_bounces_;
+    bool clear_sky_;
+    double clear_ = 0;
+};

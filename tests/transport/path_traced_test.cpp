@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/path_traced.h"
+
+#include "support/scripts.h"
+#include "transport/integrator.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// Mean of many samples of one ray.
+Vec3 path_seen(const std::string& script, std::uint32_t count, const Ray& ray) {
+    const World world = world_of(script);
+    Integrator integrator(world, {});
+    Vec3 sum(0);
+    Key key;
+    for (key.sample = 0; key.sample < count; ++key.sample) sum += integrator.radiance(ray, key);
+    return sum / static_cast<double>(count);
+}
+
+std::string traced(int bounces) {
+    return "#version 3.7; global_settings { max_trace_level 12 integrator { path_traced { "
+           "bounces " +
+           std::to_string(bounces) + " } } } #default { finish { ambient 0 diffuse 1 } }\n";
+}
+
+}  // namespace
+
+TEST_CASE("a closed room that glows everywhere has the sum of all reflections", "[transport]") {
+    // L = e (1 + d + d^2 + ...), of so many bounces, whatever the shape.
+    for (const char* const room : {"sphere { 0, 5 inverse", "box { -4, 5 inverse"})
+        for (const int bounces : {0, 1, 2, 5}) {
+            double expected = 0, power = 1;
+            for (int i = 0; i <= bounces; ++i, power *= 0.5) expected += power;
+            const Vec3 found =
+                path_seen(traced(bounces) + room +
+                              " pigment { rgb 0.5 } finish { emission 2 no_luminaire } }",
+                          4000, {Vec3(0.3, 0.2, 0.1), unit(Vec3(1, 2, 3))});
+            CAPTURE(room, bounces);
+            CHECK(found.x == Approx(expected).epsilon(0.01));
+        }
+}
+
+TEST_CASE("luminaires light by reflections as surfaces that glow do", "[transport]") {
+    // Once chosen by the light strategy, which looks one reflection further, once met by chance.
+    const auto corner = [](int bounces, const std::string& finish) {
+        return path_seen(traced(bounces) + R"(
+            plane { y, 0 pigment { rgb 0.8 } } plane { x, 0 pigment { rgb <0.9, 0.3, 0.2> } }
+            sphere { <3, 2.5, 0>, 1.5 pigment { rgb 1 } finish { diffuse 0.5 emission 4 )" +
+                             finish + " } }",
+                         60000, {Vec3(3, 3, -9), unit(Vec3(-2, -3, 9))});
+    };
+    const Vec3 chosen = corner(2, ""), met = corner(3, "no_luminaire");
+    for (int i = 0; i < 3; ++i) CHECK(chosen[i] == Approx(met[i]).epsilon(0.03));
+}
+
+TEST_CASE("without bounces all integrators see the same", "[transport]") {
+    const std::string scene = R"(
+        plane { y, -1 pigment { checker rgb 0.9, rgb <0.6, 0.3, 0.2> } finish { reflection 0.3 } }
+        sphere { <-1.5, 0, 0>, 1 pigment { rgbf <0.9, 1, 0.9, 0.8> }
+            finish { specular 0.5 reflection { 0.1, 0.4 fresnel } conserve_energy } interior { ior 1.4 } }
+        sphere { <1.5, 0, 0>, 1 texture { pigment { rgb 0.7 } } texture { pigment { rgbt <1, 0, 0, 0.5> } finish { phong 1 } } }
+        sphere { <0, 2, 0.5>, 0.3 pigment { rgb 1 } finish { diffuse 0 emission <2, 3, 1> } }
+        light_source { <-4, 6, -4>, rgb <1, 0.8, 0.5> }
+        fog { distance 40 rgb 0.1 } background { rgb <0.1, 0.2, 0.3> })";
+    const std::string pov =
+        "#version 3.7; global_settings { max_trace_level 12 adc_bailout 0 } "
+        "#default { finish { ambient 0 diffuse 1 } }\n";
+    for (const Vec3& towards : {Vec3(-1.5, 0.1, 0), Vec3(1.4, 0.2, 0), Vec3(0.2, -1, -1)}) {
+        const Ray ray{Vec3(0, 1, -6), unit(towards - Vec3(0, 1, -6))};
+        const Vec3 one = path_seen(pov + scene, 4000, ray),
+                   other = path_seen(traced(0) + scene, 40000, ray);
+        CAPTURE(towards.x);
+        for (int i = 0; i < 3; ++i) CHECK(other[i] == Approx(one[i]).epsilon(0.03));
+    }
+}
+
+TEST_CASE("a thin surface lets diffuse light through to what is behind", "[transport]") {
+    // A sheet that only sends light on to its other side, between the camera and a glowing wall.
+    const auto seen = [](const std::string& finish) {
+        return path_seen(traced(1) +
+                             "plane { z, 5 pigment { rgb 1 } finish { diffuse 0 emission 1 "
+                             "no_luminaire } } disc { 0, z, 100 pigment { rgb 1 } finish { " +
+                             finish + " } }",
+                         2000, {Vec3(0, 0, -3), Vec3(0, 0, 1)})
+            .x;
+    };
+    CHECK(seen("diffuse 0, 0.5") == Approx(0.5).epsilon(0.02));
+    CHECK(seen("diffuse 0.5, 0") == 0);
+}
