@@ -212,10 +212,15 @@ TEST_CASE("each file states its licence", "[house]") {
 }
 
 TEST_CASE("files stay short and lines narrow", "[house]") {
+    constexpr std::size_t most = 600, aim = 300;
+    std::string long_ones;
     for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
         const auto lines = lines_of(file);
         INFO(file);
-        CHECK(lines.size() <= 400);
+        CHECK(lines.size() <= most);
+        if (lines.size() > aim)
+            long_ones +=
+                "\n" + fs::relative(file, root).string() + ": " + std::to_string(lines.size());
         for (const std::string& line : lines) {
             // Characters, not bytes: a continuation byte is none.
             const auto width =
@@ -224,6 +229,7 @@ TEST_CASE("files stay short and lines narrow", "[house]") {
             CHECK(width <= 100);
         }
     }
+    if (!long_ones.empty()) WARN("files of more than " << aim << " lines:" << long_ones);
 }
 
 TEST_CASE("there are no mutable globals", "[house]") {
