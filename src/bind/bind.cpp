@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/bind.h"
 
-#include "bind/bare_vector.h"
 #include "bind/lists.h"
 #include "bind/parts.h"
+#include "bind/unbracketed_vector.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
@@ -298,7 +298,7 @@ void ItemReader::store(int field, const Element& element) {
     const auto way_out = [&] { return help(field); };
     auto value = converted(block_, element, info.type, {name, way_out});
     if (value && field < positional_ && offender(info.range, *value))
-        if (const auto bare = bare_vectors(element, *info_)) return block_.report(*bare);
+        if (const auto bare = unbracketed_vectors(element, *info_)) return block_.report(*bare);
     if (info.type == FieldType::text && info.name != "text")  // others name files
         block_.note_file(element.span, info.is_word() ? info.name : std::string_view());
     if (value && in_range(info.range, {name, way_out}, *value, element.span))

@@ -43,8 +43,8 @@ struct Binder {
     Constants constants = {};
     Memo<Transform> moves = {};      ///< each by itself
     Memo<Transform> movements = {};  ///< with those before it
-    Memo<Texture> looks = {};
-    Memo<Texture> moved_looks = {};
+    Memo<Texture> appearances = {};
+    Memo<Texture> moved_appearances = {};
     Memo<Interior> interiors = {};
     Memo<Texture, Object> objects = {};  ///< the base is the default texture
     /// Words that have no effect, and have been told of.

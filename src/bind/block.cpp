@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/block.h"
 
-#include "bind/bare_vector.h"
 #include "bind/objects.h"
+#include "bind/unbracketed_vector.h"
 #include "interpret/previous.h"
 #include "scene/catalogue.h"
 #include "syntax/foreign.h"
@@ -218,15 +218,15 @@ bool OpenBlock::reject_word(const Element& element, const WordList& words, bool 
     const std::string_view word = spelling(element.word);
     passing_over_ = true;
     // A word without effect is warned of only, and what stands behind it may be wrong.
-    if (!contains(effectless, word)) binder.evaluator.note_reported(element.origin);
+    if (!contains(ignored, word)) binder.evaluator.note_reported(element.origin);
     if (element.kind == Element::Kind::word && takes_braces(element.word) &&
         has_word(words, word)) {
-        if (!told_unavailable_)
+        if (!reported_unavailable_)
             report(error(Fault::missing, element.word_span,
                          message("what belongs to `", word, "` stands in braces"))
                        .with_help(message("write `", word, " { ",
                                           named_behind(element, binder.evaluator.names()), " }`")));
-        told_unavailable_ = !name.empty();
+        reported_unavailable_ = !name.empty();
         unbraced_ = word;
         return false;
     }
@@ -305,7 +305,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         broken = true;
         return;
     }
-    if (contains(effectless, word)) {
+    if (contains(ignored, word)) {
         if (!contains(values_of_charset, word) && binder.warned.emplace(word).second)
             report(warning(Fault::no_effect, element.word_span,
                            message('`', word, "` has no effect in this version")));
@@ -321,7 +321,7 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
     if (available(word)) {
         // It may belong to what is not available, or has no braces.
         const std::vector<std::string_view> places = homes(word);
-        if (told_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
+        if (reported_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
         const bool block = element.kind == Element::Kind::block;
         if (block && std::ranges::find(places, name) != places.end()) {
             report(error(Fault::misplaced, element.word_span,
@@ -340,17 +340,18 @@ void OpenBlock::reject_reserved(const Element& element, std::string_view word) {
         report(std::move(misplaced.with_help(help())));
         return;
     }
-    if (!told_unavailable_)
+    if (!reported_unavailable_)
         report(error(Fault::not_implemented, element.word_span,
                      message('`', word, "` is not available in this version")));
-    told_unavailable_ = !name.empty();
+    reported_unavailable_ = !name.empty();
     broken = true;
 }
 
 void OpenBlock::reject_value(const Element& element) {
     if (element.value.broken()) broken = passing_over_ = true;
     if (element.value.absent() || broken) return;
-    if (const auto bare = bare_vector(element, binder.evaluator.names())) return report(*bare);
+    if (const auto bare = unbracketed_vector(element, binder.evaluator.names()))
+        return report(*bare);
     if (const std::string meant = moved_without_times(element, binder.evaluator.names());
         !meant.empty()) {
         report(error(Fault::misplaced, element.span, "this value belongs to nothing")
@@ -358,7 +359,7 @@ void OpenBlock::reject_value(const Element& element) {
         return;
     }
     if (const auto& [tree, node] = element.origin;
-        tree && tree->get_if<node::Colour>(node) && contains(effectless, "color"))
+        tree && tree->get_if<node::Colour>(node) && contains(ignored, "color"))
         return report(
             warning(Fault::no_effect, element.span, message("`color` has no effect in ", quoted()))
                 .with_help("an object gets its colour from a pigment: "
@@ -377,7 +378,7 @@ void OpenBlock::reject_value(const Element& element) {
     }
     if (number && item && !item->fields.empty() &&
         item->fields.front().place == Placement::positional) {
-        if (const auto bare = bare_vectors(element, *item)) return report(*bare);
+        if (const auto bare = unbracketed_vectors(element, *item)) return report(*bare);
         const auto most = std::ranges::count_if(
             item->fields, [](const FieldInfo& f) { return f.place == Placement::positional; });
         report(error(Fault::wrong_count, element.span,

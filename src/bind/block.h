@@ -31,8 +31,8 @@ public:
     Span span;  ///< of the block's word: where what is missing is reported
     std::string_view form =
         {};  ///< what follows the name, braces and all; empty: by the item's vocabulary
-    const ItemInfo* item = nullptr;    ///< what the block describes
-    std::string_view effectless = {};  ///< words of POV-Ray that may stand here and change nothing
+    const ItemInfo* item = nullptr;  ///< what the block describes
+    std::string_view ignored = {};   ///< words of POV-Ray that may stand here and change nothing
     bool broken = false;  ///< something has been reported: do not speak of what follows from it
     int taken = 0;        ///< elements that readers took
     Span file_span = {};  ///< of the name of a file that the block has given
@@ -85,7 +85,7 @@ private:
     void reject_form(const Element&, std::string_view what, bool wanted = false);
 
     bool passing_over_ = false;  ///< values until the next word
-    bool told_unavailable_ = false;
+    bool reported_unavailable_ = false;
     Body comment_ = {};               ///< from its next word on
     std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
     std::string_view rejected_ = {};  ///< the word before, if nobody knows it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/evaluate.h"
 
+#include "bind/backdrops.h"
 #include "bind/cameras.h"
 #include "bind/colour_maps.h"
 #include "bind/lights.h"
@@ -12,7 +13,6 @@
 #include "bind/patterns.h"
 #include "bind/settings.h"
 #include "bind/solid_queries.h"
-#include "bind/surroundings.h"
 #include "bind/transforms.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
@@ -26,7 +26,7 @@ namespace {
 class SceneReader {
 public:
     SceneReader(Evaluator& evaluator, Scene& scene) : binder_{evaluator}, scene_(scene) {
-        top_.effectless = "max_intersections";
+        top_.ignored = "max_intersections";
         scene.background.colour.transmit = 1;  // until there is one
     }
 

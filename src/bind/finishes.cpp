@@ -173,7 +173,7 @@ private:
 template <class Content>
 bool read_content(OpenBlock& block, const Content& content, Finish& finish) {
     block.item = &Finish::vocabulary;
-    block.effectless = "use_alpha";
+    block.ignored = "use_alpha";
     auto declared = named<Finish>(block, [&](const Handle<Finish>& other) { finish = *other; });
     FinishFields fields(block, finish);
     ReflectionReader reflection(block, finish.reflection);
@@ -191,7 +191,7 @@ bool read_finish(Binder& binder, const Element& element, Finish& finish) {
     return read_content(block, element.body, finish);
 }
 
-bool read_old_finish(Binder& binder, const ElementList& words, Span span, Finish& finish) {
+bool read_legacy_finish(Binder& binder, const ElementList& words, Span span, Finish& finish) {
     OpenBlock block(binder, "texture", span);
     return read_content(block, words, finish);
 }
@@ -200,7 +200,7 @@ bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     OpenBlock block(binder, "interior", element.word_span);
     block.item = &Interior::vocabulary;
     // In POV-Ray the finish alone says how much is let through.
-    block.effectless = "photons refraction";
+    block.ignored = "photons refraction";
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
     ItemReader fields(block, *block.item, &interior);

@@ -8,5 +8,5 @@
 /// been reported.
 bool read_finish(Binder&, const Element& block, Finish&);
 /// The words of a finish in a texture from before version 3.0, whose word is at the span.
-bool read_old_finish(Binder&, const ElementList&, Span, Finish&);
+bool read_legacy_finish(Binder&, const ElementList&, Span, Finish&);
 bool read_interior(Binder&, const Element& block, Interior&);

@@ -8,17 +8,17 @@
 class ItemBlock : public SimpleReader {
 public:
     /// All outlive the reader. `given` is set when the block is there; null: nobody asks.
-    /// `effectless`: words that may stand in it and change nothing.
+    /// `ignored`: words that may stand in it and change nothing.
     ItemBlock(OpenBlock& block, const ItemInfo& info, void* item, bool* given = nullptr,
-              std::string_view effectless = {})
-        : block_(block), info_(info), item_(item), given_(given), effectless_(effectless) {}
+              std::string_view ignored = {})
+        : block_(block), info_(info), item_(item), given_(given), effectless_(ignored) {}
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block || block_.spelling(element.word) != info_.name)
             return false;
         OpenBlock inner(block_.binder, info_.name, element.word_span);
         inner.item = &info_;
-        inner.effectless = effectless_;
+        inner.ignored = effectless_;
         if (given_) *given_ = true;
         ItemReader fields(inner, info_, item_);
         inner.read(element.body, fields);

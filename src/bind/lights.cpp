@@ -86,7 +86,7 @@ bool is_lamp(const Binder& binder, const Element& element) {
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);
-    block.effectless = "photons";
+    block.ignored = "photons";
     PlacedLight placed{Kinds<Light>::make(0), element.span};
     block.item = Kinds<Light>::infos[0];
     ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));
@@ -115,7 +115,7 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
     if (!wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
-    const std::string idle = std::visit([](const auto& l) { return effectless(l); }, placed.light);
+    const std::string idle = std::visit([](const auto& l) { return ignored(l); }, placed.light);
     if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
     return block.broken ? std::nullopt : std::optional(std::move(placed));
 }

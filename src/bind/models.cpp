@@ -62,8 +62,8 @@ ObjectHandle like(Binder& binder, const Object& model, const ItemInfo* item,
 
 bool joins(const RowEnd& end, const Object& model, const Variation& variation, Span span) {
     const auto& shape = std::get<Shape>(model.form);
-    // What is inverse or confined is a solid of its own.
-    if (!std::holds_alternative<Sphere>(shape) || model.confines || model.inverse) return false;
+    // What is inverse or clipped is a solid of its own.
+    if (!std::holds_alternative<Sphere>(shape) || model.clipping || model.inverse) return false;
     Sphere sphere;
     if (!set_values(&sphere, Sphere::vocabulary, variation) || !vanishes(sphere).empty())
         return false;

@@ -187,7 +187,7 @@ bool read_normal(Binder& binder, const Element& element, Bump& bump) {
     return !block.broken;
 }
 
-bool read_old_normal(Binder& binder, const ElementList& words, Span span, Bump& bump) {
+bool read_legacy_normal(Binder& binder, const ElementList& words, Span span, Bump& bump) {
     OpenBlock block(binder, "texture", span);
     block.item = &BumpSettings::vocabulary;
     read_content(block, words, bump);

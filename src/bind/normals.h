@@ -8,7 +8,7 @@
 /// been reported.
 bool read_normal(Binder&, const Element& block, Bump&);
 /// The words of a normal in a texture from before version 3.0, whose word is at the span.
-bool read_old_normal(Binder&, const ElementList&, Span, Bump&);
+bool read_legacy_normal(Binder&, const ElementList&, Span, Bump&);
 bool read_normal_map(Binder&, const Element& block, NormalMap&);
 bool read_slope_map(Binder&, const Element& block, SlopeMap&);
 

@@ -18,7 +18,7 @@ void ObjectDraft::take(const Object& from) {
     if (from.texture) texture.replace(from.texture);
     textured = from.texture != nullptr;
     made.edit().interior = from.interior;
-    if (from.confines) confines = *from.confines;
+    if (from.clipping) clipping = *from.clipping;
     if (from.part_textures) part_textures = from.part_textures->list;
     interior_texture = from.part_textures ? from.part_textures->interior : nullptr;
     has_form = true;
@@ -36,7 +36,7 @@ void ObjectDraft::move(const Movement& next) {
         movement = then();
     constant_movement = constant_movement && next.constant;
     modified = true;
-    for (auto* objects : {&confines.clips, &confines.bounds})
+    for (auto* objects : {&clipping.clips, &clipping.bounds})
         for (ObjectHandle& each : *objects) each = ::moved(std::move(each), next.transform);
     if (switches.uv_mapping) return;
     for (Handle<Texture>& each : part_textures)
@@ -45,7 +45,7 @@ void ObjectDraft::move(const Movement& next) {
     if (interior_texture && TextureDraft(interior_texture).movable())
         interior_texture = make_handle<Texture>(transformed(*interior_texture, next.transform));
     if (!textured || !texture.movable()) return;
-    texture.replace(binder.moved_looks.made(next.constant, texture.handle(), [&] {
+    texture.replace(binder.moved_appearances.made(next.constant, texture.handle(), [&] {
         return make_handle<Texture>(transformed(texture.now(), next.transform));
     }));
 }
@@ -88,10 +88,10 @@ ObjectHandle ObjectDraft::finished(Span span) {
         object.transform = object.transform
                                ? make_handle<Transform>(object.transform->then(*movement))
                                : std::move(movement);
-    for (const auto* objects : {&confines.clips, &confines.bounds})
+    for (const auto* objects : {&clipping.clips, &clipping.bounds})
         for (const ObjectHandle& each : *objects) nest(object, *each);
-    if (!confines.clips.empty() || !confines.bounds.empty())
-        object.confines = make_handle<Confines>(std::move(confines));
+    if (!clipping.clips.empty() || !clipping.bounds.empty())
+        object.clipping = make_handle<Clipping>(std::move(clipping));
     if (!part_textures.empty() || interior_texture)
         object.part_textures = make_handle<PartTextures>(
             PartTextures{std::move(part_textures), std::move(interior_texture)});

@@ -28,8 +28,8 @@ struct ObjectDraft {
     bool textured = false;    ///< there is a texture that is the object's own
     bool retextured = false;  ///< and this block has given or changed it
     bool furnished = false;   ///< this block has given or changed the interior
-    Confines confines;        ///< where they are now
-    bool confined = false;    ///< this block has given some
+    Clipping clipping;        ///< where they are now
+    bool clipped = false;     ///< this block has given some
     std::vector<Handle<Texture>> part_textures;
     Handle<Texture> interior_texture;  ///< null: as outside
     Handle<Transform> movement;        ///< since the form came; null: none
@@ -51,7 +51,7 @@ struct ObjectDraft {
 private:
     /// Only moved: so a union need not be copied, and a million of them cost little.
     bool only_moved() const {
-        return !retextured && !furnished && !confined && switches == declared_switches;
+        return !retextured && !furnished && !clipped && switches == declared_switches;
     }
 };
 

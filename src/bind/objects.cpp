@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/objects.h"
 
+#include "bind/appearance.h"
 #include "bind/assets.h"
-#include "bind/confines.h"
+#include "bind/clipping.h"
 #include "bind/cutaway.h"
 #include "bind/lights.h"
-#include "bind/look_reader.h"
 #include "bind/model_reader.h"
 #include "bind/models.h"
 #include "bind/object_draft.h"
@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr std::string_view effectless_words =
+constexpr std::string_view ignored_words =
     "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
 
 /// Objects and lights in a union; the one object in `object`; a declared object in the place of a
@@ -169,7 +169,7 @@ public:
         : element_(element),
           block_(binder, binder.evaluator.spelling(element.word), element.word_span),
           draft_(binder) {
-        block_.effectless = effectless_words;
+        block_.ignored = ignored_words;
         block_.part_textures = &draft_.part_textures;
     }
 
@@ -191,12 +191,12 @@ private:
     void read_with(Body body, ContentReader& content, Fields&... fields) {
         const auto apply = [&](const Movement& movement) { draft_.move(movement); };
         TransformReader moves(block_, apply);
-        LookReader look(block_, draft_);
-        ConfineReader confines(block_, draft_);
+        AppearanceReader look(block_, draft_);
+        ClippingReader clipping(block_, draft_);
         ItemReader switches(block_, Switches::vocabulary, &draft_.switches);
         switches.repeatable();
         InversionReader inversion(draft_);
-        block_.read(body, fields..., content, look, confines, moves, inversion, switches);
+        block_.read(body, fields..., content, look, clipping, moves, inversion, switches);
     }
 
     void read_shape(std::size_t kind) {
@@ -274,7 +274,7 @@ private:
     void check(const Shape& shape) {
         const std::string wrong = problem(shape);
         if (wrong.empty())
-            return check_looks(block_, shape, draft_.part_textures.size()),
+            return check_texture_numbers(block_, shape, draft_.part_textures.size()),
                    leave_out_if_nothing(shape);
         block_.report(error(Fault::degenerate, element_.word_span, wrong).with_help(block_.help()));
     }

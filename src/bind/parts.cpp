@@ -75,7 +75,7 @@ void read_part(OpenBlock& block, const FieldInfo& field, void* item, const Eleme
     const ItemInfo& info = field.parts->info();
     OpenBlock inner(block.binder, field.name, element.word_span);
     inner.item = &info;
-    inner.effectless = effectless_in_parts;
+    inner.ignored = effectless_in_parts;
     if (field.parts->look) inner.part_textures = block.part_textures;
     void* const part = field.parts->add(item);
     Transform* const place = field.parts->transform ? field.parts->transform(part) : nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/bare_vector.h"
 #include "bind/colour_maps.h"
 #include "bind/patterns.h"
 #include "bind/textures.h"
 #include "bind/transforms.h"
+#include "bind/unbracketed_vector.h"
 #include "surface/default_maps.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
@@ -214,7 +214,7 @@ private:
     bool already_coloured(const Element& element) {
         if (!coloured_ && !pattern_.named()) return false;
         if (block_.broken) return true;
-        const auto bare = bare_vector(element, block_.binder.evaluator.names());
+        const auto bare = unbracketed_vector(element, block_.binder.evaluator.names());
         block_.report(bare ? *bare
                            : error(Fault::misplaced, element.span,
                                    "a pigment has one colour or one pattern, and this is a second")
@@ -294,12 +294,12 @@ bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
         }
     OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
     block.form = pigment_form;
-    block.effectless = "no_bump_scale";
+    block.ignored = "no_bump_scale";
     read_content(block, element.body, pigment);
     return !block.broken;
 }
 
-bool read_old_pigment(Binder& binder, const ElementList& words, Span span, Pigment& pigment) {
+bool read_legacy_pigment(Binder& binder, const ElementList& words, Span span, Pigment& pigment) {
     OpenBlock block(binder, "texture", span);
     block.form = pigment_form;
     read_content(block, words, pigment);

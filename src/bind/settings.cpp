@@ -165,7 +165,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
                           GivenSettings& before) {
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
-    block.effectless =
+    block.ignored =
         "charset utf8 ascii sys hf_gray_16 max_intersections "
         "radiosity photons";
     // Strings are read as UTF-8, and ASCII is the same in any coding.

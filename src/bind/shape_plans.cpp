@@ -20,7 +20,7 @@ std::optional<std::size_t> values_needed(const ItemInfo& item) {
 
 /// Whether the object is made of nothing but what a plan changes: its texture is one colour.
 bool simple(const Object& object) {
-    return !object.confines && !object.part_textures &&
+    return !object.clipping && !object.part_textures &&
            (!object.texture || object.texture->plain());
 }
 

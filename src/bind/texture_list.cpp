@@ -73,7 +73,7 @@ std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
     return std::move(reader.textures);
 }
 
-void check_looks(OpenBlock& block, const Shape& shape, std::size_t count) {
+void check_texture_numbers(OpenBlock& block, const Shape& shape, std::size_t count) {
     const auto* mesh = std::get_if<Shared<Mesh>>(&shape);
     if (!mesh) return;
     for (const Face& looks : (*mesh)->looks)

@@ -18,4 +18,4 @@ std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
                                                               const Element& block, TextureCount);
 
 /// Reports when a face of a mesh names a texture that is not one of so many.
-void check_looks(OpenBlock&, const Shape&, std::size_t count);
+void check_texture_numbers(OpenBlock&, const Shape&, std::size_t count);

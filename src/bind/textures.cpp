@@ -2,12 +2,12 @@
 #include "bind/textures.h"
 
 #include "bind/colour_maps.h"
+#include "bind/legacy_textures.h"
 #include "bind/normals.h"
-#include "bind/old_parts.h"
 #include "bind/patterns.h"
 #include "bind/pictures.h"
 #include "bind/transforms.h"
-#include "surface/old_layers.h"
+#include "surface/legacy_layers.h"
 #include "surface/texture_map.h"
 #include "text/message.h"
 
@@ -264,7 +264,7 @@ private:
     std::size_t listed_ = 0;
     bool named_ = false;  ///< by tiles or material_map
     /// Whether a pattern chooses textures here, not colours.
-    bool patterns_ = !OldPartsReader::known_to(block_.binder);
+    bool patterns_ = !LegacyTextureReader::known_to(block_.binder);
 };
 
 /// What stands in the braces of a texture, or behind the number of an entry.
@@ -274,7 +274,7 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
         named<Texture>(block, [&](const Handle<Texture>& texture) { draft.replace(texture); });
     PartReader parts(block, draft);
     ChoiceReader choice(block);
-    OldPartsReader old(block, draft);
+    LegacyTextureReader old(block, draft);
     const auto apply = [&](const Transform& transform) {
         if (choice.named())
             choice.move(transform);
@@ -337,8 +337,8 @@ bool read_texture_map(Binder& binder, const Element& element, TextureMap& map) {
 Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& below,
                         Handle<Texture> above) {
     if (above->choice) return above;  // it hides what is below
-    constexpr double last_of_old_layers = 3.1;
-    if (block.binder.evaluator.version() <= last_of_old_layers)
+    constexpr double last_of_legacy_layers = 3.1;
+    if (block.binder.evaluator.version() <= last_of_legacy_layers)
         above = make_handle<Texture>(with_filter_as_transmit(*above));
     if (!transparent(*above)) {
         // Reflections below are seen all the same.

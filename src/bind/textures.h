@@ -45,7 +45,7 @@ private:
 bool read_texture(Binder&, const Element& block, TextureDraft&);
 bool read_pigment(Binder&, const Element& block, Pigment&);
 /// The words of a pigment in a texture from before version 3.0, whose word is at the span.
-bool read_old_pigment(Binder&, const ElementList&, Span, Pigment&);
+bool read_legacy_pigment(Binder&, const ElementList&, Span, Pigment&);
 bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 
 bool read_texture_map(Binder&, const Element& block, TextureMap&);

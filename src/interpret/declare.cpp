@@ -56,7 +56,7 @@ void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& n
         problem.with_help("the parts of a vector are V.x, V.y, V.z");
     else if (!behind.empty())
         problem.with_help("a product is written with its sign: 2*(3 + 4), 2*sin(1)");
-    else if (!std::exchange(told_of_semicolons, true))
+    else if (!std::exchange(semicolons_reported, true))
         problem.with_help(message(semicolon_rule, version_given ? "" : old_scenes));
     report(problem);
 }
@@ -157,7 +157,8 @@ void Evaluator::State::warn_deprecated(NameId name, Span span) {
     const auto found = deprecated.find(name);
     if (found == deprecated.end()) return;
     Deprecation& known = found->second;
-    if ((known.once && !known.told.empty()) || !known.told.insert({span.source, span.first}).second)
+    if ((known.once && !known.places.empty()) ||
+        !known.places.insert({span.source, span.first}).second)
         return;
     report(warning(Fault::deprecated, span, known.text));
 }

@@ -69,7 +69,7 @@ bool Evaluator::has_foreign_strings() const {
 const std::shared_ptr<SceneNoise>& Evaluator::noise() const { return state_->noise; }
 void Evaluator::report(Diagnostic diagnostic) { state_->report(std::move(diagnostic)); }
 bool Evaluator::stopped() const { return state_->stopped(); }
-void Evaluator::note_reported(const Body& word) { state_->told = word; }
+void Evaluator::note_reported(const Body& word) { state_->reported = word; }
 void Evaluator::stop() { state_->stopped_ = true; }
 void Evaluator::count_object(Span span) { state_->count_object(span); }
 void Evaluator::count_placed(std::uint64_t parts, Span span) { state_->count_placed(parts, span); }

@@ -107,7 +107,7 @@ Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
         const bool elements = last != before.npos && before[last] == ']';
         const NodeId ahead = previous(tree, id);
         const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
-        if (word && told.tree == &tree && told.first == ahead) return Absence::broken;
+        if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
         Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
         if (elements)
             problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");

@@ -346,7 +346,7 @@ struct Evaluator::State {
     struct Deprecation {
         std::string text;
         bool once = false;
-        std::set<std::pair<SourceId, std::uint32_t>> told;  ///< at which places
+        std::set<std::pair<SourceId, std::uint32_t>> places;  ///< where it has been reported
     };
     std::map<NameId, Deprecation> deprecated;
     std::vector<Argument> arguments;  ///< of the calls that are being made
@@ -363,10 +363,10 @@ struct Evaluator::State {
     std::uint64_t work = 0;
     double version = 3.7;
     bool version_given = false;
-    bool told_of_semicolons = false;  ///< what a missing one means
+    bool semicolons_reported = false;  ///< what a missing one means
     std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
     Span last_break;
-    Body told;  ///< the last word that a report spoke of
+    Body reported;  ///< the last word that a report spoke of
     bool stopped_ = false;
     const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/finishes.h"
 
-#include "bind/looks.h"
+#include "bind/appearance.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/normals.h"
 
-#include "bind/looks.h"
+#include "bind/appearance.h"
 #include "surface/normal_map.h"
 
 #include <catch2/catch.hpp>

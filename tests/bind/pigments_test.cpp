@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/textures.h"
 
-#include "bind/looks.h"
+#include "bind/appearance.h"
 #include "surface/default_maps.h"
 #include "surface/pigment_map.h"
 

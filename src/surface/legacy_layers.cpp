@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/old_layers.h"
+#include "surface/legacy_layers.h"
 
 #include "surface/pigment_map.h"
 

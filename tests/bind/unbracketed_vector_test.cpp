@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/bare_vector.h"
+#include "bind/unbracketed_vector.h"
 
 #include "support/script.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pattern/borrowed.h"
+#include "pattern/scene_patterns.h"
 
 #include "pattern/values.h"
 

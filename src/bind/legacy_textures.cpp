@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/old_parts.h"
+#include "bind/legacy_textures.h"
 
 #include "bind/normals.h"
 
@@ -50,17 +50,17 @@ Element word_behind(const Element& element, NameId word) {
 
 }  // namespace
 
-bool OldPartsReader::known_to(const Binder& binder) {
+bool LegacyTextureReader::known_to(const Binder& binder) {
     constexpr double first_with_blocks = 3.0;
     return binder.evaluator.version() < first_with_blocks;
 }
 
-void OldPartsReader::put(ElementList& part, const Element& element) {
+void LegacyTextureReader::put(ElementList& part, const Element& element) {
     part_ = &part;
     part.push_back(element);
 }
 
-bool OldPartsReader::take(const Element& element) {
+bool LegacyTextureReader::take(const Element& element) {
     if (!known_to(block_.binder)) return false;
     if (element.kind == Element::Kind::value) {
         take_value(element);
@@ -84,7 +84,7 @@ bool OldPartsReader::take(const Element& element) {
 
 /// A value of the word before it; else a colour, or the grain of the whole texture: a number that
 /// no word waits for.
-void OldPartsReader::take_value(const Element& element) {
+void LegacyTextureReader::take_value(const Element& element) {
     const Numbers* numbers = element.value.numbers();
     const bool amount = numbers && numbers->is_scalar();
     if (part_ == &normal_ && !amount) missing_ = 0;
@@ -96,7 +96,7 @@ void OldPartsReader::take_value(const Element& element) {
     put(amount ? finish_ : pigment_, element);
 }
 
-bool OldPartsReader::move(const Transform& transform) {
+bool LegacyTextureReader::move(const Transform& transform) {
     if (!known_to(block_.binder)) return false;
     settle();
     ahead_ = ahead_.then(transform);
@@ -105,7 +105,7 @@ bool OldPartsReader::move(const Transform& transform) {
 }
 
 /// What has come so far is in the texture from here on.
-void OldPartsReader::settle() {
+void LegacyTextureReader::settle() {
     missing_ = 0;
     const auto read = [&](ElementList& part, auto reader, auto& result) {
         if (!reader(block_.binder, std::exchange(part, {}), block_.span, result))
@@ -114,9 +114,9 @@ void OldPartsReader::settle() {
     if (!pigment_.empty()) {
         const bool plain = !draft_.now().pigment.pattern;
         Pigment& pigment = draft_.edit().pigment;
-        read(pigment_, read_old_pigment, pigment);
+        read(pigment_, read_legacy_pigment, pigment);
         if (plain && pigment.pattern) pigment.transform = pigment.transform.then(ahead_);
     }
-    if (!normal_.empty()) read(normal_, read_old_normal, draft_.edit().normal);
-    if (!finish_.empty()) read(finish_, read_old_finish, draft_.edit().finish);
+    if (!normal_.empty()) read(normal_, read_legacy_normal, draft_.edit().normal);
+    if (!finish_.empty()) read(finish_, read_legacy_finish, draft_.edit().finish);
 }

@@ -8,9 +8,9 @@
 #include "bind/texture_list.h"
 
 /// texture, pigment, normal, finish and interior of an object.
-class LookReader : public SimpleReader {
+class AppearanceReader : public SimpleReader {
 public:
-    LookReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
+    AppearanceReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block) return false;
@@ -67,7 +67,7 @@ private:
 
     template <class Read>
     Handle<Texture> made_of(std::optional<std::uint64_t> element, Handle<Texture> base, Read read) {
-        return block_.binder.looks.made(element, base, [&]() -> Handle<Texture> {
+        return block_.binder.appearances.made(element, base, [&]() -> Handle<Texture> {
             TextureDraft draft(base);
             return read(draft) ? draft.shared(block_.binder.textures) : nullptr;
         });

@@ -5,9 +5,9 @@
 
 #include "bind/object_draft.h"
 
-class ConfineReader : public SimpleReader {
+class ClippingReader : public SimpleReader {
 public:
-    ConfineReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
+    ClippingReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
 
     bool take(const Element&);
     void add_words(WordList& words) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/confines.h"
+#include "bind/clipping.h"
 
 #include "bind/objects.h"
 #include "text/message.h"
@@ -46,7 +46,7 @@ private:
 
 }  // namespace
 
-bool ConfineReader::take(const Element& element) {
+bool ClippingReader::take(const Element& element) {
     const bool clips = element.word == "clipped_by"_word;
     if (element.kind != Element::Kind::block || !(clips || element.word == "bounded_by"_word))
         return false;
@@ -56,10 +56,10 @@ bool ConfineReader::take(const Element& element) {
     ObjectsReader reader(inner, clips ? "bounded_by"_word : "clipped_by"_word);
     inner.read(element.body, reader);
     block_.broken |= inner.broken;
-    draft_.modified = draft_.confined = true;
-    Confines& confines = draft_.confines;
-    auto& list = clips ? confines.clips : confines.bounds;
-    const auto& other = clips ? confines.bounds : confines.clips;
+    draft_.modified = draft_.clipped = true;
+    Clipping& clipping = draft_.clipping;
+    auto& list = clips ? clipping.clips : clipping.bounds;
+    const auto& other = clips ? clipping.bounds : clipping.clips;
     const auto& added = reader.linked ? other : reader.objects;
     for (const ObjectHandle& each : added)
         if (!may_be_cut(block_, *each)) return true;

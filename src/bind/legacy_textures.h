@@ -5,10 +5,10 @@
 
 #include "bind/textures.h"
 
-class OldPartsReader : public SimpleReader {
+class LegacyTextureReader : public SimpleReader {
 public:
     /// Both outlive the reader.
-    OldPartsReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
+    LegacyTextureReader(OpenBlock& block, TextureDraft& draft) : block_(block), draft_(draft) {}
 
     /// Whether the scene may say textures so.
     static bool known_to(const Binder&);

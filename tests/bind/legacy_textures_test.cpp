@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/old_parts.h"
+#include "bind/legacy_textures.h"
 
-#include "bind/looks.h"
+#include "bind/appearance.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 

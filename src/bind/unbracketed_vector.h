@@ -12,10 +12,10 @@
 
 /// The report for a number that follows another one, of which a word in front of them takes one
 /// vector or colour; nothing when it is something else.
-std::optional<Diagnostic> bare_vector(const Element&, const Names&);
+std::optional<Diagnostic> unbracketed_vector(const Element&, const Names&);
 
 /// The same for numbers that begin a block of that item and are more than it has values.
-std::optional<Diagnostic> bare_vectors(const Element&, const ItemInfo&);
+std::optional<Diagnostic> unbracketed_vectors(const Element&, const ItemInfo&);
 
 /// `rotate y 45` and `rotate 45 y`: how a movement along an axis is written, when the value is the
 /// second of the two; empty when not.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/surroundings.h"
+#include "bind/backdrops.h"
 
 #include "bind/colour_maps.h"
 #include "bind/textures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/confines.h"
+#include "bind/clipping.h"
 
 #include "support/script.h"
 
@@ -10,10 +10,10 @@ TEST_CASE("what cuts an object and what bounds it are kept apart", "[bind]") {
         run("#version 3.7; sphere { 0, 2 clipped_by { plane { x, 0 } plane { y, 0 } } "
             "bounded_by { box { -1, 1 } } }");
     CHECK(done.text.empty());
-    REQUIRE(done.object().confines);
-    CHECK(done.object().confines->clips.size() == 2);
-    CHECK(done.object().confines->bounds.size() == 1);
-    CHECK_FALSE(run("#version 3.7; sphere { 0, 2 }").object().confines);
+    REQUIRE(done.object().clipping);
+    CHECK(done.object().clipping->clips.size() == 2);
+    CHECK(done.object().clipping->bounds.size() == 1);
+    CHECK_FALSE(run("#version 3.7; sphere { 0, 2 }").object().clipping);
 }
 
 TEST_CASE("what cannot cut an object is told of once", "[bind]") {

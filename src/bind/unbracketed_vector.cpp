@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bind/bare_vector.h"
+#include "bind/unbracketed_vector.h"
 
 #include "interpret/previous.h"
 #include "text/message.h"
@@ -72,7 +72,7 @@ Diagnostic report(const Element& element, std::string says, std::string meant) {
 
 }  // namespace
 
-std::optional<Diagnostic> bare_vector(const Element& element, const Names& names) {
+std::optional<Diagnostic> unbracketed_vector(const Element& element, const Names& names) {
     if (!is_number(element)) return std::nullopt;
     const Tree& tree = *element.origin.tree;
     Row row = row_around(element);
@@ -100,7 +100,7 @@ std::optional<Diagnostic> bare_vector(const Element& element, const Names& names
                   message(prefix, as_vector(tree, row.numbers, "<r, g, b>")));
 }
 
-std::optional<Diagnostic> bare_vectors(const Element& element, const ItemInfo& item) {
+std::optional<Diagnostic> unbracketed_vectors(const Element& element, const ItemInfo& item) {
     if (!is_number(element)) return std::nullopt;
     const Tree& tree = *element.origin.tree;
     const Row row = row_around(element);
