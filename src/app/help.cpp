@@ -2,8 +2,8 @@
 #include "app/help.h"
 
 #include "app/library_guide.h"
+#include "bind/object_functions.h"
 #include "editor/textmate.h"
-#include "evaluate/functions.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
 #include "text/harmless.h"
@@ -172,7 +172,7 @@ std::vector<std::string_view> topics(const LibraryGuide& library) {
         names.push_back(file.name);
         for (const LibraryMacro& each : file.macros) names.push_back(each.name);
     }
-    for (const FunctionInfo& each : functions()) names.push_back(each.name);
+    for (const FunctionInfo& each : all_functions()) names.push_back(each.name);
     for (const Word& word : reserved_words()) names.push_back(word.spelling);
     for (const OptionRow& row : option_table()) {
         if (!row.keyword.empty()) names.push_back(row.keyword);
@@ -183,7 +183,7 @@ std::vector<std::string_view> topics(const LibraryGuide& library) {
 
 std::vector<ManualEntry> function_entries() {
     std::vector<ManualEntry> result;
-    for (const FunctionInfo& each : functions())
+    for (const FunctionInfo& each : all_functions())
         result.push_back({message(each.name, "(", each.arguments, ")"), std::string(each.help)});
     return result;
 }
@@ -297,7 +297,7 @@ std::string help_text(std::string_view topic, const std::string& library,
     if (same_letters(topic, "compatibility")) return manual(entries(false), ManualForm::text);
     if (same_letters(topic, "warnings")) return manual(warning_entries(), ManualForm::text);
     std::string text = item_help(topic);
-    for (const FunctionInfo& each : functions())
+    for (const FunctionInfo& each : all_functions())
         if (same_letters(each.name, topic))
             text += message(each.name, "(", each.arguments, ")\n  ", wrapped(each.help, 2), "\n");
     const LibraryGuide guide = library_guide(library);

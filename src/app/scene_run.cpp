@@ -15,7 +15,7 @@
 #include "app/stats.h"
 #include "app/world_report.h"
 #include "base/deep_stack.h"
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "picture/file.h"
 #include "scene/dump.h"
 #include "syntax/dump.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/checking.h"
 
-#include "evaluate/limits.h"
+#include "interpret/limits.h"
 #include "text/message.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/hover.h"
 
-#include "evaluate/functions.h"
+#include "bind/object_functions.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
 #include "vocabulary/glossary.h"
@@ -14,7 +14,7 @@ namespace {
 std::string fenced(std::string_view text) { return message("```pov\n", text, "\n```\n"); }
 
 std::string function_help(std::string_view word) {
-    for (const FunctionInfo& each : functions())
+    for (const FunctionInfo& each : all_functions())
         if (each.name == word)
             return fenced(message(each.name, "(", each.arguments, ")")) + std::string(each.help);
     return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/report.h"
 
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "syntax/lint.h"
 #include "syntax/parser.h"
 #include "world/compile.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/suggestions.h"
 
+#include "bind/object_functions.h"
 #include "editor/hover.h"
-#include "evaluate/functions.h"
 #include "scene/catalogue.h"
 #include "vocabulary/manual.h"
 
@@ -48,7 +48,7 @@ public:
     }
 
     void add_words() {
-        for (const FunctionInfo& each : functions())
+        for (const FunctionInfo& each : all_functions())
             add({std::string(each.name), Suggestion::function,
                  std::string(each.name) + "(" + std::string(each.arguments) + ")",
                  std::string(each.help)});

@@ -96,7 +96,7 @@ std::string problem(const PointLight& light) {
     return {};
 }
 
-std::string effectless(const PointLight& light) {
+std::string ignored(const PointLight& light) {
     if (!light.shadowless || light.beam == all_around) return {};
     return light.beam == cone
                ? "`spotlight` has no effect: a `shadowless` light shines all around"

@@ -57,7 +57,7 @@ using Light = std::variant<PointLight>;
 /// What is wrong with the light as a whole, as a sentence; empty when nothing is.
 std::string problem(const PointLight&);
 /// What is said of the light without effect, as a sentence; empty when nothing is.
-std::string effectless(const PointLight&);
+std::string ignored(const PointLight&);
 
 /// The light as it stands in a scene, after a transformation.
 PointLight transformed(PointLight, const Transform&);

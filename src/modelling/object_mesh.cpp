@@ -68,7 +68,7 @@ public:
 
     std::optional<Part> part(const Object& object, const Handle<Transform>& outer) {
         const Handle<Transform> transform = combined(object.transform, outer);
-        if (object.confines && !object.confines->clips.empty())
+        if (object.clipping && !object.clipping->clips.empty())
             return fail("`clipped_by` leaves it open; use `intersection`");
         std::optional<Part> made = content(object, transform);
         if (made && object.inverse) invert(*made);
@@ -172,7 +172,7 @@ struct How {
 void append_surface(const ObjectHandle& object, const Handle<Transform>& outer, const How& how,
                     Mesh& all) {
     const auto* group = std::get_if<Union>(&object->form);
-    if (group && group->csg == Csg::together && !object->confines && !object->inverse) {
+    if (group && group->csg == Csg::together && !object->clipping && !object->inverse) {
         const Handle<Transform> transform = combined(object->transform, outer);
         for (const ObjectHandle& child : group->children)
             append_surface(child, transform, how, all);

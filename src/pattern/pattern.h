@@ -5,7 +5,6 @@
 #pragma once
 
 #include "pattern/bands.h"
-#include "pattern/borrowed.h"
 #include "pattern/cellular.h"
 #include "pattern/density_file.h"
 #include "pattern/falloff.h"
@@ -15,6 +14,7 @@
 #include "pattern/picture_map.h"
 #include "pattern/quilted.h"
 #include "pattern/ripples.h"
+#include "pattern/scene_patterns.h"
 #include "pattern/slope.h"
 #include "pattern/tiles.h"
 #include "pattern/tiling.h"

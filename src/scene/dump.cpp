@@ -79,7 +79,7 @@ std::string light_text(PlacedLight placed) {
     return text + " }\n";
 }
 
-std::string confines_text(std::string_view word, const std::vector<ObjectHandle>& objects) {
+std::string clipping_text(std::string_view word, const std::vector<ObjectHandle>& objects) {
     std::string text = message(word, " { ");
     for (const ObjectHandle& each : objects) text += in_one_line(*each) + " ";
     return text + "}";
@@ -110,10 +110,10 @@ std::vector<std::string> modifiers_of(const Object& object) {
     std::vector<std::string> result;
     if (object.transform && !(*object.transform == Transform()))
         result.push_back(matrix_text(*object.transform).substr(1));
-    if (object.confines && !object.confines->clips.empty())
-        result.push_back(confines_text("clipped_by", object.confines->clips));
-    if (object.confines && !object.confines->bounds.empty())
-        result.push_back(confines_text("bounded_by", object.confines->bounds));
+    if (object.clipping && !object.clipping->clips.empty())
+        result.push_back(clipping_text("clipped_by", object.clipping->clips));
+    if (object.clipping && !object.clipping->bounds.empty())
+        result.push_back(clipping_text("bounded_by", object.clipping->bounds));
     for (std::size_t i = 0; i < Switches::vocabulary.fields.size(); ++i)
         if (std::get<double>(Switches::vocabulary.get(&object.switches(), i)) != 0)
             result.emplace_back(Switches::vocabulary.fields[i].name);

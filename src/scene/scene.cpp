@@ -19,7 +19,7 @@ const ItemInfo Switches::vocabulary = described<Switches>([] {
 });
 
 ObjectHandle moved(ObjectHandle object, const Transform& transform) {
-    if (object->texture || object->part_textures || object->confines) {
+    if (object->texture || object->part_textures || object->clipping) {
         ObjectHandle whole = make_handle<Object>();
         whole.edit().span = object->span;
         nest(whole.edit(), *object);

@@ -68,7 +68,7 @@ struct SphereRow {
 
 /// What cuts an object without closing it, and what rays must meet to see it. In the space after
 /// the object's transform.
-struct Confines {
+struct Clipping {
     std::vector<ObjectHandle> clips;
     std::vector<ObjectHandle> bounds;
 };
@@ -101,7 +101,7 @@ struct Object : Switches {
     Handle<Texture>
         texture;  ///< in the space after the transform; null: the parent's, or the default
     Handle<Interior> interior;           ///< null: the parent's, or the atmosphere
-    Handle<Confines> confines;           ///< null: none
+    Handle<Clipping> clipping;           ///< null: none
     Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none
     Span span;
     std::uint32_t depth = 0;  ///< how many objects lie inside each other in it: it can be recursed
@@ -119,7 +119,7 @@ inline void nest(Object& outer, const Object& inner) {
     outer.parts += std::min(inner.parts, std::numeric_limits<std::uint32_t>::max() - outer.parts);
 }
 
-/// An object after one more transformation, with its textures and what confines it.
+/// An object after one more transformation, with its textures and what clips it.
 ObjectHandle moved(ObjectHandle, const Transform&);
 /// A light source after one more transformation, with all that belongs to it.
 PlacedLight moved(PlacedLight, const Transform&);

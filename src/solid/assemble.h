@@ -35,7 +35,7 @@ public:
         const Handle<Transform> transform = combined(object.transform, outer);
         const bool swapped = object.inverse != inverse;
         PartRef part = content(object, transform, swapped);
-        if (object.confines) part = confined(part, *object.confines, outer);
+        if (object.clipping) part = clipped(part, *object.clipping, outer);
         visitor_.leave();
         return part;
     }
@@ -84,19 +84,19 @@ private:
         return builder_.add(how, std::move(parts));
     }
 
-    PartRef confined(PartRef part, const Confines& confines, const Handle<Transform>& outer) {
+    PartRef clipped(PartRef part, const Clipping& clipping, const Handle<Transform>& outer) {
         std::vector<PartRef> parts = {part};
-        for (const ObjectHandle& each : confines.clips) {
+        for (const ObjectHandle& each : clipping.clips) {
             parts.push_back(add(*each, outer));
             parts.back().clips = true;
         }
         part = builder_.add(Combination::common, std::move(parts));
-        if (confines.bounds.empty()) return part;
+        if (clipping.bounds.empty()) return part;
         CompositeBuilder around(shapes_.index());
         NoVisitor nobody;
         Assembler<NoVisitor> assembler(around, shapes_, nobody);
         std::vector<PartRef> bounds;
-        for (const ObjectHandle& each : confines.bounds)
+        for (const ObjectHandle& each : clipping.bounds)
             bounds.push_back(assembler.add(*each, outer));
         const PartRef root = around.add(Combination::common, std::move(bounds));
         return builder_.add(Combination::together, {part},

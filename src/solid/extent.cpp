@@ -19,9 +19,9 @@ Box shared(const std::vector<ObjectHandle>& objects) {
     return result;
 }
 
-Box confined(const Box& box, const Confines& confines) {
+Box clipped(const Box& box, const Clipping& clipping) {
     Box result = box;
-    for (const auto* objects : {&confines.clips, &confines.bounds}) {
+    for (const auto* objects : {&clipping.clips, &clipping.bounds}) {
         const Box other = shared(*objects);
         if (!objects->empty() && volume(other) < volume(result)) result = other;
     }
@@ -75,36 +75,36 @@ Box extent(const Object& object) {
         box = own_extent(object);
         if (object.transform) box = object.transform->box(box);
     }
-    if (object.confines) box = confined(box, *object.confines);
+    if (object.clipping) box = clipped(box, *object.clipping);
     return {glm::clamp(box.low, -no_end, no_end), glm::clamp(box.high, -no_end, no_end)};
 }
 
-Box noticed_within(const Object& object) {
+Box bounds_of_inside(const Object& object) {
     const auto* shape = std::get_if<Shape>(&object.form);
     const bool plane = shape && std::holds_alternative<Plane>(*shape);
     return object.inverse && !plane ? extent(object) : everywhere();
 }
 
 bool has_needless_bounds(const Object& object) {
-    if (!object.confines || object.confines->bounds.empty()) return false;
+    if (!object.clipping || object.clipping->bounds.empty()) return false;
     if (const auto* shape = std::get_if<Shape>(&object.form))
         return !(std::holds_alternative<Shared<Cubic>>(*shape) ||
                  std::holds_alternative<Shared<Quartic>>(*shape) ||
                  std::holds_alternative<Shared<Poly>>(*shape) ||
                  std::holds_alternative<Shared<Polynomial>>(*shape));
     const auto* group = std::get_if<Union>(&object.form);
-    if (!group || group->csg != Csg::together || !object.confines->clips.empty()) return false;
+    if (!group || group->csg != Csg::together || !object.clipping->clips.empty()) return false;
     Box box = own_extent(object);
     if (object.transform) box = object.transform->box(box);
     return finite(box) && volume(box) < no_end &&
-           volume(box) <= volume(shared(object.confines->bounds));
+           volume(box) <= volume(shared(object.clipping->bounds));
 }
 
 Object without_bounds(const Object& object) {
     Object free = object;
-    if (object.confines->clips.empty())
-        free.confines = nullptr;
+    if (object.clipping->clips.empty())
+        free.clipping = nullptr;
     else
-        free.confines.edit().bounds.clear();
+        free.clipping.edit().bounds.clear();
     return free;
 }

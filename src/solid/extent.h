@@ -10,12 +10,12 @@ inline constexpr double no_end = 1e10;
 
 /// The box of the object in its own space, from -no_end to no_end where it has no end.
 Box extent(const Object&);
-/// The same before it is moved and confined.
+/// The same before it is moved and clipped.
 Box own_extent(const Object&);
 
 /// Where POV-Ray notices that a ray begins inside of the object: everywhere, but for what is
 /// inverse and no plane only in the box of what it is the inverse of, though its inside goes on.
-Box noticed_within(const Object&);
+Box bounds_of_inside(const Object&);
 
 /// Whether rays do without what bounds the object, so that all of it is seen even where that is too
 /// small. POV-Ray removes the bounds of single shapes other than polynomials, and of unions that

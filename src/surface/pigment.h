@@ -11,7 +11,7 @@
 struct PatternedPigment;  // this and the entries of maps: pigment_map.h
 struct PigmentStop;
 using PigmentMap = std::vector<PigmentStop>;
-struct PigmentGrey;  // pattern/borrowed.h
+struct PigmentGrey;  // pattern/scene_patterns.h
 
 /// Colour as a function of a point. Default: opaque black, as in POV-Ray 3.7.
 struct Pigment {

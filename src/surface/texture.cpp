@@ -182,13 +182,13 @@ Vec3 lighting_emission(const Texture& texture) {
     return most_emitted(texture, [](const Finish& finish) { return !finish.no_luminaire; });
 }
 
-Handle<Texture> kindled(const Handle<Texture>& texture, const Vec3& ambient_light) {
+Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Vec3& ambient_light) {
     Handle<Texture> result = texture;
     if (texture->choice) {
         TextureMap map = texture->choice->map;
         bool any = false;
         for (TextureStop& stop : map) {
-            Handle<Texture> entry = kindled(stop.texture, ambient_light);
+            Handle<Texture> entry = ambient_as_emission(stop.texture, ambient_light);
             any |= entry.get() != stop.texture.get();
             stop.texture = std::move(entry);
         }
@@ -199,7 +199,7 @@ Handle<Texture> kindled(const Handle<Texture>& texture, const Vec3& ambient_ligh
         finish.ambient = Vec3(0);
     }
     if (!texture->below) return result;
-    Handle<Texture> below = kindled(texture->below, ambient_light);
+    Handle<Texture> below = ambient_as_emission(texture->below, ambient_light);
     if (below.get() != texture->below.get()) result.edit().below = std::move(below);
     return result;
 }

@@ -40,7 +40,7 @@ Vec3 greatest_emission(const Texture&);
 Vec3 lighting_emission(const Texture&);
 
 /// The texture with all ambient light of 1 or more as emission; the same one when it has none.
-Handle<Texture> kindled(const Handle<Texture>&, const Vec3& ambient_light);
+Handle<Texture> ambient_as_emission(const Handle<Texture>&, const Vec3& ambient_light);
 
 /// Whether its emission differs from place to place.
 bool varied(const Texture&);

@@ -17,7 +17,7 @@ bool surely_dark(const Object& object, const Handle<Texture>* inherited) {
         return std::ranges::all_of(
             parts, [&](const ObjectHandle& part) { return surely_dark(*part, own); });
     };
-    if (object.part_textures || (object.confines && !all_dark(object.confines->clips)))
+    if (object.part_textures || (object.clipping && !all_dark(object.clipping->clips)))
         return false;
     if (const auto* group = std::get_if<Union>(&object.form))
         return group->lights.empty() && !group->children.empty() && all_dark(group->children);

@@ -19,7 +19,7 @@ namespace {
 /// Whether an object is one solid that cannot be taken apart into primitives of their own.
 bool is_composite(const Object& object) {
     const Union* group = std::get_if<Union>(&object.form);
-    return object.confines || object.inverse || (group && group->csg != Csg::together);
+    return object.clipping || object.inverse || (group && group->csg != Csg::together);
 }
 
 template <class T>
@@ -196,8 +196,8 @@ private:
             for (const ObjectHandle& child : group->children) any |= glows(*child, here);
         else
             any = materials_.glows(materials_.index(here));
-        if (object.confines)
-            for (const ObjectHandle& clip : object.confines->clips) any |= glows(*clip, here);
+        if (object.clipping)
+            for (const ObjectHandle& clip : object.clipping->clips) any |= glows(*clip, here);
         return any;
     }
 
@@ -340,7 +340,7 @@ private:
             Assembler<LeafVisitor>(builder, shapes_, visitor).add(object, outer.transform);
         const auto composite = make_handle<Composite>(builder.finish(root));
         const auto number = static_cast<std::uint32_t>(geometry_.composites.size());
-        const Box around = noticed_within(object);
+        const Box around = bounds_of_inside(object);
         geometry_.composites.push_back({composite, first, visitor.transparent,
                                         outer.transform ? outer.transform->box(around) : around});
         for (std::size_t leaf = first; leaf < leaf_materials_.size(); ++leaf) {

@@ -69,9 +69,10 @@ std::uint32_t Materials::index(const Inherited& look) {
 /// What is to glow by its ambient does.
 Handle<Texture> Materials::lit(const Handle<Texture>& texture) const {
     const GlobalSettings& settings = world_.rules.settings;
-    return simplified(
-        settings.ambient_luminaires ? kindled(texture, settings.ambient_light) : texture,
-        world_.rules.quality);
+    return simplified(settings.ambient_luminaires
+                          ? ambient_as_emission(texture, settings.ambient_light)
+                          : texture,
+                      world_.rules.quality);
 }
 
 void Materials::add(const Inherited& look) {

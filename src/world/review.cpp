@@ -65,7 +65,7 @@ private:
 
     /// A quick answer, for most objects.
     static bool may_hold(const Object& object, const Vec3& point) {
-        if (object.inverse) return contains(noticed_within(object), point);
+        if (object.inverse) return contains(bounds_of_inside(object), point);
         const Vec3 within = object.transform ? object.transform->inverse_point(point) : point;
         const auto* shape = std::get_if<Shape>(&object.form);
         const auto* sphere = shape ? std::get_if<Sphere>(shape) : nullptr;
@@ -78,7 +78,7 @@ private:
         const auto* group = std::get_if<Union>(&object->form);
         const auto* row = std::get_if<SphereRow>(&object->form);
         const bool parts = row || (group && group->csg == Csg::together);
-        if (!parts || object->confines || object->inverse) return solids_.inside(object, point);
+        if (!parts || object->clipping || object->inverse) return solids_.inside(object, point);
         const Vec3 within = object->transform ? object->transform->inverse_point(point) : point;
         if (row)
             return std::ranges::any_of(row->spheres,

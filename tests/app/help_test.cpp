@@ -3,7 +3,7 @@
 
 #include "app/library_guide.h"
 #include "app/option_table.h"
-#include "evaluate/functions.h"
+#include "bind/object_functions.h"
 #include "scene/catalogue.h"
 #include "support/shell.h"
 #include "text/ascii.h"
@@ -136,7 +136,7 @@ std::set<std::string> words_of_scenes() {
     std::set<std::string> words;
     for (const Word& word : reserved_words())
         if (in_name(word.spelling.front())) words.emplace(word.spelling);
-    for (const FunctionInfo& each : functions()) words.emplace(each.name);
+    for (const FunctionInfo& each : all_functions()) words.emplace(each.name);
     for (const ItemGroup& group : catalogue())
         for (const ItemInfo* item : group.items) {
             words.emplace(item->name);

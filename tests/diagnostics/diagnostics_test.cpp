@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every scene of this folder has one fault, or a few of one kind; all that is said about it is in
 // the file .expected beside it. UPDATE_EXPECTED=1 writes these files anew.
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "text/excerpt.h"
 
 #include <catch2/catch.hpp>

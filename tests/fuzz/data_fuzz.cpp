@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a table and as JSON, whose form the first byte says: no crash, and as many cells as
 // rows and columns say.
-#include "evaluate/csv.h"
-#include "evaluate/json_reader.h"
 #include "fuzz/target.h"
+#include "interpret/csv.h"
+#include "interpret/json_reader.h"
 
 #include <array>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes as a scene: no crash, and an end within the limits. No file is read or written.
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "fuzz/target.h"
 #include "text/excerpt.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole way from any bytes to a picture of 16x12 pixels: no crash, and no pixel that is not a
 // number. Rendering is stopped after a while, since nothing limits how long a picture may take.
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "fuzz/target.h"
 #include "render/render.h"
 #include "world/compile.h"

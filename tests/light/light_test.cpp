@@ -66,13 +66,13 @@ TEST_CASE("a light without shadows keeps to no cone and no cylinder, as POV-Ray'
     light.location = Vec3(0, 0, -5);
     light.point_at = Vec3(0);
     light.shadowless = true;
-    CHECK(effectless(light).empty());
+    CHECK(ignored(light).empty());
     for (const int beam : {cone, parallel_beam}) {
         light.beam = beam;
         const Incidence far = incidence(light, light.location, Vec3(20, 0, 0));
         CHECK(far.colour == Vec3(1));
         CHECK((far.direction == Vec3(0, 0, -1)) == (beam == parallel_beam));
-        CHECK_FALSE(effectless(light).empty());
+        CHECK_FALSE(ignored(light).empty());
     }
 }
 

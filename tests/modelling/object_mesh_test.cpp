@@ -61,7 +61,7 @@ TEST_CASE("what is no closed solid says so", "[modelling]") {
     CHECK(problem_of(group(Csg::difference, {box, sheet})) ==
           "surface 2 bounds no solid: it is not closed");
     ObjectHandle clipped = object(Sphere{o, 1});
-    clipped.edit().confines = make_handle<Confines>(Confines{{box}, {}});
+    clipped.edit().clipping = make_handle<Clipping>(Clipping{{box}, {}});
     CHECK(problem_of(clipped) == "`clipped_by` leaves it open; use `intersection`");
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("surfaces are exact where they can be, and seen triangles elsewhere", 
     // The surfaces of a union go through each other, as rays see them.
     CHECK(surface_mesh(group(Csg::together, {a, b}), 16, &the_polyhedra()).faces.size() == 24);
     ObjectHandle opened = a;
-    opened.edit().confines = make_handle<Confines>(Confines{{object(Plane{y, 9})}, {}});
+    opened.edit().clipping = make_handle<Clipping>(Clipping{{object(Plane{y, 9})}, {}});
     CHECK(surface_mesh(opened, 16, &the_polyhedra()).faces.size() == 12);
     CHECK(surface_mesh(object(Plane{y, 0}), 16, &the_polyhedra()).faces.empty());
 }

@@ -3,7 +3,7 @@
 // prints.
 #pragma once
 
-#include "evaluate/script.h"
+#include "support/script.h"
 #include "surface/pigment_map.h"
 
 #include <catch2/catch.hpp>

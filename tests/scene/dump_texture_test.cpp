@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/dump_texture.h"
 
-#include "evaluate/script.h"
+#include "support/script.h"
 
 #include <catch2/catch.hpp>
 

@@ -81,17 +81,17 @@ TEST_CASE("maps of groups and objects add up", "[solid]") {
 TEST_CASE("what clips or bounds an object is in the space around it", "[solid]") {
     Object half = *object(Sphere{o, 2});
     half.transform = make_handle<Transform>(Transform::translation(5.0 * x));
-    Confines confines;
-    confines.clips = {object(Plane{x, 5})};
-    half.confines = make_handle<Confines>(confines);
+    Clipping clipping;
+    clipping.clips = {object(Plane{x, 5})};
+    half.clipping = make_handle<Clipping>(clipping);
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "100");
     // Inverse does not turn the clipping round.
     half.inverse = true;
     CHECK(insides(half, {4.0 * x, 6.0 * x, o}) == "001");
 
-    confines = {};
-    confines.bounds = {object(Cuboid{Vec3(4, -1, -1), Vec3(6, 1, 1)})};
-    half.confines = make_handle<Confines>(confines);
+    clipping = {};
+    clipping.bounds = {object(Cuboid{Vec3(4, -1, -1), Vec3(6, 1, 1)})};
+    half.clipping = make_handle<Clipping>(clipping);
     half.inverse = false;
     const Composite bounded = assembled(half);
     const auto any = [](std::uint32_t) { return true; };

@@ -61,12 +61,12 @@ TEST_CASE("intersections are bounded by what they keep and by planes", "[solid]"
 
 TEST_CASE("confines replace a box that is larger", "[solid]") {
     Object ball = lone_object(Sphere{o, 2});
-    Confines confines;
-    confines.bounds = {make_handle<Object>(lone_object(Cuboid{Vec3(-1), Vec3(1)}))};
-    ball.confines = make_handle<Confines>(confines);
+    Clipping clipping;
+    clipping.bounds = {make_handle<Object>(lone_object(Cuboid{Vec3(-1), Vec3(1)}))};
+    ball.clipping = make_handle<Clipping>(clipping);
     CHECK(is(extent(ball), Vec3(-1), Vec3(1)));
-    confines.bounds = {make_handle<Object>(lone_object(Cuboid{Vec3(-5), Vec3(5)}))};
-    ball.confines = make_handle<Confines>(confines);
+    clipping.bounds = {make_handle<Object>(lone_object(Cuboid{Vec3(-5), Vec3(5)}))};
+    ball.clipping = make_handle<Clipping>(clipping);
     CHECK(is(extent(ball), Vec3(-2), Vec3(2)));
 }
 

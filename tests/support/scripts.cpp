@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/scripts.h"
 
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "text/excerpt.h"
 #include "text/message.h"
 #include "world/compile.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/vectors.h"
 
-#include "evaluate/evaluate.h"
+#include "bind/evaluate.h"
 #include "support/folder.h"
 #include "text/excerpt.h"
 

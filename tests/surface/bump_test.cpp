@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/bump.h"
 
-#include "evaluate/script.h"
+#include "support/script.h"
 #include "surface/normal_map.h"
 
 #include <catch2/catch.hpp>

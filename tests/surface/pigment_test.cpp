@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/pigment.h"
 
-#include "evaluate/script.h"
+#include "support/script.h"
 #include "surface/pigment_map.h"
 
 #include <catch2/catch.hpp>

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/assets.h"
+
+#include "bind/pictures.h"
+#include "font/outlines.h"
+#include "font/system_font.h"
+#include "formula/formula.h"
+#include "picture/heights.h"
+#include "text/message.h"
+
+#include <cmath>
+
+namespace {
+
+std::string font_name(const Text& text) {
+    if (!text.font.empty() || text.internal == 0) return text.font;
+    switch (text.internal) {
+        case 1:
+            return "timrom.ttf";
+        case 2:
+            return "cyrvetic.ttf";
+        case 3:
+            return "crystal.ttf";
+        default:
+            return "povlogo.ttf";
+    }
+}
+
+/// The content of a font's file, which may also be one of the system's: it is looked for and read
+/// once, and stays as long as the binder. Null after a report.
+const std::string* load_font(Binder& binder, const std::string& name, Span span) {
+    const Evaluator& evaluator = binder.evaluator;
+    const std::string directory = directory_of(binder.evaluator.sources().name(span.source));
+    const std::pair key(directory, name);
+    if (const auto known = binder.fonts.find(key); known != binder.fonts.end())
+        return &known->second;
+    const auto keep = [&](std::string font) {
+        return &binder.fonts.emplace(key, std::move(font)).first->second;
+    };
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = evaluator.loader().load(spelling, directory, FileKind::data))
+            return keep(std::move(found->text));
+    for (const std::string& spelling : {name, name + ".ttf"})
+        if (auto found = system_font(spelling)) return keep(std::move(*found));
+    binder.evaluator.report(evaluator.loader().problem(name, span, FileKind::data, directory));
+    return nullptr;
+}
+
+void complete_text(OpenBlock& block, Shared<Text>& text) {
+    const std::string name = font_name(*text);
+    if (name.empty() || text->text.empty()) return;
+    const std::string* const font = load_font(block.binder, name, block.file_place());
+    if (!font) {
+        block.broken = true;
+        return;
+    }
+    TextOutlines outlines = text_outlines(*font, text->text, Vec2(text->offset.x, text->offset.y));
+    if (outlines.problem.empty()) {
+        text.edit().letters = make_handle<Letters>(Letters{std::move(outlines.loops)});
+        return;
+    }
+    block.report(error(Fault::file_access, block.file_place(),
+                       message("the font `", name, "` cannot be used: ", outlines.problem)));
+}
+
+double grey(const FunctionResults& colour) {
+    return 0.297 * colour[0] + 0.589 * colour[1] + 0.114 * colour[2];
+}
+
+/// The heights of a function of x and y, which is asked at all pixels. Null when that is too much
+/// work.
+Handle<HeightGrid> sampled(const Formula& function, Evaluator& evaluator, Span place) {
+    HeightGrid grid{function.columns(), function.rows(), {}};
+    const auto take = [&](const FunctionResults& results, bool good) {
+        // Values outside of 0 to 1 come back at the other end, as in POV-Ray.
+        const double shown = function.results() < 3 ? results[0] : grey(results);
+        const double value = good && std::abs(shown) < 1e9 ? shown : 0;
+        grid.values.push_back(static_cast<std::uint16_t>(static_cast<std::int64_t>(65535 * value)));
+    };
+    const bool done = evaluator.sample(function, Evaluator::Rows::from_top, place, take);
+    return done ? make_handle<HeightGrid>(std::move(grid)) : nullptr;
+}
+
+void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
+    constexpr std::size_t usual = 3;
+    if (field->function && field->function->columns() > 0 &&
+        field->function->parameters() <= usual) {
+        field.edit().grid = sampled(*field->function, block.binder.evaluator, block.span);
+        block.broken |= !field->grid;
+        return;
+    }
+    if (field->function) {
+        block.report(error(Fault::wrong_type, block.span,
+                           "the function of a `height_field` says how many heights it has")
+                         .with_help("function 256, 256 { ... }"));
+        return;
+    }
+    if (field->file.empty()) return;
+    const auto path = block.binder.evaluator.find_data(field->file, block.file_place(),
+                                                       picture_endings(block.file_kind));
+    std::optional<Heights> heights;
+    if (path)
+        heights = read_heights(*path, field->gamma, block.binder.evaluator.diagnostics(),
+                               block.file_place());
+    block.broken |= !heights;
+    if (heights)
+        field.edit().grid = make_handle<HeightGrid>(
+            HeightGrid{heights->width, heights->height, std::move(heights->values)});
+}
+
+/// Values that cannot be meant.
+void complete_isosurface(OpenBlock& block, Shared<Isosurface>& surface) {
+    const Isosurface usual;
+    const auto correct = [&](std::string_view word, double Isosurface::*value) {
+        if ((*surface).*value > 0) return;
+        block.report(
+            warning(Fault::no_effect, block.span,
+                    message("`", word, "` of ", block.quoted(), " is ", (*surface).*value,
+                            ", which is not above 0: the usual ", usual.*value, " counts")));
+        surface.edit().*value = usual.*value;
+    };
+    correct("accuracy", &Isosurface::accuracy);
+    correct("max_gradient", &Isosurface::max_gradient);
+}
+
+}  // namespace
+
+void complete(OpenBlock& block, Shape& shape) {
+    if (auto* text = std::get_if<Shared<Text>>(&shape))
+        complete_text(block, *text);
+    else if (auto* field = std::get_if<Shared<HeightField>>(&shape))
+        complete_heights(block, *field);
+    else if (auto* surface = std::get_if<Shared<Isosurface>>(&shape))
+        complete_isosurface(block, *surface);
+    else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
+        if (problem(**mesh).empty()) shape = Shared<Mesh>(as_mesh(**mesh));
+}

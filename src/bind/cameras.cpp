@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/cameras.h"
+
+#include "bind/normals.h"
+#include "bind/objects.h"
+#include "bind/transforms.h"
+#include "text/message.h"
+#include "vocabulary/manual.h"
+
+#include <map>
+
+namespace {
+
+View& view_of(Camera& camera) {
+    return std::visit([](auto& c) -> View& { return c; }, camera);
+}
+
+/// The meshes of a mesh_camera { ... }.
+class CameraMeshes : public SimpleReader {
+public:
+    CameraMeshes(OpenBlock& block, std::vector<CameraMesh>& meshes)
+        : block_(block), meshes_(meshes) {}
+
+    bool take(const Element& element) {
+        ObjectHandle object;
+        if (element.kind == Element::Kind::block && makes_object(element.word))
+            object = read_object(block_.binder, element);
+        else if (element.kind == Element::Kind::value)
+            object = element.value.handle<Object>();
+        else
+            return false;
+        const bool block = element.kind == Element::Kind::block;
+        if (!object) {
+            block_.broken |= block;
+            return block;
+        }
+        add(std::move(object), element.word_span);
+        return true;
+    }
+    void finish() {
+        if (meshes_.empty() && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`mesh_camera` needs a mesh")
+                              .with_help(block_.help()));
+    }
+    void add_words(WordList& words) const { words.insert(words.end(), {"mesh", "mesh2"}); }
+
+private:
+    void add(ObjectHandle object, Span span) {
+        const auto* shape = std::get_if<Shape>(&object->form);
+        const auto* mesh = shape ? std::get_if<Shared<Mesh>>(shape) : nullptr;
+        if (!mesh) {
+            block_.report(
+                error(Fault::wrong_type, span, "the rays of `mesh_camera` start at meshes")
+                    .with_help(block_.help()));
+            return;
+        }
+        Handle<std::vector<CameraFace>>& faces = known_[&**mesh];
+        if (!faces) faces = faces_of(**mesh);
+        meshes_.push_back({faces, object->transform ? *object->transform : Transform()});
+        kept_.push_back(std::move(object));
+    }
+
+    static Handle<std::vector<CameraFace>> faces_of(const Mesh& mesh) {
+        std::vector<CameraFace> faces;
+        faces.reserve(mesh.faces.size());
+        for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+            const MeshTriangle triangle = face(mesh, i);
+            faces.push_back({triangle.corners, triangle.normals, face_uvs(mesh, i)});
+        }
+        return make_handle<std::vector<CameraFace>>(std::move(faces));
+    }
+
+    OpenBlock& block_;
+    std::vector<CameraMesh>& meshes_;
+    std::map<const Mesh*, Handle<std::vector<CameraFace>>> known_;
+    std::vector<ObjectHandle> kept_;  ///< so that no address in known_ is used twice
+};
+
+bool read_mesh_rays(Binder& binder, const Element& element, MeshRays& rays) {
+    OpenBlock block(binder, "mesh_camera", element.word_span);
+    block.form = "{ rays, distribution mesh { ... } ... [smooth] }";
+    block.item = &MeshRays::vocabulary;
+    ItemReader fields(block, *block.item, &rays);
+    CameraMeshes meshes(block, rays.meshes);
+    block.read(element.body, meshes, fields);
+    if (!block.broken && rays.distribution == 0 && static_cast<int>(rays.meshes.size()) < rays.rays)
+        block.report(error(Fault::wrong_count, element.word_span,
+                           "with distribution 0 each ray of a pixel has a mesh of its own")
+                         .with_help(block.help()));
+    return !block.broken;
+}
+
+/// The type, as the first word, and what all cameras have.
+class CameraReader {
+public:
+    CameraReader(OpenBlock& block, Camera& camera)
+        : block_(block), camera_(camera), fields_(block, *Kinds<Camera>::infos[0], nullptr) {
+        follow();
+    }
+
+    bool waiting() const { return fields_.waiting(); }
+    bool wants() const { return fields_.wants() || block_.taken == 0; }
+
+    bool take(const Element& element) {
+        if (element.kind == Element::Kind::value) return take_field(element);
+        const bool meshes =
+            element.kind == Element::Kind::block && element.word == "mesh_camera"_word;
+        const std::size_t kind = element.kind == Element::Kind::word || meshes
+                                     ? Kinds<Camera>::find(block_.spelling(element.word))
+                                     : Kinds<Camera>::count;
+        if (kind == Kinds<Camera>::count) return take_field(element);
+        if (block_.taken > 0 && !in_order()) {
+            block_.report(error(Fault::misplaced, element.span,
+                                message("the type `", Kinds<Camera>::infos[kind]->name,
+                                        "` must come first in `camera`"))
+                              .with_help(usage(*Kinds<Camera>::infos[kind], "camera")));
+            return true;
+        }
+        const View view = view_of(camera_);
+        camera_ = Kinds<Camera>::make(kind);
+        view_of(camera_) = view;
+        if (in_order()) settle_type();
+        follow();
+        if (meshes) {
+            MeshRays rays;
+            block_.broken |= !read_mesh_rays(block_.binder, element, rays);
+            std::get<MeshCamera>(camera_).from = make_handle<MeshRays>(std::move(rays));
+        }
+        return true;
+    }
+
+    void finish() {
+        fields_.finish();
+        const auto* meshes = std::get_if<MeshCamera>(&camera_);
+        if (meshes && !meshes->from && !block_.broken)
+            block_.report(error(Fault::missing, block_.span, "`mesh_camera` needs meshes in braces")
+                              .with_help("camera { mesh_camera { 1, 0 mesh { ... } } }"));
+    }
+    void add_words(WordList& words) const {
+        fields_.add_words(words);
+        for (const ItemInfo* info : Kinds<Camera>::infos) words.push_back(info->name);
+    }
+
+    /// The camera has another type.
+    void follow() {
+        fields_.rebind(*Kinds<Camera>::infos[camera_.index()], Kinds<Camera>::address(camera_));
+    }
+
+private:
+    bool take_field(const Element& element) {
+        const bool taken = fields_.take(element);
+        std::optional<double>& angle = view_of(camera_).angle;
+        if (angle == 0.0 && in_order()) angle.reset();
+        if (!taken || !in_order()) return taken;
+        looked_at_ = view_of(camera_).look_at.value_or(looked_at_);
+        settle(camera_);
+        return true;
+    }
+
+    /// The effect of the type: parallel rays see as much as others do at what is looked at, by what
+    /// has been said up to there.
+    void settle_type() {
+        settle(camera_);
+        auto* parallel = std::get_if<Orthographic>(&camera_);
+        if (!parallel) return;
+        const double size = length(looked_at_ - parallel->location) / length(*parallel->direction);
+        *parallel->right *= size;
+        *parallel->up *= size;
+    }
+
+    /// Before language version 3.5 each word had its effect at once, and the type might come late.
+    bool in_order() const { return block_.binder.evaluator.version() < 3.5; }
+
+    OpenBlock& block_;
+    Camera& camera_;
+    ItemReader fields_;
+    Vec3 looked_at_ = Vec3(0, 0, 1);
+};
+
+/// normal { ... }
+class CameraNormal : public SimpleReader {
+public:
+    CameraNormal(OpenBlock& block, Bump& normal) : block_(block), normal_(normal) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "normal"_word) return false;
+        block_.broken |= !read_normal(block_.binder, element, normal_);
+        return true;
+    }
+    void add_words(WordList& words) const { words.push_back("normal"); }
+
+private:
+    OpenBlock& block_;
+    Bump& normal_;
+};
+
+}  // namespace
+
+bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
+    Camera& camera = made.camera;
+    OpenBlock block(binder, "camera", element.word_span);
+    block.item = &Perspective::vocabulary;
+    CameraReader fields(block, camera);
+    auto declared = named<DeclaredCamera>(block, [&](const Handle<DeclaredCamera>& other) {
+        made = *other;
+        fields.follow();
+    });
+    const auto apply = [&](const Transform& transform) {
+        View& view = view_of(camera);
+        view.transform = view.transform.then(transform);
+    };
+    TransformReader moves(block, apply);
+    CameraNormal normal(block, made.normal);
+    block.read(element.body, declared, fields, normal, moves);
+    if (block.broken) return false;
+    const std::string wrong = problem(camera);
+    if (!wrong.empty())
+        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    return !block.broken;
+}

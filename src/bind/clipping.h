@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// clipped_by and bounded_by: what cuts an object, and what rays must meet to see it. Called by the
+// reader of objects.
+#pragma once
+
+#include "bind/object_draft.h"
+
+class ClippingReader : public SimpleReader {
+public:
+    ClippingReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
+
+    bool take(const Element&);
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"clipped_by", "bounded_by"});
+    }
+
+private:
+    OpenBlock& block_;
+    ObjectDraft& draft_;
+};

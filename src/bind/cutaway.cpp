@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/cutaway.h"
+
+#include "bind/patterns.h"
+#include "surface/texture_map.h"
+
+#include <algorithm>
+#include <span>
+
+namespace {
+
+/// A texture, and the object in which it is seen; null: everywhere.
+struct Source {
+    Handle<Texture> texture;
+    ObjectHandle where;
+};
+using Sources = std::vector<Source>;
+
+/// Finds what objects show of themselves inside.
+class Collector {
+public:
+    Collector(const Handle<Texture>& usual, Sources& found) : usual_(usual), found_(found) {}
+
+    /// `outside` is what moves the unions around the object, null: nothing; `where` is null when
+    /// the point is known to be in it.
+    void collect(const Object& object, const Handle<Transform>& outside,
+                 const ObjectHandle& where) {
+        if (left_ == 0) return;
+        --left_;
+        if (object.texture) return add(object.texture, outside, where);
+        const auto* parts = std::get_if<Union>(&object.form);
+        if (!parts && where) found_.push_back({usual_, where});
+        if (!parts) return;
+        Handle<Transform> around = outside;
+        if (object.transform)
+            around = outside ? make_handle<Transform>(object.transform->then(*outside))
+                             : object.transform;
+        for (const ObjectHandle& part : parts->children) {
+            collect(*part, around, cuts(*parts) ? where : around ? ::moved(part, *around) : part);
+            if (parts->csg == Csg::difference) return;
+        }
+    }
+
+private:
+    void add(const Handle<Texture>& texture, const Handle<Transform>& outside,
+             const ObjectHandle& where) {
+        found_.push_back(
+            {outside ? make_handle<Texture>(transformed(*texture, *outside)) : texture, where});
+    }
+
+    const Handle<Texture>& usual_;
+    Sources& found_;
+    /// Objects that are still looked at: each may be asked about at every point that is seen.
+    int left_ = 64;
+};
+
+Handle<Texture> patterned(Pattern pattern, TextureMap map) {
+    PatternUse use;
+    use.pattern = std::move(pattern);
+    Texture result = *map.front().texture;
+    result.below = nullptr;
+    result.choice = make_handle<PatternedTexture>(std::move(use), Transform(), std::move(map));
+    return make_handle<Texture>(std::move(result));
+}
+
+/// Null when there is none.
+Handle<Texture> mean(const std::vector<Handle<Texture>>& textures) {
+    if (textures.size() < 2) return textures.empty() ? nullptr : textures.front();
+    TextureMap map;
+    for (const Handle<Texture>& texture : textures) map.push_back({1, texture});
+    return patterned(Average{}, std::move(map));
+}
+
+/// The mean of `here` and of those of the sources that contain a point.
+Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Texture>> here) {
+    constexpr std::size_t most_together = 4;
+    if (sources.empty()) return mean(here);
+    const Source& first = sources.front();
+    std::vector<Handle<Texture>> with = here;
+    with.push_back(first.texture);
+    if (!first.where) return mixed(sources.subspan(1), std::move(with));
+    Handle<Texture> outside = mixed(sources.subspan(1), std::move(here));
+    Handle<Texture> inside =
+        sources.size() > most_together ? mean(with) : mixed(sources.subspan(1), std::move(with));
+    if (!outside) return inside;
+    return patterned(object_pattern(*first.where), {{0, outside}, {1, inside}});
+}
+
+/// Each level copies what it changes.
+constexpr std::uint32_t most_nested = 8;
+
+}  // namespace
+
+void cut_away(Union& whole, const Handle<Texture>& usual) {
+    std::vector<Handle<Texture>> shown(whole.children.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Object& child = *whole.children[i];
+        if (child.texture) continue;
+        if (const auto* parts = std::get_if<Union>(&child.form)) {
+            if (cuts(*parts) && child.depth < most_nested)
+                cut_away(std::get<Union>(whole.children[i].edit().form), usual);
+            continue;
+        }
+        Sources sources;
+        Collector collector(usual, sources);
+        for (std::size_t j = 0; j < shown.size(); ++j) {
+            const bool counts = whole.csg == Csg::difference ? j == 0 : true;
+            if (counts && j != i) collector.collect(*whole.children[j], nullptr, nullptr);
+        }
+        // What is known to be seen comes first, so that there is less to ask.
+        std::stable_partition(sources.begin(), sources.end(),
+                              [](const Source& each) { return !each.where; });
+        shown[i] = mixed(sources, {});
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (shown[i]) whole.children[i].edit().texture = shown[i];
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A block inside of another that is one item with fields, and nothing else: `irid { ... }` in a
+// finish. Used by the readers of finishes and of settings.
+#pragma once
+
+#include "bind/block.h"
+
+class ItemBlock : public SimpleReader {
+public:
+    /// All outlive the reader. `given` is set when the block is there; null: nobody asks.
+    /// `ignored`: words that may stand in it and change nothing.
+    ItemBlock(OpenBlock& block, const ItemInfo& info, void* item, bool* given = nullptr,
+              std::string_view ignored = {})
+        : block_(block), info_(info), item_(item), given_(given), effectless_(ignored) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || block_.spelling(element.word) != info_.name)
+            return false;
+        OpenBlock inner(block_.binder, info_.name, element.word_span);
+        inner.item = &info_;
+        inner.ignored = effectless_;
+        if (given_) *given_ = true;
+        ItemReader fields(inner, info_, item_);
+        inner.read(element.body, fields);
+        block_.broken |= inner.broken;
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back(info_.name); }
+
+private:
+    OpenBlock& block_;
+    const ItemInfo& info_;
+    void* item_;
+    bool* given_;
+    std::string_view effectless_;
+};

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/legacy_textures.h"
+
+#include "bind/normals.h"
+
+#include <algorithm>
+
+namespace {
+
+bool is_any_of(NameId word, std::initializer_list<NameId> words) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+bool of_finish(std::string_view word) {
+    const auto named = [&](const FieldInfo& field) { return field.name == word; };
+    return word == "reflection" || std::ranges::any_of(Finish::vocabulary.fields, named);
+}
+
+/// What is a pattern in other blocks is nothing but a bump here.
+bool of_normal(NameId word) {
+    return is_any_of(word, {"bumps"_word, "dents"_word, "ripples"_word, "waves"_word,
+                            "wrinkles"_word, "bump_map"_word, "bump_size"_word,
+                            // Of the bump as well, and not of the colours.
+                            "frequency"_word, "phase"_word});
+}
+
+bool of_pigment(NameId word) {
+    return Kinds<Pattern>::find(word) != Kinds<Pattern>::count ||
+           is_any_of(word, {"color_map"_word, "colour_map"_word, "image_map"_word,
+                            "turbulence"_word, "octaves"_word, "omega"_word, "lambda"_word,
+                            "quick_color"_word, "quick_colour"_word});
+}
+
+/// How many values stand behind a word of an old texture.
+int values_behind(NameId word) {
+    if (word == "metallic"_word) return 0;
+    const std::size_t pattern = Kinds<Pattern>::find(word);
+    const bool bump = of_normal(word) && word != "bump_map"_word;
+    return bump || pattern == Kinds<Pattern>::count ? 1
+                                                    : Kinds<Pattern>::infos[pattern]->positional;
+}
+
+/// A word that has no place in the text.
+Element word_behind(const Element& element, NameId word) {
+    Element result;
+    result.word = word;
+    result.span = result.word_span = element.word_span;
+    return result;
+}
+
+}  // namespace
+
+bool LegacyTextureReader::known_to(const Binder& binder) {
+    constexpr double first_with_blocks = 3.0;
+    return binder.evaluator.version() < first_with_blocks;
+}
+
+void LegacyTextureReader::put(ElementList& part, const Element& element) {
+    part_ = &part;
+    part.push_back(element);
+}
+
+bool LegacyTextureReader::take(const Element& element) {
+    if (!known_to(block_.binder)) return false;
+    if (element.kind == Element::Kind::value) {
+        take_value(element);
+        return true;
+    }
+    if (element.kind != Element::Kind::word && element.kind != Element::Kind::block) return false;
+    if (of_finish(block_.spelling(element.word)) || element.word == "irid"_word)
+        put(finish_, element);
+    else if (of_normal(element.word))
+        put(normal_, element);
+    else if (of_pigment(element.word))
+        put(pigment_, element);
+    else
+        return false;
+    missing_ = element.kind == Element::Kind::word ? values_behind(element.word) : 0;
+    // As in POV-Ray, their veins have one steep side when they are written so.
+    if (element.word == "marble"_word || element.word == "wood"_word)
+        put(pigment_, word_behind(element, "ramp_wave"_word));
+    return true;
+}
+
+/// A value of the word before it; else a colour, or the grain of the whole texture: a number that
+/// no word waits for.
+void LegacyTextureReader::take_value(const Element& element) {
+    const Numbers* numbers = element.value.numbers();
+    const bool amount = numbers && numbers->is_scalar();
+    if (part_ == &normal_ && !amount) missing_ = 0;
+    if (missing_ > 0) {
+        --missing_;
+        return put(*part_, element);
+    }
+    if (amount) put(finish_, word_behind(element, "crand"_word));
+    put(amount ? finish_ : pigment_, element);
+}
+
+bool LegacyTextureReader::move(const Transform& transform) {
+    if (!known_to(block_.binder)) return false;
+    settle();
+    ahead_ = ahead_.then(transform);
+    draft_.move(transform);
+    return true;
+}
+
+/// What has come so far is in the texture from here on.
+void LegacyTextureReader::settle() {
+    missing_ = 0;
+    const auto read = [&](ElementList& part, auto reader, auto& result) {
+        if (!reader(block_.binder, std::exchange(part, {}), block_.span, result))
+            block_.broken = true;
+    };
+    if (!pigment_.empty()) {
+        const bool plain = !draft_.now().pigment.pattern;
+        Pigment& pigment = draft_.edit().pigment;
+        read(pigment_, read_legacy_pigment, pigment);
+        if (plain && pigment.pattern) pigment.transform = pigment.transform.then(ahead_);
+    }
+    if (!normal_.empty()) read(normal_, read_legacy_normal, draft_.edit().normal);
+    if (!finish_.empty()) read(finish_, read_legacy_finish, draft_.edit().finish);
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/lights.h"
+
+#include "bind/objects.h"
+#include "bind/transforms.h"
+#include "interpret/array_data.h"
+
+namespace {
+
+/// looks_like { ... }, projected_through { ... }
+class LightObjects : public SimpleReader {
+public:
+    LightObjects(OpenBlock& block, PlacedLight& placed) : block_(block), placed_(placed) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block) return false;
+        const bool window = element.word == "projected_through"_word;
+        if (!window && element.word != "looks_like"_word) return false;
+        Element inner = element;
+        inner.word = "object"_word;
+        ObjectHandle object = read_object(block_.binder, inner);
+        block_.broken |= !object;
+        if (!object) return true;
+        if (window) {
+            placed_.projected_through = std::move(object);
+            return true;
+        }
+        placed_.looks_like = moved(std::move(object), Transform::translation(location()));
+        placed_.looks_like.edit().no_shadow = true;
+        return true;
+    }
+
+    void add_words(WordList& words) const {
+        words.insert(words.end(), {"looks_like", "projected_through"});
+    }
+
+private:
+    Vec3 location() const {
+        return std::visit([](const auto& light) { return light.location; }, placed_.light);
+    }
+
+    OpenBlock& block_;
+    PlacedLight& placed_;
+};
+
+/// Notes which of the words came last that say how light leaves the source: it holds, as in
+/// POV-Ray.
+class LastBeam : public SimpleReader {
+public:
+    /// It sees all elements, and takes none.
+    bool waiting() const { return true; }
+    bool take(const Element& element) {
+        if (element.word == "shadowless"_word) shadowless_ = element.word_span;
+        if (element.word == "spotlight"_word || element.word == "cylinder"_word) {
+            if (shadowless_) undone_ = shadowless_;
+            shadowless_.reset();
+            beam_ = true;
+        }
+        return false;
+    }
+
+    /// The `shadowless` that another word has undone.
+    const std::optional<Span>& undone() const { return undone_; }
+    /// Whether the light has shadows whatever was said before.
+    bool has_shadows() const { return beam_ && !shadowless_; }
+
+private:
+    std::optional<Span> shadowless_, undone_;
+    bool beam_ = false;
+};
+
+}  // namespace
+
+bool is_lamp(const Binder& binder, const Element& element) {
+    const auto& [tree, first] = element.body;
+    if (element.word != "light_source"_word || !tree || first == no_node) return false;
+    const auto* name = tree->get_if<node::Name>(first);
+    const auto* index = tree->get_if<node::Index>(first);
+    const Value* value = name    ? binder.evaluator.find(name->name)
+                         : index ? binder.evaluator.find(index->name)
+                                 : nullptr;
+    if (!value) return false;
+    const ArrayData* array = index ? value->array() : nullptr;
+    return (array ? array->other(array->size()) : *value).handle<Object>() != nullptr;
+}
+
+std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
+    OpenBlock block(binder, "light_source", element.word_span);
+    block.ignored = "photons";
+    PlacedLight placed{Kinds<Light>::make(0), element.span};
+    block.item = Kinds<Light>::infos[0];
+    ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));
+    auto declared = named<PlacedLight>(block, [&](const Handle<PlacedLight>& other) {
+        placed = *other;
+        placed.span = element.span;
+        fields.rebind(*Kinds<Light>::infos[placed.light.index()],
+                      Kinds<Light>::address(placed.light));
+        fields.complete();
+    });
+    const auto apply = [&](const Transform& transform) {
+        placed = moved(std::move(placed), transform);
+    };
+    TransformReader moves(block, apply);
+    LightObjects look(block, placed);
+    LastBeam last;
+    block.read(element.body, declared, last, fields, look, moves);
+    if (block.broken) return std::nullopt;
+    if (last.has_shadows()) {
+        std::visit([](auto& light) { light.shadowless = false; }, placed.light);
+        if (last.undone())
+            block.report(warning(Fault::no_effect, *last.undone(),
+                                 "`shadowless` has no effect: the kind of light that follows it "
+                                 "has shadows"));
+    }
+    const std::string wrong = std::visit([](const auto& l) { return problem(l); }, placed.light);
+    if (!wrong.empty())
+        block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
+    const std::string idle = std::visit([](const auto& l) { return ignored(l); }, placed.light);
+    if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
+    return block.broken ? std::nullopt : std::optional(std::move(placed));
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// light_source blocks. Called for the elements of a scene, for #declare, and by the readers of
+// objects.
+#pragma once
+
+#include "bind/bind.h"
+#include "scene/scene.h"
+
+/// Whether the block is a `light_source` that begins with the name of an object, which may have
+/// lights in it: it is an `object` then, as in POV-Ray.
+bool is_lamp(const Binder&, const Element& block);
+
+/// Nothing after a report.
+std::optional<PlacedLight> read_light(Binder&, const Element& block);

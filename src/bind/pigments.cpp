@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/colour_maps.h"
+#include "bind/patterns.h"
+#include "bind/textures.h"
+#include "bind/transforms.h"
+#include "bind/unbracketed_vector.h"
+#include "surface/default_maps.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace {
+
+constexpr std::string_view pigment_form =
+    "{ rgb <r, g, b> }, or pigment { pattern [color_map { [0 rgb ...] [1 rgb ...] }] }";
+
+/// A pigment while it is read.
+struct PigmentDraft {
+    explicit PigmentDraft(const Pigment& pigment)
+        : colour(pigment.colour), uv(pigment.uv), quick(pigment.quick) {
+        if (!pigment.pattern) return;
+        pattern = PatternDraft(pigment.pattern->use, pigment.transform);
+        map = pigment.pattern->map;
+    }
+    Pigment made() const {
+        if (!pattern.pattern || !map) return {colour, nullptr, {}, false, quick};
+        return {colour, make_handle<PatternedPigment>(pattern.use(), *map), pattern.transform, uv,
+                quick};
+    }
+    void clear() { *this = PigmentDraft(Pigment()); }
+
+    Colour colour;
+    bool uv = false;
+    Handle<Colour> quick;
+    PatternDraft pattern;
+    std::optional<PatternedPigment::Map> map;
+};
+
+/// A colour or a pattern, with what the pattern needs.
+class ColouringReader {
+public:
+    ColouringReader(OpenBlock& block, PigmentDraft& draft)
+        : block_(block),
+          draft_(draft),
+          pattern_(block, draft.pattern, "pigment",
+                   [this](const Element& entry) { return take(entry); }) {}
+
+    bool waiting() const { return pattern_.waiting(); }
+    bool wants() const { return block_.taken == 0 || pattern_.wants(); }
+
+    bool take(const Element& element) {
+        if (pattern_.names_pattern(element)) {
+            if (already_coloured(element)) return true;
+            take_pattern(element);
+            return true;
+        }
+        if (pattern_.take(element)) return true;
+        if (element.kind == Element::Kind::value) return take_colour(element);
+        return element.kind == Element::Kind::block && take_block(element);
+    }
+
+    void finish() {
+        pattern_.finish();
+        if (block_.broken || !draft_.pattern.pattern || draft_.map) return;
+        if (std::holds_alternative<Average>(*draft_.pattern.pattern))
+            block_.report(error(Fault::missing, block_.span, "`average` needs a `pigment_map`")
+                              .with_help("pigment { average pigment_map { [1 ...] [2 ...] } }"));
+        else
+            draft_.map = default_map(*draft_.pattern.pattern);
+    }
+
+    void add_words(WordList& words) const {
+        pattern_.add_words(words);
+        words.insert(words.end(), {"color_map", "colour_map", "pigment_map"});
+    }
+
+private:
+    void take_pattern(const Element& element) {
+        const std::optional<Pattern>& now = draft_.pattern.pattern;
+        const std::size_t before = now ? now->index() : std::variant_npos;
+        auto kept = std::exchange(draft_.map, {});  // the pattern may bring a list of its own
+        pattern_.take(element);
+        if (!draft_.map && now && now->index() == before) draft_.map = std::move(kept);
+    }
+
+    bool take_colour(const Element& element) {
+        if (!element.value.numbers()) return false;
+        if (pattern_.named() && choices(*draft_.pattern.pattern) > 0) {
+            list_entry<ColourMap>(element, [&](ColourStop& stop) {
+                if (const auto colour = plain_colour(block_, element)) stop.colour = *colour;
+            });
+            return true;
+        }
+        if (coloured_ && set_channel(element)) return true;
+        if (already_coloured(element)) return true;
+        coloured_ = true;
+        draft_.clear();
+        if (const std::optional<Colour> colour = plain_colour(block_, element))
+            draft_.colour = *colour;
+        return true;
+    }
+
+    /// `rgb 1 #if (A) filter 0.5 #end`: the colour goes on in a directive.
+    bool set_channel(const Element& element) {
+        const auto& [tree, node] = element.origin;
+        const auto* channel = tree && node != no_node ? tree->get_if<node::Channel>(node) : nullptr;
+        if (!channel) return false;
+        Colour& colour = draft_.colour;
+        const std::array<double*, 5> amounts = {&colour.rgb.x, &colour.rgb.y, &colour.rgb.z,
+                                                &colour.filter, &colour.transmit};
+        constexpr auto words =
+            std::array{"red"_word, "green"_word, "blue"_word, "filter"_word, "transmit"_word};
+        const auto word = std::ranges::find(words, channel->channel);
+        if (word == words.end()) return false;
+        const auto component = static_cast<std::size_t>(word - words.begin());
+        *amounts[component] = element.value.numbers()->at[component];
+        return true;
+    }
+
+    bool take_block(const Element& element) {
+        const NameId word = element.word;
+        if (word == "color_map"_word || word == "colour_map"_word) {
+            take_map<ColourMap>(element, read_colour_map);
+        } else if (word == "pigment_map"_word) {
+            take_map<PigmentMap>(element, read_pigment_map);
+        } else if (word == "pigment"_word && pattern_.named() &&
+                   choices(*draft_.pattern.pattern) > 0) {
+            list_entry<PigmentMap>(element, [&](PigmentStop& stop) {
+                block_.broken |= !read_pigment(block_.binder, element, stop.pigment);
+            });
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    template <class Map>
+    void take_map(const Element& element, bool (*read)(Binder&, const Element&, Map&)) {
+        Map map;
+        if (!read(block_.binder, element, map)) block_.broken = true;
+        if (block_.broken || !fits(element, map)) return;
+        draft_.map = std::move(map);
+    }
+
+    bool fits(const Element& element, const ColourMap&) {
+        const std::string_view word = block_.spelling(element.word);
+        const std::optional<Pattern>& pattern = draft_.pattern.pattern;
+        std::string why;
+        if (!pattern)
+            why = message('`', word, "` needs a pattern before it");
+        else if (choices(*pattern) > 0)
+            why = message('`', name(), "` takes ", number_word(choices(*pattern)),
+                          " colours, not a `", word, "`");
+        else if (std::holds_alternative<Average>(*pattern))
+            why = message("`average` takes a `pigment_map`, not a `", word, "`");
+        else
+            return true;
+        block_.report(
+            error(Fault::misplaced, element.word_span, std::move(why)).with_help(block_.help()));
+        return false;
+    }
+
+    bool fits(const Element& element, PigmentMap& map) {
+        if (!draft_.pattern.pattern)
+            block_.report(error(Fault::misplaced, element.word_span,
+                                "`pigment_map` needs a pattern before it")
+                              .with_help(block_.help()));
+        else
+            settle_values(block_, element.word_span, map,
+                          std::holds_alternative<Average>(*draft_.pattern.pattern));
+        return !block_.broken;
+    }
+
+    /// The next entry of a list behind checker and its kin; what is missing at its end stays what
+    /// it is by default.
+    template <class Map, class Read>
+    void list_entry(const Element& element, Read read) {
+        if (listed_ == 0) draft_.map = default_list(Map());
+        auto* map = std::get_if<Map>(&*draft_.map);
+        const bool full = listed_ == static_cast<std::size_t>(choices(*draft_.pattern.pattern));
+        if (map && !full) {
+            read((*map)[listed_++]);
+        } else if (!block_.broken) {
+            block_.report(error(
+                map ? Fault::wrong_count : Fault::misplaced, element.span,
+                map ? message('`', name(), "` takes ", listed_, " colours, but here is one more")
+                    : "the entries of a list are all colours or all pigments"));
+        }
+    }
+
+    PatternedPigment::Map default_list(const ColourMap&) const {
+        return default_map(*draft_.pattern.pattern);
+    }
+    PatternedPigment::Map default_list(const PigmentMap&) const {
+        PigmentMap map;
+        for (int i = 0; i < choices(*draft_.pattern.pattern); ++i)
+            map.push_back({static_cast<double>(i), block_.binder.default_texture->pigment});
+        return map;
+    }
+
+    std::string_view name() const {
+        return Kinds<Pattern>::infos[draft_.pattern.pattern->index()]->name;
+    }
+
+    static std::string_view number_word(int number) {
+        constexpr auto words = std::array{"two", "three", "four", "five", "six"};
+        return words[static_cast<std::size_t>(number - 2)];
+    }
+
+    bool already_coloured(const Element& element) {
+        if (!coloured_ && !pattern_.named()) return false;
+        if (block_.broken) return true;
+        const auto bare = unbracketed_vector(element, block_.binder.evaluator.names());
+        block_.report(bare ? *bare
+                           : error(Fault::misplaced, element.span,
+                                   "a pigment has one colour or one pattern, and this is a second")
+                                 .with_help(block_.help()));
+        return true;
+    }
+
+    OpenBlock& block_;
+    PigmentDraft& draft_;
+    PatternReader pattern_;
+    bool coloured_ = false;  ///< this block has given the colour
+    std::size_t listed_ = 0;
+};
+
+/// quick_color rgb 1
+class QuickColour {
+public:
+    explicit QuickColour(OpenBlock& block) : block_(block) {}
+
+    std::optional<Colour> colour;
+
+    bool waiting() const { return waiting_; }
+    bool wants() const { return waiting_; }
+    bool take(const Element& element) {
+        const bool named =
+            element.kind == Element::Kind::word &&
+            (element.word == "quick_color"_word || element.word == "quick_colour"_word);
+        if (waiting_ && element.kind == Element::Kind::value) {
+            waiting_ = false;
+            colour = plain_colour(block_, element);
+            return true;
+        }
+        if (waiting_) finish();
+        if (named) span_ = element.word_span;
+        return waiting_ = named;
+    }
+    void finish() {
+        if (std::exchange(waiting_, false))
+            block_.report(error(Fault::missing, span_, "`quick_color` needs a colour")
+                              .with_help("quick_color rgb <1, 0.5, 0>"));
+    }
+    void add_words(WordList& words) const { words.push_back("quick_color"); }
+
+private:
+    OpenBlock& block_;
+    bool waiting_ = false;
+    Span span_;
+};
+
+/// What stands in the braces of a pigment, or behind the number of an entry.
+template <class Content, class... First>
+void read_content(OpenBlock& block, const Content& content, Pigment& pigment, First&... first) {
+    QuickColour quick(block);
+    read_patterned<PigmentDraft, ColouringReader>(block, content, pigment, "pigments", quick,
+                                                  first...);
+    if (quick.colour) pigment.quick = make_handle<Colour>(*quick.colour);
+}
+
+}  // namespace
+
+bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
+    const auto read_entry = [&](OpenBlock& entry, Body body) {
+        EntryNumber number(entry);
+        Pigment pigment = binder.default_texture->pigment;
+        read_content(entry, body, pigment, number);
+        if (!entry.broken) map.push_back({*number.value, std::move(pigment)});
+    };
+    return read_map(binder, element, "pigment_map", "{ [0 pattern ...] [1 rgb <r, g, b>] }", map,
+                    read_entry);
+}
+
+bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
+    if (colour_alone(element.body))
+        if (const auto colour = computed_colour(binder.evaluator, element.body)) {
+            pigment = {*colour, nullptr, {}};
+            return true;
+        }
+    OpenBlock block(binder, binder.evaluator.spelling(element.word), element.word_span);
+    block.form = pigment_form;
+    block.ignored = "no_bump_scale";
+    read_content(block, element.body, pigment);
+    return !block.broken;
+}
+
+bool read_legacy_pigment(Binder& binder, const ElementList& words, Span span, Pigment& pigment) {
+    OpenBlock block(binder, "texture", span);
+    block.form = pigment_form;
+    read_content(block, words, pigment);
+    return !block.broken;
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/settings.h"
+
+#include "base/gamma.h"
+#include "bind/choice_block.h"
+#include "bind/item_block.h"
+#include "text/message.h"
+#include "vocabulary/schema.h"
+
+#include <algorithm>
+
+namespace {
+
+struct BackgroundColour {
+    Colour colour;
+
+    static const ItemInfo vocabulary;
+};
+
+const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
+    return schema<BackgroundColour>(
+        "background", "What rays see that meet nothing.",
+        Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
+                                "the colour in all directions"});
+});
+
+std::string sampler_form() {
+    std::string names;
+    for (const ItemInfo* sampler : Kinds<LightSampler>::infos)
+        if (sampler != &LightOctree::vocabulary)
+            names += message(names.empty() ? "" : ", ", sampler->name);
+    return message("{ light_octree [threshold n] ... }, or one of: ", names);
+}
+
+/// Parameters of light_octree that only the paper's version looks at, and those that it does not.
+constexpr auto words_of_paper =
+    std::to_array<std::string_view>({"threshold", "white", "max_bright", "representatives"});
+constexpr auto words_of_cuts = std::to_array<std::string_view>({"eta", "cut", "outlook", "alone"});
+
+/// Tells of parameters that the others leave without effect.
+void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReader& fields,
+                  Span span) {
+    const auto* octree = std::get_if<LightOctree>(&sampler);
+    if (!octree) return;
+    const auto check = [&](std::string_view word, std::string_view why) {
+        if (fields.given(word))
+            block.report(warning(Fault::no_effect, span,
+                                 message('`', word, "` of `light_octree` has no effect ", why)));
+    };
+    for (const std::string_view word : words_of_paper)
+        if (!octree->paper) check(word, "without `paper`");
+    for (const std::string_view word : words_of_cuts)
+        if (octree->paper) check(word, "with `paper`");
+    if (octree->alone && !octree->paper) check("outlook", "with `alone`");
+}
+
+ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler) {
+    return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
+}
+
+ChoiceBlock<RayIndex> index_block(OpenBlock& block, RayIndex& index) {
+    const auto all_have_effect = [](OpenBlock&, const RayIndex&, const ItemReader&, Span) {};
+    return {block,
+            {"index", "structure", "{ kd_tree [node_cost n] ... }, or { bounding_boxes }"},
+            all_have_effect,
+            index};
+}
+
+ChoiceBlock<IntegratorSettings> integrator_block(OpenBlock& block, IntegratorSettings& integrator) {
+    const auto all_have_effect = [](OpenBlock&, const IntegratorSettings&, const ItemReader&,
+                                    Span) {};
+    return {block,
+            {"integrator", "way of following light", "{ pov_ray }, or { path_traced [bounces n] }"},
+            all_have_effect,
+            integrator};
+}
+
+/// The fields; `assumed_gamma srgb` is the one that has a word for its value.
+class SettingsFields {
+public:
+    SettingsFields(OpenBlock& block, GlobalSettings& settings)
+        : block_(block),
+          settings_(settings),
+          fields_(block, GlobalSettings::vocabulary, &settings) {}
+
+    bool waiting() const { return fields_.waiting(); }
+    bool wants() const { return fields_.wants(); }
+    bool given(std::string_view field) const { return fields_.given(field); }
+    bool take(const Element& element) {
+        const bool of_gamma = fields_.waiting() && fields_.expected() == "assumed_gamma";
+        if (!of_gamma) return fields_.take(element);
+        srgb_ = element.kind == Element::Kind::word && element.word == "srgb"_word;
+        Element value = element;
+        if (srgb_) {
+            value.kind = Element::Kind::value;
+            value.word = no_name;
+            value.value = Numbers::scalar(1);
+        }
+        const bool taken = fields_.take(value);
+        // Colours behind it in the block are in its space.
+        block_.binder.evaluator.set_working_gamma(gamma());
+        return taken;
+    }
+    double gamma() const { return srgb_ ? srgb_gamma : settings_.assumed_gamma; }
+    void finish() { fields_.finish(); }
+    void add_words(WordList& words) const { fields_.add_words(words); }
+
+private:
+    OpenBlock& block_;
+    GlobalSettings& settings_;
+    ItemReader fields_;
+    bool srgb_ = false;
+};
+
+/// luminaires emission, luminaires ambient, luminaires none, luminaires above 0.5
+class LuminairesReader : public SimpleReader {
+public:
+    LuminairesReader(OpenBlock& block, GlobalSettings& settings)
+        : block_(block), settings_(settings) {}
+
+    bool waiting() const { return state_ != State::none; }
+    bool wants() const { return waiting(); }
+    bool take(const Element& element) {
+        if (state_ == State::above) return take_number(element);
+        if (element.kind != Element::Kind::word) return false;
+        const std::string_view word = block_.spelling(element.word);
+        if (state_ == State::none) {
+            if (word == "luminaires") state_ = State::which;
+            return waiting();
+        }
+        if (word == "above") {
+            state_ = State::above;
+            return true;
+        }
+        if (word != "ambient" && word != "emission" && word != "none") return false;
+        settings_.ambient_luminaires = word == "ambient";
+        set(word == "none" ? INFINITY : 0);
+        return true;
+    }
+    void finish() {
+        if (waiting() && !block_.broken)
+            block_.report(
+                error(Fault::missing, block_.span,
+                      "`luminaires` needs to know what makes one: `emission` (the "
+                      "default), `ambient` as well, `none`, or what is `above` a radiance")
+                    .with_help("global_settings { luminaires above 0.5 }"));
+    }
+    void add_words(WordList& words) const { words.push_back("luminaires"); }
+
+private:
+    enum class State { none, which, above };
+
+    bool take_number(const Element& element) {
+        const Numbers* value =
+            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
+        if (!value || !value->is_scalar()) return false;
+        set(std::fmax(value->at[0], 0));
+        return true;
+    }
+    void set(double above) {
+        settings_.luminaires_above = above;
+        settings_.luminaires_said = true;
+        state_ = State::none;
+    }
+
+    OpenBlock& block_;
+    GlobalSettings& settings_;
+    State state_ = State::none;
+};
+
+}  // namespace
+
+void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
+                          GivenSettings& before) {
+    OpenBlock block(binder, "global_settings", element.word_span);
+    block.item = &GlobalSettings::vocabulary;
+    block.ignored =
+        "charset utf8 ascii sys hf_gray_16 max_intersections "
+        "radiosity photons";
+    // Strings are read as UTF-8, and ASCII is the same in any coding.
+    if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
+    const double gamma = settings.assumed_gamma;
+    SettingsFields fields(block, settings);
+    auto sampler = sampler_block(block, settings.light_sampler);
+    auto index = index_block(block, settings.index);
+    auto integrator = integrator_block(block, settings.integrator);
+    LuminairesReader luminaires(block, settings);
+    ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
+                         &settings.subsurface.on, "radiosity");
+    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface);
+    settings.max_trace_level = std::max(settings.max_trace_level, 1);
+    if (fields.given("noise_generator"))
+        binder.evaluator.noise()->given = noise_generator(settings.noise_generator);
+    if (!fields.given("assumed_gamma")) return;
+    settings.assumed_gamma = fields.gamma();
+    if (before.gamma) {
+        block.report(warning(Fault::duplicate, element.word_span,
+                             "`assumed_gamma` has been given before; the first one counts"));
+        settings.assumed_gamma = gamma;
+    }
+    before.gamma = true;
+    binder.working_gamma = settings.assumed_gamma;
+    binder.evaluator.set_working_gamma(settings.assumed_gamma);
+}
+
+void read_background(Binder& binder, const Element& element, Background& background) {
+    OpenBlock block(binder, "background", element.word_span);
+    block.item = &BackgroundColour::vocabulary;
+    BackgroundColour made;
+    ItemReader fields(block, *block.item, &made);
+    block.read(element.body, fields);
+    if (!block.broken) background.colour = made.colour;
+}

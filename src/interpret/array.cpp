@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arrays: making them, and finding elements in them.
+#include "interpret/state.h"
+#include "text/ascii.h"
+#include "text/harmless.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+std::size_t dimension_at(const ArrayData& array, std::size_t dimension) {
+    return dimension < array.sizes().size() ? static_cast<std::size_t>(array.sizes()[dimension])
+                                            : 0;
+}
+
+}  // namespace
+
+Value Evaluator::State::array(const Tree& tree, const node::Array& node, NodeId id) {
+    std::vector<int> sizes;
+    std::size_t count = 1;
+    for (NodeId size = node.sizes; size != no_node; size = tree[size].next) {
+        const std::optional<double> number = this->number(tree, size, "the size of an array");
+        if (!number) return Absence::broken;
+        const double whole = std::floor(*number + 1e-10);
+        if (!(whole >= 1))
+            return broken(Fault::out_of_range, tree.span(size),
+                          message("the size of an array must be at least 1, but it is ", *number));
+        if (whole * static_cast<double>(count) > static_cast<double>(limits.array_elements)) {
+            report(error(Fault::out_of_range, tree.span(id),
+                         message("an array has at most ", limits.array_elements, " elements"))
+                       .with_help("--limit-elements raises the limit"));
+            return Absence::broken;
+        }
+        sizes.push_back(static_cast<int>(whole));
+        count *= static_cast<std::size_t>(whole);
+    }
+    if (sizes.size() > 5)
+        return broken(Fault::wrong_count, tree.span(id),
+                      message("an array has at most 5 dimensions, but this has ", sizes.size()));
+    if (sizes.empty()) {
+        report(error(Fault::missing, tree.span(id), "an array needs its size")
+                   .with_help("array[3], array[2][5]"));
+        return Absence::broken;
+    }
+    if (!spend(count, tree.span(id))) return Absence::broken;
+    Handle<ArrayData> result = make_handle<ArrayData>(std::move(sizes));
+    if (node.content != no_node) {
+        std::size_t next = 0;
+        if (!fill(result.edit(), 0, next, {&tree, tree.get<node::Braces>(node.content).body},
+                  tree.span(node.content)))
+            return Absence::broken;
+    }
+    return result;
+}
+
+bool Evaluator::State::fill_one(ArrayData& array, std::size_t at, Value value, Span span) {
+    if (value.broken()) return false;
+    if (!array.fits(at, value)) {
+        broken(Fault::wrong_type, span,
+               message("all elements of an array are of one kind: the first is ",
+                       kind_name(array.at(0)), ", and this is ", kind_name(value)));
+        return false;
+    }
+    array.set(at, std::move(value));
+    return true;
+}
+
+/// Fills from `{ ... }`, which holds braces for each element of all dimensions but the last.
+bool Evaluator::State::fill(ArrayData& array, std::size_t dimension, std::size_t& next, Body body,
+                            Span span) {
+    const bool innermost = dimension + 1 == array.sizes().size();
+    const std::size_t wanted = dimension_at(array, dimension);
+    std::size_t count = 0;
+    bool good = true;
+    walk(*body.tree, body.first, [&](const Element& element) {
+        if (!good) {
+            ++count;
+        } else if (innermost && element.kind == Element::Kind::braces) {
+            broken(Fault::wrong_type, element.span,
+                   "braces for a dimension that this array does not have");
+            good = false;
+        } else if (innermost) {
+            Value value = evaluator.value_of(element);
+            if (count++ < wanted) good = fill_one(array, next++, std::move(value), element.span);
+        } else if (element.kind == Element::Kind::braces) {
+            if (count++ < wanted)
+                good = fill(array, dimension + 1, next, element.body, element.span) && good;
+        } else {
+            broken(Fault::wrong_type, element.span,
+                   message("this array has ", array.sizes().size(),
+                           " dimensions: its content is braces in braces"));
+            good = false;
+        }
+    });
+    if (good && count != wanted && !stopped_) {
+        broken(Fault::wrong_count, span,
+               message("here are ", count, " elements for a dimension of ", wanted));
+        good = false;
+    }
+    return good && !stopped_;
+}
+
+bool Evaluator::State::indices(const Tree& tree, NodeId first, Indices& result) {
+    result.tree = &tree;
+    result.first = first;
+    for (NodeId id = first; id != no_node; id = tree[id].next) {
+        Value other = Absence::nothing;
+        std::optional<double> number = number_or(tree, id, other);
+        const std::string* const text = number ? nullptr : other.text();
+        bool room = true;
+        if (text) {
+            constexpr std::uint64_t asking = 200, each_letter = 20;
+            if (!spend(asking + each_letter * text->size(), tree.span(id))) return false;
+            room = result.add(*text);
+        } else {
+            if (!number) number = number_in(other, tree, id, "an index");
+            if (!number) return false;
+            room = result.add(*number);
+        }
+        if (!room) {
+            broken(Fault::wrong_count, tree.span(id),
+                   message("at most ", result.values.size(), " indices can follow each other"));
+            return false;
+        }
+    }
+    return true;
+}
+
+void Evaluator::State::report_unknown_name(const IndexNames* names, const std::string& name,
+                                           Span span) {
+    if (!names)
+        return report(error(Fault::bad_index, span,
+                            message("this index must be a number: nothing here has a name")));
+    const std::vector<std::string_view> known(names->all().begin(), names->all().end());
+    Diagnostic problem = error(Fault::bad_index, span,
+                               message("there is nothing called `", harmless(name), "` here"));
+    std::string help = nearest(name, known);
+    if (!help.empty()) {
+        help = message("did you mean \"", harmless(help), "\"?");
+    } else {
+        constexpr std::size_t most = 8;
+        for (std::size_t i = 0; i < std::min(most, known.size()); ++i)
+            help += message(i == 0 ? "the names here are " : ", ", harmless(known[i]));
+        if (known.size() > most) help += ", ...";
+    }
+    report(problem.with_help(std::move(help)));
+}
+
+std::optional<int> Evaluator::State::index_in(const ArrayData& array, std::size_t dimension,
+                                              Indices& indices, std::size_t used) {
+    if (const std::string* text = indices.text(used)) {
+        const bool last = dimension + 1 == array.sizes().size();
+        const IndexNames* const names = last ? array.names().get() : nullptr;
+        if (const auto found = names ? names->find(*text) : std::nullopt) return found;
+        if (indices.expand(used)) return index_in(array, dimension, indices, used);
+        if (!indices.asking) report_unknown_name(names, *text, indices.span(used));
+        return std::nullopt;
+    }
+    const int size = array.sizes()[dimension];
+    const double whole = indices.values[used] + tolerance;
+    if (whole >= 0 && whole < size) return static_cast<int>(whole);
+    broken(Fault::bad_index, indices.span(used),
+           message("the index must be from 0 to ", size - 1, ", but it is ", indices.values[used]));
+    return std::nullopt;
+}
+
+std::optional<std::size_t> Evaluator::State::place(const ArrayData& array, Indices& indices,
+                                                   std::size_t& used, Span span) {
+    std::size_t result = 0;
+    for (std::size_t dimension = 0; dimension < array.sizes().size(); ++dimension) {
+        if (used == indices.count) {
+            broken(Fault::wrong_count, span,
+                   message("this array has ", array.sizes().size(), " dimensions, and here ",
+                           dimension == 1 ? "is 1 index" : message("are ", dimension, " indices")));
+            return std::nullopt;
+        }
+        const int size = array.sizes()[dimension];
+        double whole = indices.values[used] + tolerance;
+        if (!indices.texts.empty() || !(whole >= 0 && whole < size)) {
+            const std::optional<int> index = index_in(array, dimension, indices, used);
+            if (!index) return std::nullopt;
+            whole = *index;
+        }
+        result = result * static_cast<std::size_t>(size) + static_cast<std::size_t>(whole);
+        ++used;
+    }
+    return result;
+}
+
+bool Evaluator::State::check_array(const Value& value, Span span) {
+    if (value.array()) return true;
+    if (value.broken()) return false;
+    Diagnostic problem =
+        error(Fault::wrong_type, span,
+              message("only arrays have elements, and this is ", kind_name(value)));
+    if (const Numbers* numbers = value.numbers(); numbers && numbers->count > 1)
+        problem.with_help("the parts of a vector V are V.x, V.y and V.z");
+    if (value.text()) problem.with_help("substr(S, 1, 1) is the first letter of a string");
+    if (value.handle<Spline>()) problem.with_help("a spline S is asked with parentheses: S(0.5)");
+    report(std::move(problem));
+    return false;
+}
+
+Value Evaluator::State::element(const Value& array, Indices& indices, Span span) {
+    Value at = array;
+    for (std::size_t used = 0; used < indices.count;) {
+        if (indices.asking && at.absent()) return at;
+        if (indices.asking && !at.array() && !indices.texts.empty()) return Absence::uninitialised;
+        if (!check_array(at, span)) return Absence::broken;
+        const std::optional<std::size_t> i = place(*at.array(), indices, used, span);
+        if (!i) return Absence::broken;
+        at = at.array()->at(*i);
+    }
+    return at;
+}
+
+Value Evaluator::element_at(const Value& array, std::string_view path, Span span) {
+    Indices indices;
+    indices.path = span;
+    if (path.find('.') == path.npos)
+        indices.add_part(path);
+    else
+        indices.add(std::string(path));
+    return state_->element(array, indices, span);
+}
+
+Evaluator::State::Place Evaluator::State::edit_element(Value& array, Indices& indices, Span span) {
+    Value* at = &array;
+    for (std::size_t used = 0;;) {
+        if (!at->array() && !check_array(*at, span)) return {};
+        const std::optional<std::size_t> i = place(*at->array(), indices, used, span);
+        if (!i) return {};
+        // A shared array is copied.
+        constexpr std::uint64_t allocating = 100;
+        if (!at->alone() && !spend(allocating + 4 * at->array()->size(), span)) return {};
+        ArrayData& edited = at->edit_array();
+        if (used == indices.count) return {&edited, *i};
+        at = edited.inner(*i);
+        if (!at) {
+            check_array(edited.at(*i), span);
+            return {};
+        }
+    }
+}

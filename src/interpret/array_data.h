@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The elements of an array, each set or not yet; in the language they are of one kind. Numbers,
+// which most arrays hold, lie side by side, as many for each element as the largest needs; anything
+// else is kept as values.
+#pragma once
+
+#include "interpret/value.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+/// Names for the last index of an array: the columns of a table, the members of an object.
+class IndexNames {
+public:
+    /// Of equal names the first counts.
+    explicit IndexNames(std::vector<std::string> names);
+    IndexNames(const IndexNames&) = delete;
+    IndexNames& operator=(const IndexNames&) = delete;
+
+    const std::vector<std::string>& all() const { return all_; }
+    std::optional<int> find(std::string_view name) const;
+
+private:
+    std::vector<std::string> all_;
+    std::unordered_map<std::string_view, int> places_;
+};
+
+class ArrayData {
+public:
+    /// One to five sizes of at least 1. No element is set.
+    explicit ArrayData(std::vector<int> sizes);
+    /// As many numbers as the array has elements; one that is not a number is not set.
+    ArrayData(std::vector<int> sizes, std::vector<double> numbers);
+
+    /// Names for the last index; null: there are none.
+    const std::shared_ptr<const IndexNames>& names() const { return names_; }
+    void set_names(std::shared_ptr<const IndexNames> names) { names_ = std::move(names); }
+
+    const std::vector<int>& sizes() const { return sizes_; }
+    /// The number of elements; the last index runs fastest.
+    std::size_t size() const { return size_; }
+
+    bool has(std::size_t i) const { return values_.empty() ? count(i) != 0 : !values_[i].absent(); }
+    /// Absence::uninitialised when it is not set, Absence::broken when it was set to that.
+    Value at(std::size_t i) const;
+    /// How many numbers an element is; 0 when it is not set or not of numbers.
+    int count(std::size_t i) const {
+        return values_.empty() && counts_[i] != broken ? counts_[i] : 0;
+    }
+    /// The numbers of an element. Precondition: count(i) > 0.
+    const double* numbers(std::size_t i) const {
+        return numbers_.data() + i * static_cast<std::size_t>(stride_);
+    }
+    /// The most numbers that an element has had; 0 for other kinds.
+    int most_numbers() const { return values_.empty() ? stride_ : 0; }
+
+    /// Whether the value is of the kind of element i as it is, or of all others.
+    bool fits(std::size_t i, const Value& value) const;
+    /// An element other than i that is set, when there is one.
+    Value other(std::size_t i) const;
+
+    /// Keeps a value that does not fit all the same; who cares asks fits() first.
+    void set(std::size_t i, Value value);
+    void set(std::size_t i, const Numbers& numbers);
+    /// The element is not set any more.
+    void clear(std::size_t i);
+    /// The array that an element is, for writing; null when it is none.
+    Value* inner(std::size_t i);
+
+private:
+    static constexpr std::uint8_t broken = 0xFF;  ///< in counts_: what it was set to was reported
+
+    void widen(int stride);
+    void put(std::size_t i, Value value);
+
+    std::vector<int> sizes_;
+    std::size_t size_ = 1;
+    std::size_t set_ = 0;  ///< how many elements are set
+    int stride_ = 0;
+    std::vector<std::uint8_t> counts_;  ///< numbers of each element, 0: not set
+    std::vector<double> numbers_;
+    std::vector<Value> values_;  ///< not empty: elements are no numbers
+    std::shared_ptr<const IndexNames> names_;
+};

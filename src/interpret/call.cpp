@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Calls of functions and macros.
+#include "interpret/state.h"
+#include "text/message.h"
+
+namespace {
+
+std::size_t list_length(const Tree& tree, NodeId first) {
+    std::size_t count = 0;
+    for (NodeId id = first; id != no_node; id = tree[id].next) ++count;
+    return count;
+}
+
+}  // namespace
+
+Value Evaluator::State::call(const Tree& tree, const node::Call& node, NodeId id) {
+    const Value* found = scope.find(node.name);  // null for the functions of the language
+    if (found && found->macro()) {
+        OneValue one{handlers};
+        call_macro(tree, node, id, Sink(one));
+        return one_value(std::move(one), tree.span(id));
+    }
+    if (builds_text(tree, id)) {
+        std::string text;
+        return append_text(tree, id, text, node.name) ? Value(std::move(text))
+                                                      : Value(Absence::broken);
+    }
+    if (!found && is_function(node.name)) return call_function(tree, node, id);
+    if (names.reserved(node.name)) return call_function(tree, node, id);
+    if (is_function(node.name)) {
+        const Value called = *found;
+        return call_value(tree, called, node.name, node.arguments, tree.span(id));
+    }
+    called_macro(tree, node, id);  // says what is wrong
+    return Absence::broken;
+}
+
+bool Evaluator::State::is_function(NameId name) const {
+    const Value* found = scope.find(name);
+    if (found) return found->formula() || found->handle<Spline>();
+    const auto number = static_cast<std::size_t>(name);
+    return number < functions.size() && functions[number];
+}
+
+Value Evaluator::State::call_value(const Tree& tree, const Value& called, NameId name, NodeId first,
+                                   Span span) {
+    if (called.formula()) return call_formula(tree, called.handle<Formula>(), name, first, span);
+    if (const auto spline = called.handle<Spline>())
+        return call_spline(tree, spline, name, first, span);
+    if (called.broken()) return called;
+    return broken(Fault::wrong_type, span,
+                  message("this is ", kind_name(called), " and cannot be called"));
+}
+
+bool Evaluator::State::defined(const Tree& tree, NodeId target) {
+    if (const auto* name = tree.get_if<node::Name>(target)) {
+        const Value* found = scope.find(name->name);
+        return found != nullptr;
+    }
+    const auto* index = tree.get_if<node::Index>(target);
+    if (!index) return false;
+    Indices places;
+    places.asking = true;
+    if (!indices(tree, index->indices, places)) return false;
+    const Value* array = scope.find(index->name);
+    if (!array) return false;
+    const Value found = element(*array, places, tree.span(target));
+    return !found.broken() && !found.is(Absence::uninitialised);
+}
+
+Value Evaluator::State::call_function(const Tree& tree, const node::Call& node, NodeId id) {
+    const FunctionInfo* function = functions[static_cast<std::size_t>(node.name)];
+    const std::string_view name = names.spelling(node.name);
+    if (!function && name == "defined") {
+        if (list_length(tree, node.arguments) != 1)
+            return broken(Fault::wrong_count, tree.span(id), "`defined` takes one name");
+        return defined(tree, node.arguments) ? 1.0 : 0.0;
+    }
+    if (!function)
+        return broken(Fault::not_implemented, tree.span(id),
+                      message("`", name, "` is known but not implemented"));
+
+    const auto* unary = std::get_if<FunctionInfo::Unary>(&function->code);
+    if (unary && node.arguments != no_node && tree[node.arguments].next == no_node &&
+        !tree.get_if<node::If>(node.arguments)) {
+        const std::optional<double> argument =
+            number(tree, node.arguments, "the argument of", node.name);
+        return argument ? Value((*unary)(*argument)) : Value(Absence::broken);
+    }
+    std::vector<Value> values;
+    std::vector<Span> places;
+    values.reserve(4);
+    places.reserve(4);
+    bool good = true;
+    walk_arguments(tree, node.arguments, [&](Value value, Span place) {
+        good = good && !value.broken();
+        values.push_back(std::move(value));
+        places.push_back(place);
+    });
+    if (!good || stopped_) return Absence::broken;
+    const auto count = static_cast<int>(values.size());
+    if (count < function->least || count > function->most) {
+        report(
+            error(Fault::wrong_count, tree.span(id),
+                  message("`", name, "` takes ",
+                          function->most == FunctionInfo::any ? "at least " : "", function->least,
+                          function->most > function->least && function->most != FunctionInfo::any
+                              ? message(" or ", function->most)
+                              : "",
+                          function->least == 1 &&
+                                  (function->most == 1 || function->most == FunctionInfo::any)
+                              ? " argument"
+                              : " arguments",
+                          ", but here ", count == 1 ? "is " : "are ", count))
+                .with_help(message(name, "(", function->arguments, "): ", function->help)));
+        return Absence::broken;
+    }
+    // The arguments are looked at, and the result is as long as they are or little longer.
+    constexpr std::uint64_t each_call = 60, of_object = 1000;
+    std::uint64_t amount = each_call;
+    for (const Value& value : values)
+        if (value.text())
+            amount += 4 * value.text()->size();
+        else if (value.handle<Object>())
+            amount += of_object;
+    if (!spend(amount, tree.span(id))) return Absence::broken;
+    FunctionCall call(name, values, places, tree.span(id), world);
+    Value result = unary ? Value((*unary)(call.number(0)))
+                         : (*std::get_if<FunctionInfo::General>(&function->code))(call);
+    if (call.failed()) return Absence::broken;
+    if (result.text() && !may_be_long(result.text()->size(), tree.span(id))) return Absence::broken;
+    if (call.given()) receive(tree, node.arguments, count, *call.given());
+    return result;
+}
+
+/// Stores a function's second result in the variable that its last argument is.
+void Evaluator::State::receive(const Tree& tree, NodeId first, int count, const Value& value) {
+    NodeId last = first;
+    while (tree[last].next != no_node) last = tree[last].next;
+    if (static_cast<int>(list_length(tree, first)) == count &&
+        (tree.get_if<node::Name>(last) || tree.get_if<node::Index>(last))) {
+        assign(tree, last, Value(value), false);
+        return;
+    }
+    report(error(Fault::wrong_type, tree.span(last), "here must be the name of a declared vector")
+               .with_help("trace(object, from, direction, Normal) stores the normal in `Normal`"));
+}
+
+/// Arguments of a function: values, and directives and macros between them.
+void Evaluator::State::walk_arguments(const Tree& tree, NodeId first,
+                                      FunctionRef<void(Value, Span)> take) {
+    for (NodeId id = first; id != no_node && !stopped_; id = tree[id].next) {
+        if (is_directive(tree, id) || macro_call(tree, id)) {
+            walk_one(tree, id, [&](const Element& element) {
+                take(evaluator.value_of(element), element.span);
+            });
+        } else {
+            take(evaluate(tree, id), tree.span(id));
+        }
+    }
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/chain.h"
+
+#include "interpret/state.h"
+#include "text/message.h"
+
+/// Takes an expression apart. A macro stands for its text, and so does a part of a directive:
+/// 2*Sum(1, 2) is 2*1 + 2 when Sum(A, B) is A+B without parentheses.
+class Evaluator::State::OperandWalk {
+public:
+    OperandWalk(State& state, FunctionRef<void(const Operand&)> take)
+        : state_(state), take_(take) {}
+
+    /// `text`: it is not by itself, but what stands in a macro or a directive.
+    void expression(const Tree&, NodeId, bool text = false);
+    /// False: something has been reported.
+    bool finish(Span);
+
+private:
+    void chain(const Tree&, NodeId first);
+    void directive(const Tree&, NodeId);
+    void macro(const Tree&, const node::Call&, NodeId);
+    void operand(const Tree&, NodeId);
+    void join(Operator sign);
+
+    State& state_;
+    FunctionRef<void(const Operand&)> take_;
+    std::optional<Operator> sign_ = Operator::add;  ///< in front of the next operand
+    bool negative_ = false;                         ///< so is the next operand
+    std::optional<Span> call_;                      ///< the outermost of a macro that is open
+    bool good_ = true;
+};
+
+void Evaluator::State::OperandWalk::expression(const Tree& tree, NodeId id, bool text) {
+    if (!state_.room(tree, id)) return;
+    const NodeContent& content = tree[id].content;
+    const auto* binary = std::get_if<node::Binary>(&content);
+    if (binary && (binary->open || (text && binary->sign <= Operator::divide))) {
+        expression(tree, binary->left, text);
+        join(binary->sign);
+        expression(tree, binary->right, text);
+    } else if (const auto* unary = std::get_if<node::Unary>(&content);
+               unary && unary->sign != Operator::no) {
+        negative_ ^= unary->sign == Operator::minus;
+        expression(tree, unary->operand, text);
+    } else if (const auto* chain = std::get_if<node::Chain>(&content)) {
+        this->chain(tree, chain->first);
+    } else if (const auto* call = state_.macro_call(tree, id)) {
+        macro(tree, *call, id);
+    } else if (is_directive(tree, id)) {
+        directive(tree, id);
+    } else if (!std::get_if<node::Nothing>(&content)) {
+        operand(tree, id);
+    }
+}
+
+/// An operator; behind another one it is the sign of the next operand.
+void Evaluator::State::OperandWalk::join(Operator sign) {
+    if (sign_ && (sign == Operator::add || sign == Operator::subtract))
+        negative_ ^= sign == Operator::subtract;
+    else
+        sign_ = sign;
+}
+
+void Evaluator::State::OperandWalk::chain(const Tree& tree, NodeId first) {
+    for (NodeId id = first; id != no_node && !state_.stopped_; id = tree[id].next) {
+        const auto* joined = tree.get_if<node::Joined>(id);
+        if (joined) join(joined->sign);
+        expression(tree, joined ? joined->operand : id);
+    }
+}
+
+void Evaluator::State::OperandWalk::directive(const Tree& tree, NodeId id) {
+    const auto take = [&](const Tree& from, NodeId part) { expression(from, part, true); };
+    state_.walk_one(tree, id, Sink(Sink::Written(take)));
+}
+
+void Evaluator::State::OperandWalk::macro(const Tree& tree, const node::Call& call, NodeId id) {
+    std::size_t count = 0;
+    const auto take = [&](const Tree& from, NodeId part) {
+        if (count++ == 0) expression(from, part, true);
+    };
+    const std::size_t errors = state_.diagnostics.error_count();
+    const bool outermost = !call_;
+    if (outermost) call_ = tree.span(id);
+    state_.call_macro(tree, call, id, Sink(Sink::Written(take)));
+    if (outermost) call_.reset();
+    if (count == 1) return;
+    good_ = false;
+    if (state_.diagnostics.error_count() == errors) state_.report_count(count, tree.span(id));
+}
+
+void Evaluator::State::OperandWalk::operand(const Tree& tree, NodeId id) {
+    const bool joined = sign_.has_value();
+    if (joined) take_({*sign_, negative_, tree, id, call_.value_or(tree.span(id))});
+    sign_.reset();
+    negative_ = false;
+    if (joined) return;
+    good_ = false;
+    state_.report(error(Fault::wrong_count, tree.span(id),
+                        "there is no operator between this and the expression before it")
+                      .with_help("in an expression, the parts of a directive are joined by +, -, * "
+                                 "and /"));
+}
+
+bool Evaluator::State::OperandWalk::finish(Span span) {
+    if (sign_ && good_ && !state_.stopped_) {
+        good_ = false;
+        state_.report(error(Fault::missing, span, "an operator in this has no value behind it")
+                          .with_help("where a part of a directive ends in an operator, a value "
+                                     "follows: #if (A) 2 * #end 3"));
+    }
+    return good_ && !state_.stopped_;
+}
+
+const node::Call* Evaluator::State::macro_call(const Tree& tree, NodeId id) const {
+    const auto* call = tree.get_if<node::Call>(id);
+    const Value* found = call ? scope.find(call->name) : nullptr;
+    return found && found->macro() ? call : nullptr;
+}
+
+bool Evaluator::State::walk_operands(const Tree& tree, NodeId id,
+                                     FunctionRef<void(const Operand&)> take) {
+    OperandWalk walk(*this, take);
+    walk.expression(tree, id);
+    return walk.finish(tree.span(id));
+}
+
+Value Evaluator::State::open_expression(const Tree& tree, NodeId id) {
+    struct Placed {
+        Value value;
+        Span span;
+    };
+    const auto joined = [&](Operator sign, Placed a, Placed b) -> Placed {
+        const Span whole = join(a.span, b.span);
+        return {combine(sign, std::move(a.value), std::move(b.value), b.span, whole), whole};
+    };
+    ChainTotal<Placed> total;
+    const bool good = walk_operands(tree, id, [&](const Operand& operand) {
+        Value value = evaluate(operand.tree, operand.id);
+        if (operand.negative) value = with_sign(Operator::minus, std::move(value), operand.span);
+        total.add(operand.sign, {std::move(value), operand.span}, joined);
+    });
+    std::optional<Placed> result = total.result(joined);
+    if (!good || !result) return Absence::broken;
+    return std::move(result->value);
+}

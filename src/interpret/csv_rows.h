@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines of a table in a text, and the cells in a line. For csv.cpp only.
+#pragma once
+
+#include "interpret/csv.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The text of a cell, without blanks around it and without its quotes.
+struct CsvCell {
+    std::size_t first = 0, last = 0;
+    bool quoted = false;
+
+    bool empty() const { return !quoted && first == last; }
+};
+
+/// Goes through the lines of a table.
+class CsvRows {
+public:
+    /// `most`: how many cells a row may have.
+    CsvRows(std::string_view text, std::size_t most);
+
+    std::string_view text() const { return text_; }
+    std::string_view text(const CsvCell& cell) const {
+        return text_.substr(cell.first, cell.last - cell.first);
+    }
+    /// The text of a cell, where two quotes in quotes stand for one.
+    std::string content(const CsvCell&) const;
+    std::size_t at() const { return at_; }
+    void go_to(std::size_t at) { at_ = at; }
+
+    /// Moves to the next line that is neither empty nor a comment; false at the end.
+    bool find_row();
+    /// What separates the cells of the line here: a tab, a semicolon, a comma, a bar or blanks, the
+    /// first of these that it has.
+    char find_separator() const;
+    /// The cells of the line here, and moves behind it; a quoted cell may go on in the next line.
+    bool take_row(char separator, std::vector<CsvCell>& cells, CsvProblem& problem);
+    /// The same for a row of so many numbers without anything else, which is faster. False: it is
+    /// none, and nothing has happened.
+    bool take_numbers(char separator, std::size_t columns, std::vector<double>& numbers);
+
+private:
+    std::size_t line_end(std::size_t from) const;
+    bool comment_begins(std::size_t i) const;
+    std::pair<std::size_t, std::size_t> inner(char separator) const;
+    bool take_quoted(char separator, std::size_t& i, std::size_t& last, CsvCell&, CsvProblem&);
+
+    std::string_view text_;
+    std::size_t most_;
+    std::size_t at_ = 0;
+};
+
+/// `#ff8800`: a colour, which begins no comment.
+bool is_hex_colour(std::string_view cell);

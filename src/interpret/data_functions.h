@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Functions that read files of data into arrays. The table in functions.cpp names them and says
+// what they do.
+#pragma once
+
+#include "interpret/functions.h"
+
+Value csv_file(FunctionCall&);
+Value json_file(FunctionCall&);
+Value column_names(FunctionCall&);
+Value find_column(FunctionCall&);

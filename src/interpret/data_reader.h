@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the values of a data file for #read: numbers with a sign, strings, and vectors of them,
+// between commas or blanks, with the comments of the language. The text is kept with the sources,
+// so that messages can point into it.
+#pragma once
+
+#include "interpret/value.h"
+#include "syntax/lexer.h"
+
+#include <optional>
+
+class DataReader {
+public:
+    DataReader(SourceId, const SourceStore&, Names&, Diagnostics&);
+
+    /// The next value and the comma behind it. Nothing at the end of the file; a broken value when
+    /// what is there is none, which has been reported.
+    std::optional<Value> next();
+
+    /// Where the last value stands.
+    Span place() const { return place_; }
+    /// Whether there is a line end between the last value and the one before it.
+    bool behind_line_end() const { return behind_line_end_; }
+
+    /// Whether the file has been read to its end: a comma behind the last value says that there is
+    /// more to come, as in POV-Ray.
+    bool at_end() const { return ahead_.kind == TokenKind::end_of_file && !after_comma_; }
+
+private:
+    Value value();
+    Value vector();
+    /// A number with its sign; nothing if there is none.
+    std::optional<double> number();
+    Value not_a_value();
+    void advance();
+
+    SourceId source_;
+    const SourceStore& sources_;
+    Diagnostics& diagnostics_;
+    Tree tree_;  ///< holds the numbers and strings of the tokens
+    Lexer lexer_;
+    Token ahead_;
+    bool after_comma_ = true;  ///< or at the start
+    Span place_;
+    std::uint32_t taken_ = 0;  ///< where the last token that was taken ends
+    bool behind_line_end_ = false;
+};

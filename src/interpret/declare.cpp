@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// #declare, #local, #undef.
+#include "interpret/state.h"
+#include "text/ascii.h"
+#include "text/message.h"
+
+Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
+    const NodeContent& content = tree[id].content;
+    if (const auto* layers = std::get_if<node::Layers>(&content)) {
+        std::vector<Element> blocks;
+        for (NodeId block = layers->blocks; block != no_node; block = tree[block].next)
+            blocks.push_back(block_element(tree, block));
+        return one_value(blocks, tree.span(id));
+    }
+    std::vector<Element> elements;
+    walk_one(tree, id, [&](const Element& element) { elements.push_back(element); });
+    return one_value(elements, tree.span(id));
+}
+
+namespace {
+
+/// How what follows a value on its line begins when it is one more value; empty: it is none.
+std::string_view value_behind(std::string_view rest) {
+    const std::size_t at = rest.find_first_not_of(" \t");
+    if (at == rest.npos) return {};
+    const bool letter = at == 0 && is_letter(rest[at]);
+    const bool begins = letter || is_digit(rest[at]) || rest[at] == '(' || rest[at] == '[';
+    return begins ? rest.substr(at, 1) : std::string_view();
+}
+
+constexpr std::string_view semicolon_rule =
+    "#declare and #local of numbers, vectors and colours end in `;`";
+constexpr std::string_view old_scenes =
+    "; a scene from before version 3.5 may go without, and begins with its version: #version 3.1;";
+
+}  // namespace
+
+/// A value that needs a semicolon has none.
+void Evaluator::State::report_semicolon(const Tree& tree, const node::Declare& node) {
+    // A macro may end in one; and the oldest scenes have none.
+    if (version < 3.1 || tree.get_if<node::Call>(node.value)) return;
+    const Span end{tree.source, tree[node.value].last, tree[node.value].last};
+    const std::string text = "a `;` is missing after this value";
+    Diagnostic problem =
+        version >= 3.5 ? error(Fault::semicolon, end, text) : warning(Fault::semicolon, end, text);
+    const std::string_view rest = sources.text(tree.source).substr(end.last);
+    const bool decimal_comma = tree.get_if<node::Number>(node.value) && rest.starts_with(',');
+    const std::string_view behind = value_behind(rest);
+    if (behind == "[" && tree.get_if<node::Literal>(node.value))
+        problem.message = "only arrays have elements";
+    else if (!behind.empty())
+        problem.message = "between this value and the next an operator is missing, or a `;`";
+    if (decimal_comma)
+        problem.with_help("a number is written with a point, 1.5, and a vector in <1, 2, 3>");
+    else if (behind == "[")
+        problem.with_help("the parts of a vector are V.x, V.y, V.z");
+    else if (!behind.empty())
+        problem.with_help("a product is written with its sign: 2*(3 + 4), 2*sin(1)");
+    else if (!std::exchange(semicolons_reported, true))
+        problem.with_help(message(semicolon_rule, version_given ? "" : old_scenes));
+    report(problem);
+}
+
+/// Numbers for a name or element that does not hold numbers yet.
+void Evaluator::State::declare_numbers(const Tree& tree, const node::Declare& node,
+                                       const Numbers& numbers) {
+    const auto* name = node.local ? tree.get_if<node::Name>(node.target) : nullptr;
+    const Value* before = name ? scope.find(name->name) : nullptr;
+    const bool taken = before && (before->macro() || scope.is_local(name->name));
+    if (name && !taken)
+        scope.declare_fresh_local(name->name, numbers);
+    else
+        assign(tree, node.target, numbers, node.local);
+}
+
+void Evaluator::State::declare(const Tree& tree, const node::Declare& node, NodeId id) {
+    constexpr std::uint64_t declaring = 20;
+    if (!spend(declaring, tree.span(id))) return;
+    // Nearly always numbers take the place of numbers.
+    const auto* name = tree.get_if<node::Name>(node.target);
+    Numbers* target = name ? scope.overwritable(name->name, node.local) : nullptr;
+    Numbers computed;
+    if (compute(tree, node.value, target ? *target : computed)) {
+        check_semicolon(tree, node);
+        if (!target) declare_numbers(tree, node, computed);
+        return;
+    }
+    if (name && declare_text(tree, node)) return;
+    if (tree.get_if<node::Tuple>(node.target)) return declare_tuple(tree, node, id);
+    Value value = walk_expression(tree, node.value);
+    if (stopped_) return;
+    if (const Numbers* numbers = value.numbers()) {
+        check_semicolon(tree, node);
+        // Looked up again: a macro may have changed what the name stands for.
+        target = name ? scope.overwritable(name->name, node.local) : nullptr;
+        if (target) {
+            *target = *numbers;
+            return;
+        }
+    }
+    assign(tree, node.target, std::move(value), node.local);
+}
+
+bool Evaluator::State::declare_text(const Tree& tree, const node::Declare& node) {
+    if (!builds_text(tree, node.value)) return false;
+    const NameId name = tree.get<node::Name>(node.target).name;
+    const auto& call = tree.get<node::Call>(node.value);
+    const auto* first = tree.get_if<node::Name>(call.arguments);
+    // `#declare S = concat(S, ...)` appends. The old text is kept while the rest is built, for that
+    // may change it.
+    const Value* before = scope.find(name);
+    const bool appends =
+        call.name == concat && first && first->name == name && before && before->text();
+    Handle<std::string> old = appends ? before->handle<std::string>() : nullptr;
+    std::string text;
+    const bool good = appends ? append_texts(tree, tree[call.arguments].next, text, concat)
+                              : append_text(tree, node.value, text, call.name);
+    if (!good || stopped_) {
+        if (!stopped_) assign(tree, node.target, Absence::broken, node.local);
+        return true;
+    }
+    Value* const target = scope.overwritable_text(name, node.local);
+    const bool unchanged = appends && target && target->text() == old.get();
+    if (appends && !unchanged) text.insert(0, *old);
+    old = nullptr;
+    const std::size_t length = text.size() + (unchanged ? target->text()->size() : 0);
+    // What is added at the end is all the work, unless the whole is copied.
+    if (length > limits.text_bytes && !may_be_long(length, tree.span(node.value))) return true;
+    std::string* const own = target ? target->own_text() : nullptr;
+    if (unchanged && own) {
+        own->append(text);
+        return true;
+    }
+    if (unchanged && !may_be_long(length, tree.span(node.value))) return true;
+    if (unchanged) text.insert(0, *target->text());
+    if (own)
+        own->assign(text);
+    else
+        assign(tree, node.target, Value(std::move(text)), node.local);
+    return true;
+}
+
+void Evaluator::State::declare_deprecated(const Tree& tree, const node::Deprecated& node,
+                                          NodeId id) {
+    const auto& declared = tree.get<node::Declare>(node.declare);
+    declare(tree, declared, id);
+    const auto* name = tree.get_if<node::Name>(declared.target);
+    if (!name) return;
+    const std::string plain =
+        message("`", names.spelling(name->name), "` is not to be used any more");
+    const std::string* text =
+        node.text == no_node ? &plain : &tree.texts[tree.get<node::Text>(node.text).text];
+    deprecated[name->name] = {*text, node.once, {}};
+}
+
+void Evaluator::State::warn_deprecated(NameId name, Span span) {
+    const auto found = deprecated.find(name);
+    if (found == deprecated.end()) return;
+    Deprecation& known = found->second;
+    if ((known.once && !known.places.empty()) ||
+        !known.places.insert({span.source, span.first}).second)
+        return;
+    report(warning(Fault::deprecated, span, known.text));
+}
+
+/// `#declare (a, b) = (1, 2);`, one after the other.
+void Evaluator::State::declare_tuple(const Tree& tree, const node::Declare& node, NodeId id) {
+    const auto* values = tree.get_if<node::Tuple>(node.value);
+    NodeId value = values ? values->content : no_node;
+    NodeId target = tree.get<node::Tuple>(node.target).content;
+    for (; target != no_node && value != no_node;
+         target = tree[target].next, value = tree[value].next)
+        assign(tree, target, evaluate(tree, value), node.local);
+    if (target != no_node || value != no_node)
+        broken(Fault::wrong_count, tree.span(id), "there must be as many values as names");
+}
+
+void Evaluator::State::assign(const Tree& tree, NodeId target, Value&& value, bool local) {
+    const Span span = tree.span(target);
+    if (const auto* name = tree.get_if<node::Name>(target)) {
+        const Value* before = scope.find(name->name);
+        if (before && before->macro()) {
+            broken(Fault::redefinition, span,
+                   message("`", names.spelling(name->name),
+                           "` is a macro and cannot become something else"));
+            return;
+        }
+        if (before && before->formula() && (!local || scope.is_local(name->name))) {
+            report(error(Fault::redefinition, span,
+                         message("`", names.spelling(name->name),
+                                 "` is a function and cannot become something else"))
+                       .with_help(message("#undef ", names.spelling(name->name), " first")));
+            return;
+        }
+        if (local)
+            scope.declare_local(name->name, std::move(value));
+        else
+            scope.declare(name->name, std::move(value));
+        return;
+    }
+    if (const auto* index = tree.get_if<node::Index>(target))
+        assign_element(tree, *index, target, std::move(value));
+    else
+        broken(Fault::wrong_type, span, "this cannot be declared");
+}
+
+void Evaluator::State::assign_element(const Tree& tree, const node::Index& index, NodeId target,
+                                      Value&& value) {
+    constexpr std::uint64_t each = 80;
+    work += each;
+    const Span span = tree.span(target);
+    Indices places;
+    if (!indices(tree, index.indices, places)) return;
+    Value* array = scope.edit(index.name);
+    if (!array) {
+        const std::string_view name = names.spelling(index.name);
+        report(error(Fault::unknown_name, span, message("there is no array `", name, "`"))
+                   .with_help(message("make it first: #declare ", name, " = array[10];")));
+        return;
+    }
+    const Place place = edit_element(*array, places, span);
+    const Numbers* numbers = value.numbers();
+    if (place.array && numbers && place.array->most_numbers() > 0)
+        place.array->set(place.element, *numbers);
+    else if (place.array && !value.broken() && !place.array->fits(place.element, value))
+        broken(Fault::wrong_type, span,
+               message("all elements of an array are of one kind: others are ",
+                       kind_name(place.array->other(place.element)), ", and this is ",
+                       kind_name(value)));
+    else if (place.array)
+        place.array->set(place.element, std::move(value));
+    scope.edited();
+}
+
+void Evaluator::State::undefine(const Tree& tree, NodeId target) {
+    if (const auto* name = tree.get_if<node::Name>(target)) {
+        deprecated.erase(name->name);
+        if (!scope.undefine(name->name))
+            report(warning(Fault::unknown_name, tree.span(target),
+                           message("nothing is declared as `", names.spelling(name->name), "`")));
+        return;
+    }
+    const auto& index = tree.get<node::Index>(target);
+    Indices places;
+    if (!indices(tree, index.indices, places)) return;
+    Value* array = scope.edit(index.name);
+    if (!array) {
+        unknown_name(index.name, tree.span(target));
+    } else if (const Place place = edit_element(*array, places, tree.span(target)); place.array) {
+        place.array->clear(place.element);
+    }
+    scope.edited();
+}

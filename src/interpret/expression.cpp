@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Expressions: numbers of one to five components with POV-Ray's rules of promotion, strings, and
+// colours.
+#include "interpret/previous.h"
+#include "interpret/state.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+double apply(Operator sign, double a, double b) {
+    switch (sign) {
+        case Operator::add:
+            return a + b;
+        case Operator::subtract:
+            return a - b;
+        case Operator::multiply:
+            return a * b;
+        case Operator::divide:
+            return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
+        case Operator::less:
+            return a < b;
+        case Operator::less_equal:
+            return a <= b || about(a, b);
+        case Operator::equal:
+            return about(a, b);
+        case Operator::not_equal:
+            return !about(a, b);
+        case Operator::greater_equal:
+            return a >= b || about(a, b);
+        case Operator::greater:
+            return a > b;
+        case Operator::both:
+            return is_true(a) && is_true(b);
+        case Operator::either:
+            return is_true(a) || is_true(b);
+        default:
+            return 0;
+    }
+}
+
+bool is_comparison(Operator sign) { return sign >= Operator::less && sign <= Operator::greater; }
+
+/// `(#include "five.inc" + 1)`: values of which each but the first begins with a sign; nothing when
+/// they are something else.
+std::optional<Numbers> sum(std::span<const Element> elements, const SourceStore& sources) {
+    Numbers total = Numbers::scalar(0);
+    for (const Element& element : elements) {
+        const Numbers* numbers =
+            element.kind == Element::Kind::value ? element.value.numbers() : nullptr;
+        const char sign = sources.text(element.span.source)[element.span.first];
+        if (!numbers || (&element != &elements.front() && sign != '+' && sign != '-'))
+            return std::nullopt;
+        const int count = std::max(total.count, numbers->count);
+        const Numbers one = numbers->count < count ? numbers->promoted(count) : *numbers;
+        if (total.count < count) total = total.promoted(count);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) total.at[i] += one.at[i];
+    }
+    return total;
+}
+
+}  // namespace
+
+Value Evaluator::State::evaluate(const Tree& tree, NodeId id) {
+    Numbers numbers;
+    if (compute(tree, id, numbers)) return numbers;
+    return walk_expression(tree, id);
+}
+
+Value Evaluator::State::name_value(NameId name, Span span) {
+    const Value* found = scope.find(name);
+    if (!found) return unknown_name(name, span);
+    if (found->macro())
+        return broken(
+            Fault::wrong_type, span,
+            message("`", names.spelling(name), "` is a macro: its call needs parentheses"));
+    if (found->is(Absence::uninitialised))
+        return broken(Fault::uninitialised, span,
+                      message("`", names.spelling(name), "` has no value"));
+    return *found;
+}
+
+Value Evaluator::State::index_value(const Tree& tree, const node::Index& index, NodeId id) {
+    Indices places;
+    note_use(index.name, tree, id);
+    if (!indices(tree, index.indices, places)) return Absence::broken;
+    const Value* array = scope.find(index.name);
+    if (!array) return unknown_name(index.name, tree.span(id));
+    Value found = element(*array, places, tree.span(id));
+    if (found.is(Absence::uninitialised))
+        return broken(Fault::uninitialised, tree.span(id),
+                      "this element of the array was never set");
+    return found;
+}
+
+Value Evaluator::State::walk_expression(const Tree& tree, NodeId id) {
+    if (!room(tree, id)) return Absence::broken;
+    // Apart, because expressions inside each other must not set aside the room of a message each.
+    const auto refuse_tuple = [&]() __attribute__((noinline))->Value {
+        const std::string_view before = sources.text(tree.source).substr(0, tree[id].first);
+        const std::size_t last = before.find_last_not_of(" \t");
+        const bool elements = last != before.npos && before[last] == ']';
+        const NodeId ahead = previous(tree, id);
+        const auto* word = ahead == no_node ? nullptr : tree.get_if<node::Word>(ahead);
+        if (word && reported.tree == &tree && reported.first == ahead) return Absence::broken;
+        Diagnostic problem = error(Fault::wrong_count, tree.span(id), "one value is wanted here");
+        if (elements)
+            problem.with_help("the elements of an array stand in braces: { 1, 2, 3 }");
+        else if (word && handlers.takes_braces(word->word))
+            problem.with_help(
+                message("a vector is written between `<` and `>`, and what belongs to "
+                        "an object in braces: <1, 2, 3>, ",
+                        names.spelling(word->word), " { ... }"));
+        else
+            problem.with_help("a vector is written between `<` and `>`: <1, 2, 3>");
+        report(std::move(problem));
+        return Absence::broken;
+    };
+    const NodeContent& content = tree[id].content;
+    switch (content.index()) {
+        case kind<node::Number>:
+            return tree.numbers[std::get_if<node::Number>(&content)->number];
+        case kind<node::Literal>: {
+            const auto& literal = *std::get_if<node::Literal>(&content);
+            Numbers numbers;
+            numbers.count = static_cast<int>(literal.count);
+            std::copy_n(tree.numbers.begin() + literal.first_number, literal.count,
+                        numbers.at.begin());
+            return numbers;
+        }
+        case kind<node::Text>:
+            return tree.texts[std::get_if<node::Text>(&content)->text];
+        case kind<node::Name>:
+            note_use(std::get_if<node::Name>(&content)->name, tree, id);
+            return name_value(std::get_if<node::Name>(&content)->name, tree.span(id));
+        case kind<node::Index>:
+            return index_value(tree, *std::get_if<node::Index>(&content), id);
+        case kind<node::Constant>:
+            return constant(std::get_if<node::Constant>(&content)->word);
+        case kind<node::Unary>:
+            return unary(tree, *std::get_if<node::Unary>(&content), id);
+        case kind<node::Binary>:
+            return binary(tree, *std::get_if<node::Binary>(&content), id);
+        case kind<node::Choice>:
+            return choice(tree, *std::get_if<node::Choice>(&content));
+        case kind<node::Chain>:
+            return open_expression(tree, id);
+        case kind<node::Group>:
+            return group(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
+        case kind<node::Vector>:
+            return vector(tree, *std::get_if<node::Vector>(&content), id);
+        case kind<node::Member>:
+            return member(tree, *std::get_if<node::Member>(&content), id);
+        case kind<node::Call>:
+            return call(tree, *std::get_if<node::Call>(&content), id);
+        case kind<node::Prefixed>:
+            return prefixed(tree, *std::get_if<node::Prefixed>(&content), id);
+        case kind<node::Colour>:
+            return colour(tree, *std::get_if<node::Colour>(&content), id);
+        case kind<node::Array>:
+            return array(tree, *std::get_if<node::Array>(&content), id);
+        case kind<node::Function>:
+            return function(tree, *std::get_if<node::Function>(&content), id);
+        case kind<node::Apply>: {
+            const auto& apply = *std::get_if<node::Apply>(&content);
+            const Value called = evaluate(tree, apply.function);
+            const NameId name = tree.get<node::Index>(apply.function).name;
+            return call_value(tree, called, name, apply.arguments, tree.span(id));
+        }
+        case kind<node::Tuple>:
+            return refuse_tuple();
+        case kind<node::Broken>:
+            return Absence::broken;
+        default:
+            return right_side(tree, id);
+    }
+}
+
+Value Evaluator::State::unary(const Tree& tree, const node::Unary& node, NodeId id) {
+    if (node.sign != Operator::no && macro_call(tree, node.operand))
+        return open_expression(tree, id);
+    return with_sign(node.sign, evaluate(tree, node.operand), tree.span(id));
+}
+
+Value Evaluator::State::with_sign(Operator sign, Value value, Span span) {
+    if (value.broken()) return value;
+    Numbers* numbers = value.edit_numbers();
+    if (!numbers)
+        return broken(
+            Fault::wrong_type, span,
+            message("`", ::spelling(sign), "` takes numbers, but this is ", kind_name(value)));
+    for (int i = 0; i < numbers->count && sign != Operator::plus; ++i) {
+        double& x = numbers->at[static_cast<std::size_t>(i)];
+        x = sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
+    }
+    return value;
+}
+
+Value Evaluator::State::binary(const Tree& tree, const node::Binary& node, NodeId id) {
+    if (node.open) return open_expression(tree, id);
+    Value left = evaluate(tree, node.left);
+    Value right = evaluate(tree, node.right);
+    return combine(node.sign, std::move(left), std::move(right), tree.span(node.right),
+                   tree.span(id));
+}
+
+Value Evaluator::State::combine(Operator sign, Value left, Value right, Span right_span,
+                                Span whole) {
+    if (left.broken() || right.broken()) return Absence::broken;
+    Numbers* a = left.edit_numbers();
+    Numbers* b = right.edit_numbers();
+    if (!a || !b) return truth(left, right, sign, whole);
+    const int count = std::max(a->count, b->count);
+    if (a->count < count) *a = a->promoted(count);
+    if (b->count < count) *b = b->promoted(count);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        if (sign == Operator::divide && b->at[i] == 0)
+            report(warning(Fault::division_by_zero, right_span,
+                           "division by zero; the result is infinite")
+                       .with_label("this is 0"));
+        a->at[i] = apply(sign, a->at[i], b->at[i]);
+    }
+    return left;
+}
+
+/// Operators whose operands are not numbers: strings can be compared.
+Value Evaluator::State::truth(const Value& left, const Value& right, Operator sign, Span span) {
+    if (left.text() && right.text() && is_comparison(sign)) {
+        const int order = left.text()->compare(*right.text());
+        return apply(sign, order, 0);
+    }
+    Diagnostic problem = error(Fault::wrong_type, span,
+                               message("`", ::spelling(sign), "` cannot join ", kind_name(left),
+                                       " and ", kind_name(right)));
+    if (left.text() && right.text() && sign == Operator::add)
+        problem.with_help("strings are joined by concat(a, b)");
+    else if ((left.text() && right.numbers()) || (left.numbers() && right.text()))
+        problem.with_help("val(s) is the number in a string, str(x, 0, 2) is a number as a string");
+    report(problem);
+    return Absence::broken;
+}
+
+/// Only one of the branches is evaluated; but in POV-Ray both are, so random streams advance for
+/// both.
+Value Evaluator::State::choice(const Tree& tree, const node::Choice& node) {
+    const std::optional<double> condition = number(tree, node.condition, "the condition of `? :`");
+    if (!condition) return Absence::broken;
+    const bool yes = is_true(*condition);
+    if (!yes) draw(tree, node.yes);
+    Value value = evaluate(tree, yes ? node.yes : node.no);
+    if (yes) draw(tree, node.no);
+    return value;
+}
+
+void Evaluator::State::draw(const Tree& tree, NodeId id) {
+    for (const NodeId call : random_calls(tree, id)) evaluate(tree, call);
+}
+
+std::vector<NodeId> Evaluator::State::random_calls(const Tree& tree, NodeId id) const {
+    std::vector<NodeId> calls;
+    std::vector<NodeId> work = {id};
+    const auto later = [&](std::initializer_list<NodeId> parts) {
+        for (auto part = std::rbegin(parts); part != std::rend(parts); ++part)
+            if (*part != no_node) work.push_back(*part);
+    };
+    const auto list = [&](NodeId first) {
+        const std::size_t start = work.size();
+        for (NodeId part = first; part != no_node; part = tree[part].next) work.push_back(part);
+        std::reverse(work.begin() + static_cast<std::ptrdiff_t>(start), work.end());
+    };
+    while (!work.empty()) {
+        const NodeId at = work.back();
+        work.pop_back();
+        if (const auto* call = tree.get_if<node::Call>(at)) {
+            const bool random = names.spelling(call->name) == "rand";
+            random ? calls.push_back(at) : list(call->arguments);
+        } else if (const auto* unary = tree.get_if<node::Unary>(at)) {
+            later({unary->operand});
+        } else if (const auto* binary = tree.get_if<node::Binary>(at)) {
+            later({binary->left, binary->right});
+        } else if (const auto* choice = tree.get_if<node::Choice>(at)) {
+            later({choice->condition, choice->yes, choice->no});
+        } else if (const auto* group = tree.get_if<node::Group>(at)) {
+            list(group->content);
+        } else if (const auto* vector = tree.get_if<node::Vector>(at)) {
+            list(vector->components);
+        } else if (const auto* member = tree.get_if<node::Member>(at)) {
+            later({member->operand});
+        } else if (const auto* index = tree.get_if<node::Index>(at)) {
+            list(index->indices);
+        } else if (const auto* prefixed = tree.get_if<node::Prefixed>(at)) {
+            later({prefixed->operand});
+        }
+    }
+    return calls;
+}
+
+Value Evaluator::State::group(const Tree& tree, NodeId content, Span span) {
+    // Nearly always there is nothing but the value.
+    if (content != no_node && tree[content].next == no_node && !tree.get_if<node::If>(content))
+        return evaluate(tree, content);
+    std::vector<Element> elements;
+    walk(tree, content, [&](const Element& element) { elements.push_back(element); });
+    if (elements.size() > 1)
+        if (const std::optional<Numbers> total = sum(elements, sources)) return *total;
+    return one_value(elements, span);
+}
+
+bool Evaluator::State::components(const Tree& tree, NodeId first, std::vector<double>& result) {
+    for (NodeId id = first; id != no_node; id = tree[id].next) {
+        const auto add = [&](const Value& value, Span span) {
+            const Numbers* numbers = value.numbers();
+            if (numbers && numbers->is_scalar()) {
+                result.push_back(numbers->at[0]);
+                return true;
+            }
+            if (!value.broken())
+                broken(
+                    Fault::wrong_type, span,
+                    message("a component of a vector is a number, but this is ", kind_name(value)));
+            return false;
+        };
+        const auto* call = tree.get_if<node::Call>(id);
+        const bool macro = call && !names.reserved(call->name) && !is_function(call->name);
+        if (macro || is_directive(tree, id)) {
+            // It may give several components, or none.
+            bool good = true;
+            const auto take = [&](const Element& element) {
+                good = good && add(evaluator.value_of(element), element.span);
+            };
+            walk_one(tree, id, take);
+            if (!good || stopped_) return false;
+        } else if (!add(evaluate(tree, id), tree.span(id))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Value Evaluator::State::vector(const Tree& tree, const node::Vector& node, NodeId id) {
+    std::vector<double> numbers;
+    if (!components(tree, node.components, numbers)) return Absence::broken;
+    return vector_of(numbers, tree.span(id));
+}
+
+Value Evaluator::State::vector_of(const std::vector<double>& numbers, Span span) {
+    if (numbers.size() < 2 || numbers.size() > 5)
+        return broken(Fault::wrong_count, span,
+                      message("a vector has 2 to 5 components, but this has ", numbers.size()));
+    Numbers result;
+    result.count = static_cast<int>(numbers.size());
+    std::copy(numbers.begin(), numbers.end(), result.at.begin());
+    return result;
+}
+
+Value Evaluator::State::constant(NameId word) {
+    const std::string_view name = names.spelling(word);
+    if (name == "x") return Numbers{{1, 0, 0}, 3};
+    if (name == "y") return Numbers{{0, 1, 0}, 3};
+    if (name == "z") return Numbers{{0, 0, 1}, 3};
+    if (name == "u") return Numbers{{1, 0}, 2};
+    if (name == "v") return Numbers{{0, 1}, 2};
+    if (name == "t") return Numbers{{0, 0, 0, 1}, 4};
+    if (name == "pi") return std::numbers::pi;
+    if (name == "true" || name == "yes" || name == "on") return 1.0;
+    if (name == "false" || name == "no" || name == "off") return 0.0;
+    if (name == "clock") return facts.clock;
+    if (name == "clock_on") return facts.clock_given ? 1.0 : 0.0;
+    if (name == "version") return version;
+    // now: days since the year 2000 began, in UTC
+    using namespace std::chrono;
+    return duration<double, std::ratio<86400>>(system_clock::now() - sys_days(year(2000) / 1 / 1))
+        .count();
+}

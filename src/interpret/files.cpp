@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/files.h"
+
+#include "interpret/state.h"
+#include "text/harmless.h"
+#include "text/message.h"
+
+#include <algorithm>
+
+void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeId id) {
+    const std::string_view mode = names.spelling(node.mode);
+    const Span span = tree.span(node.path);
+    const Value path = evaluate(tree, node.path);
+    if (path.broken() || !count_file(span)) return;
+    if (!path.text()) {
+        broken(Fault::wrong_type, span,
+               message("#fopen takes the name of a file, but this is ", kind_name(path)));
+        return;
+    }
+    if (scope.find(node.file)) {
+        report(error(Fault::redefinition, tree.span(id),
+                     message("`", names.spelling(node.file), "` is declared already"))
+                   .with_help("#undef it before, or choose another name"));
+        return;
+    }
+    DataFile file(*path.text(), tree.span(id));
+    if (mode == "read") {
+        open_for_reading(file, span);
+    } else if (mode == "write" || mode == "append") {
+        open_for_writing(file, mode == "append", span);
+    } else {
+        broken(Fault::unknown_word, tree.span(id),
+               message("a file is opened for read, write or append, not for `", mode, "`"));
+        return;
+    }
+    if (file.reader || file.writer)
+        scope.declare(node.file, make_handle<DataFile>(std::move(file)));
+    else
+        stopped_ = true;  // each use of the name would be reported again
+}
+
+void Evaluator::State::open_for_reading(DataFile& file, Span span) {
+    const std::string directory = directory_of(sources.name(span.source));
+    std::optional<Found> found = loader.load(file.name, directory, FileKind::data);
+    if (!found) return report(loader.problem(file.name, span, FileKind::data, directory));
+    if (!spend(found->text.size() / 4, span)) return;
+    const SourceId source = sources.add(std::move(found->path), std::move(found->text), span);
+    file.reader = std::make_unique<DataReader>(source, sources, names, diagnostics);
+}
+
+void Evaluator::State::open_for_writing(DataFile& file, bool append, Span span) {
+    constexpr std::uint64_t making = 300'000;  // a file system takes long
+    if (!spend(making, span)) return;
+    const Door& door = loader.door();
+    const std::optional<std::string> path = door.destination(file.name);
+    const std::string rule = !path                 ? door.writing_rule(file.name)
+                             : loader.keeps(*path) ? std::string()
+                                                   : door.rule_of_file(*path);
+    if (!rule.empty())
+        return report(
+            error(Fault::file_access, span, message("a scene may not write `", file.name, "`"))
+                .with_note(rule)
+                .with_help(door.writing_help(file.name)));
+    const std::shared_ptr<DataWriter> writer = writer_for(*path, append);
+    if (!writer->good())
+        return report(
+            error(Fault::io, span, message("the file `", file.name, "` cannot be written")));
+    // An #include of this file is to see what is in it then.
+    if (!loader.keeps_off_disk()) loader.written(*path);
+    files.forget(*path);
+    file.writer = writer;
+    written_files.push_back({file.name, file.opened, writer});
+}
+
+/// A writer at a destination of the door; in a run that changes nothing it writes to memory, where
+/// the loader finds the text.
+std::unique_ptr<DataWriter> Evaluator::State::writer_for(const std::string& path, bool append) {
+    if (!loader.keeps_off_disk())
+        return std::make_unique<DataWriter>(loader.door().open(path, append));
+    auto text = std::make_shared<std::string>();
+    if (append)
+        if (auto before = loader.load(path, {}, FileKind::data)) *text = std::move(before->text);
+    loader.written(path, text);
+    return std::make_unique<DataWriter>(std::move(text));
+}
+
+Handle<DataFile> Evaluator::State::open_file_named(const Tree& tree, NodeId id) {
+    const auto* name = tree.get_if<node::Name>(id);
+    if (!name) {
+        broken(Fault::wrong_type, tree.span(id), "the name of an open file is wanted first");
+        return nullptr;
+    }
+    return open_file_named(name->name, tree.span(id));
+}
+
+Handle<DataFile> Evaluator::State::open_file_named(NameId name, Span span) {
+    const Value* found = scope.find(name);
+    if (!found) {
+        report(error(Fault::unknown_name, span,
+                     message("no file is open as `", names.spelling(name), "`"))
+                   .with_help(message("#fopen ", names.spelling(name),
+                                      " \"...\" opens one; at its end it is closed")));
+        return nullptr;
+    }
+    Handle<DataFile> file = found->handle<DataFile>();
+    if (!file && !found->broken())
+        broken(Fault::wrong_type, span,
+               message("`", names.spelling(name), "` is ", kind_name(*found),
+                       " and not an open file"));
+    return file;
+}
+
+void Evaluator::State::close_file(const Tree& tree, const node::Close& node, NodeId id) {
+    const Value* found = scope.find(node.file);
+    if (!found) return;  // reading has come to its end
+    const Handle<DataFile> file = open_file_named(node.file, tree.span(id));
+    if (!file) return;
+    scope.undefine(node.file);
+    if (file->writer) check_written(file->writer, tree.span(id));
+}
+
+/// Closes a file and reports, once, what has not got to the disk.
+void Evaluator::State::check_written(const std::shared_ptr<DataWriter>& writer, Span span) {
+    const auto file = std::ranges::find(written_files, writer, &WrittenFile::writer);
+    if (file == written_files.end()) return;
+    if (!writer->close())
+        report(error(Fault::io, span,
+                     message("not everything could be written to `", file->name, "`")));
+    written_files.erase(file);
+}
+
+void Evaluator::State::check_written_files() {
+    while (!written_files.empty())
+        check_written(written_files.front().writer, written_files.front().opened);
+}
+
+void Evaluator::State::read_values(const Tree& tree, const node::Read& node, NodeId id) {
+    if (node.content == no_node) {
+        broken(Fault::missing, tree.span(id), "#read needs an open file and names to read into");
+        return;
+    }
+    const Handle<DataFile> file = open_file_named(tree, node.content);
+    if (!file) return;
+    if (!file->reader) {
+        report(error(Fault::wrong_type, tree.span(node.content),
+                     message("`", file->name, "` is open for writing"))
+                   .pointing(file->opened, "opened here"));
+        return;
+    }
+    const NodeId first = tree[node.content].next;
+    for (NodeId target = first; target != no_node; target = tree[target].next) {
+        const Span before = file->reader->place();
+        if (!read_into(tree, target, *file->reader)) return;
+        if (target != first && file->reader->behind_line_end())
+            warn_of_line_end(*file, tree.span(target), before);
+        if (!file->reader->at_end()) continue;
+        scope.undefine(tree.get<node::Name>(node.content).name);
+        return;
+    }
+}
+
+/// A row that is short gives its place to what stands in the next one. Said once of each file.
+void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span before) {
+    if (!crossed_lines.insert(file.name).second) return;
+    report(warning(Fault::wrong_count, target,
+                   message("this #read goes on in the next line of `", harmless(file.name), "`"))
+               .with_label("this is in the next line")
+               .pointing({before.source, before.last, before.last}, "here a line ends")
+               .with_help("read_csv(\"...\") reads tables, and tells of rows that are short"));
+}
+
+/// Reads one value; false when reading cannot go on.
+bool Evaluator::State::read_into(const Tree& tree, NodeId target, DataReader& reader) {
+    const auto* name = tree.get_if<node::Name>(target);
+    if (!name && !tree.get_if<node::Index>(target)) {
+        broken(Fault::wrong_type, tree.span(target),
+               "#read puts values into names and elements of arrays, and this is neither");
+        return false;
+    }
+    constexpr std::uint64_t reading = 50;
+    work += reading;
+    std::optional<Value> value = reader.next();
+    if (!value) {  // the comma before promised one; a new name is declared, but has no value
+        if (name && !scope.find(name->name)) scope.declare(name->name, Absence::uninitialised);
+        return true;
+    }
+    if (value->broken()) {
+        stopped_ = true;
+        return false;
+    }
+    assign(tree, target, std::move(*value), false);
+    return !stopped_;
+}
+
+void Evaluator::State::write_values(const Tree& tree, const node::Write& node, NodeId id) {
+    if (node.content == no_node) {
+        broken(Fault::missing, tree.span(id), "#write needs an open file and values");
+        return;
+    }
+    const Handle<DataFile> file = open_file_named(tree, node.content);
+    if (!file) return;
+    if (!file->writer) {
+        report(error(Fault::wrong_type, tree.span(node.content),
+                     message("`", file->name, "` is open for reading"))
+                   .pointing(file->opened, "opened here"));
+        return;
+    }
+    const std::uint64_t before = file->writer->bytes();
+    std::optional<BinaryForm> form;
+    walk(tree, tree[node.content].next, [&](const Element& element) {
+        const std::string_view word =
+            element.kind == Element::Kind::word ? names.spelling(element.word) : "";
+        if (word == ",")
+            form.reset();
+        else if (const auto found = binary_form(word))
+            form = found;
+        else
+            write_value(*file->writer, evaluator.value_of(element), form, element.span);
+    });
+    written_bytes += file->writer->bytes() - before;
+    if (written_bytes > limits.written_bytes && !stopped_) {
+        report(error(Fault::loop_limit, tree.span(id),
+                     message("this scene has written more than ", limits.written_bytes,
+                             " bytes, which is the limit"))
+                   .with_help("--limit-written, in megabytes, raises it"));
+        stopped_ = true;
+    }
+}
+
+void Evaluator::State::write_value(DataWriter& writer, const Value& value,
+                                   const std::optional<BinaryForm>& form, Span span) {
+    if (value.broken()) return;
+    const bool fits = value.numbers() || (value.text() && !form);
+    if (!fits)
+        broken(Fault::wrong_type, span,
+               message("numbers, vectors and strings can be written, but this is ",
+                       kind_name(value), form ? " where binary numbers are written" : ""));
+    else if (form)
+        writer.write(*value.numbers(), *form);
+    else
+        writer.write(value);
+}
+
+/// From where a name is looked for: of those that a macro of the library is given, from its call.
+std::string Evaluator::State::data_folder(Span span) const {
+    return directory_of(sources.name(outside_library(span).source));
+}
+
+std::optional<Found> Evaluator::load_found(const std::string& name, Span span) {
+    if (!state_->count_file(span)) return std::nullopt;
+    const std::string directory = state_->data_folder(span);
+    std::optional<Found> found = state_->loader.load(name, directory, FileKind::data);
+    if (!found) report(state_->loader.problem(name, span, FileKind::data, directory));
+    return found;
+}
+
+std::optional<std::string> Evaluator::load_data(const std::string& name, Span span) {
+    std::optional<Found> found = load_found(name, span);
+    return found ? std::optional(std::move(found->text)) : std::nullopt;
+}
+
+std::optional<std::string> Evaluator::find_data(const std::string& name, Span span,
+                                                std::span<const std::string_view> endings) {
+    const std::string directory = state_->data_folder(span);
+    const Loader& loader = state_->loader;
+    const auto is_there = [&](const std::string& file) {
+        return loader.finds(file, directory, FileKind::data);
+    };
+    std::string file = name;
+    if (name.find('.', name.rfind('/') + 1) == name.npos && !is_there(name))
+        for (const std::string_view ending : endings)
+            if (file == name && is_there(message(name, ending))) file = message(name, ending);
+    std::optional<Found> found = load_found(file, span);
+    return found ? std::optional(std::move(found->path)) : std::nullopt;
+}

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/function_compiler.h"
+
+#include "interpret/chain.h"
+#include "interpret/compiler.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::wrong(
+    Span span, std::string message) {
+    state.broken(Fault::wrong_type, span, std::move(message));
+    return std::nullopt;
+}
+
+/// Runs the directives and macros of a list and compiles the expressions that they leave; what
+/// cannot be compiled is reported and counts as an expression.
+void Evaluator::State::FunctionCompiler::list(const Tree& tree, NodeId first,
+                                              std::vector<Operand>& values) {
+    const auto take = [&](const Tree& from, NodeId id) { this->take(from, id, values); };
+    state.walk(tree, first, Sink(Sink::Written(take)));
+}
+
+void Evaluator::State::FunctionCompiler::take(const Tree& tree, NodeId id,
+                                              std::vector<Operand>& values) {
+    const auto* call = state.macro_call(tree, id);
+    if (!call) return values.push_back(expression(tree, id).value_or(ProgramBuilder::none));
+    const std::size_t errors = state.diagnostics.error_count();
+    const auto take = [&](const Tree& from, NodeId part) { this->take(from, part, values); };
+    state.call_macro(tree, *call, id, Sink(Sink::Written(take)));
+    if (state.diagnostics.error_count() > errors) values.push_back(ProgramBuilder::none);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::body(const Tree& tree,
+                                                                                NodeId first,
+                                                                                Span span) {
+    std::vector<Operand> values;
+    list(tree, first, values);
+    if (state.stopped_) return std::nullopt;
+    if (std::find(values.begin(), values.end(), ProgramBuilder::none) != values.end())
+        return std::nullopt;
+    if (values.size() == 1) return values[0];
+    state.broken(values.empty() ? Fault::missing : Fault::wrong_count, span,
+                 message("a function is one expression, but here ",
+                         values.empty() ? "is none" : message("are ", values.size())));
+    return std::nullopt;
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::expression(
+    const Tree& tree, NodeId id) {
+    if (!state.room(tree, id)) return std::nullopt;
+    const NodeContent& content = tree[id].content;
+    switch (content.index()) {
+        case kind<node::Number>:
+            return builder.constant(tree.numbers[std::get_if<node::Number>(&content)->number]);
+        case kind<node::Name>:
+            return name(std::get_if<node::Name>(&content)->name, tree.span(id));
+        case kind<node::Constant>:
+            return name(std::get_if<node::Constant>(&content)->word, tree.span(id));
+        case kind<node::Index>: {
+            const Value value = state.index_value(tree, *std::get_if<node::Index>(&content), id);
+            return constant(value, "this element", tree.span(id));
+        }
+        case kind<node::Group>:
+            return body(tree, std::get_if<node::Group>(&content)->content, tree.span(id));
+        case kind<node::Unary>:
+            return unary(tree, *std::get_if<node::Unary>(&content), id);
+        case kind<node::Binary>:
+            return binary(tree, *std::get_if<node::Binary>(&content), id);
+        case kind<node::Chain>:
+            return open(tree, id);
+        case kind<node::Member>:
+            return member(tree, *std::get_if<node::Member>(&content), id);
+        case kind<node::Call>:
+            return call(tree, *std::get_if<node::Call>(&content), id);
+        case kind<node::Choice>:
+            return wrong(tree.span(id),
+                         "there is no `? :` in functions; select(v, a, b) gives a where v < 0");
+        case kind<node::Broken>:
+            return std::nullopt;
+        default:
+            if (tree.gives_elements(id)) return open(tree, id);
+            return wrong(tree.span(id), "a function computes with single numbers only");
+    }
+}
+
+/// What has a value now has it for ever.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::constant(
+    const Value& value, std::string_view what, Span span) {
+    if (value.broken()) return std::nullopt;
+    if (const Numbers* numbers = value.numbers(); numbers && numbers->is_scalar())
+        return builder.constant(numbers->at[0]);
+    return wrong(span, message("a function computes with single numbers only, and ", what, " is ",
+                               kind_name(value)));
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::name(NameId name,
+                                                                                Span span) {
+    for (auto local = locals.rbegin(); local != locals.rend(); ++local)
+        if (local->first == name) return local->second;
+    const std::string_view spelling = state.names.spelling(name);
+    if (!state.names.reserved(name))
+        return constant(state.name_value(name, span), message("`", spelling, "`"), span);
+    if (spelling == "pi" || spelling == "clock")
+        return builder.constant(state.constant(name).numbers()->at[0]);
+    Diagnostic problem = error(Fault::unknown_name, span,
+                               message("`", spelling, "` is no parameter of this function"));
+    if (spelling == "true" || spelling == "yes" || spelling == "on")
+        problem.with_help("write 1");
+    else if (spelling == "false" || spelling == "no" || spelling == "off")
+        problem.with_help("write 0");
+    else
+        problem.with_help("function (x, y, z) { ... } names the parameters");
+    state.report(problem);
+    return std::nullopt;
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::unary(
+    const Tree& tree, const node::Unary& node, NodeId id) {
+    if (node.sign == Operator::no)
+        return wrong(tree.span(id), "there is no `!` in functions; x = 0 says the same");
+    if (state.macro_call(tree, node.operand)) return open(tree, id);
+    const Result operand = expression(tree, node.operand);
+    return node.sign == Operator::plus ? operand : negative(operand);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::negative(
+    Result operand) {
+    if (!operand) return operand;
+    const Operand result = builder.emit(Operation::negate, *operand);
+    builder.release(*operand);
+    return result;
+}
+
+namespace {
+
+bool is_logical(Operator sign) { return sign == Operator::both || sign == Operator::either; }
+
+}  // namespace
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::binary(
+    const Tree& tree, const node::Binary& node, NodeId id) {
+    if (is_logical(node.sign)) return logical(tree, id);
+    if (node.open) return open(tree, id);
+    const Result a = expression(tree, node.left);
+    return combine(tree, node.sign, a, expression(tree, node.right), node.right);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::combine(
+    const Tree& tree, Operator sign, Result a, Result b, NodeId right) {
+    if (!a || !b) return std::nullopt;
+    const Result result = sign == Operator::divide
+                              ? division(tree, *a, *b, right)
+                              : builder.emit(operations_of(sign).exact, *a, *b);
+    builder.release(*a);
+    builder.release(*b);
+    return result;
+}
+
+/// The passes of a loop are parts of the expression, each with what its names stand for then.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::open(const Tree& tree,
+                                                                                NodeId id) {
+    struct Placed {
+        Result operand;
+        const Tree* tree;
+        NodeId id;
+    };
+    const auto joined = [&](Operator sign, Placed a, Placed b) -> Placed {
+        return {combine(*b.tree, sign, a.operand, b.operand, b.id), a.tree, a.id};
+    };
+    ChainTotal<Placed> total;
+    const bool good = state.walk_operands(tree, id, [&](const State::Operand& part) {
+        const Result operand = expression(part.tree, part.id);
+        total.add(part.sign, {part.negative ? negative(operand) : operand, &part.tree, part.id},
+                  joined);
+    });
+    const std::optional<Placed> result = total.result(joined);
+    return good && result ? result->operand : std::nullopt;
+}
+
+/// Division by a constant is multiplication by its reciprocal, as in POV-Ray.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::division(
+    const Tree& tree, Operand a, Operand b, NodeId divisor) {
+    NodeId at = divisor;
+    while (const auto* group = tree.get_if<node::Group>(at)) at = group->content;
+    const double* known = builder.known(b);
+    const bool plain = tree.get_if<node::Number>(at) || tree.get_if<node::Name>(at) ||
+                       tree.get_if<node::Index>(at);
+    if (!known || !plain) return builder.emit(Operation::divide, a, b);
+    if (*known == 0) {
+        state.broken(Fault::division_by_zero, tree.span(divisor),
+                     "this function always divides by zero");
+        return std::nullopt;
+    }
+    return builder.emit(Operation::multiply, a, builder.constant(1 / *known));
+}
+
+/// In functions `&` binds closer than `|`; in other expressions, as which this one was parsed, both
+/// are the same and group from the left.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::logical(const Tree& tree,
+                                                                                   NodeId id) {
+    std::vector<std::pair<Operator, NodeId>> parts;  // each with the sign before it
+    const auto* node = tree.get_if<node::Binary>(id);
+    NodeId first = id;
+    for (; node && is_logical(node->sign); node = tree.get_if<node::Binary>(first)) {
+        parts.push_back({node->sign, node->right});
+        first = node->left;
+    }
+    parts.push_back({Operator::either, first});
+    std::reverse(parts.begin(), parts.end());
+
+    const auto joined = [&](Operation operation, Operand a, Operand b) {
+        const Operand result = builder.emit(operation, a, b);
+        builder.release(a);
+        builder.release(b);
+        return result;
+    };
+    std::vector<Operand> alternatives;
+    for (const auto& [sign, part] : parts) {
+        const Result value = expression(tree, part);
+        if (!value) return std::nullopt;
+        if (sign == Operator::both)
+            alternatives.back() = joined(Operation::both, alternatives.back(), *value);
+        else
+            alternatives.push_back(*value);
+    }
+    Operand result = alternatives[0];
+    for (std::size_t i = 1; i < alternatives.size(); ++i)
+        result = joined(Operation::either, result, alternatives[i]);
+    return result;
+}
+
+using FunctionOperands = std::vector<ProgramBuilder::Operand>;
+
+std::optional<FunctionOperands> Evaluator::State::FunctionCompiler::arguments(const Tree& tree,
+                                                                              NodeId first) {
+    std::vector<Operand> values;
+    list(tree, first, values);
+    const bool bad = std::ranges::find(values, ProgramBuilder::none) != values.end();
+    return bad || state.stopped_ ? std::nullopt : std::optional(values);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call(
+    const Tree& tree, const node::Call& node, NodeId id) {
+    const std::string_view spelling = state.names.spelling(node.name);
+    if (spelling == "sum" || spelling == "prod") return loop(tree, node, id);
+    if (state.names.reserved(node.name)) return function(tree, node, id);
+    const Value* found = state.scope.find(node.name);
+    if (found && found->macro()) return open(tree, id);
+    if (!found || !found->formula())
+        return constant(state.name_value(node.name, tree.span(id)), message("`", spelling, "`"),
+                        tree.span(id));
+    const std::size_t results = found->formula()->results();
+    if (results > 1)
+        return wrong(tree.span(id),
+                     message("`", spelling, "` gives a vector of ", results,
+                             ", of which a function uses one part: ", spelling, "(...).x"));
+    return call_formula(tree, node, id, found->handle<Formula>());
+}
+
+/// The first result; the others are in the registers behind it.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::call_formula(
+    const Tree& tree, const node::Call& node, NodeId id, Handle<Formula> formula) {
+    const auto values = arguments(tree, node.arguments);
+    if (!values) return std::nullopt;
+    if (!state.check_count(node.name, values->size(), *formula, tree.span(id))) return std::nullopt;
+    const Operand first = builder.call(std::move(formula), *values);
+    for (const Operand value : *values) builder.release(value);
+    return first;
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::member(
+    const Tree& tree, const node::Member& node, NodeId id) {
+    const auto* call = tree.get_if<node::Call>(node.operand);
+    const Value* found = call ? state.scope.find(call->name) : nullptr;
+    if (!found || !found->formula())
+        return wrong(tree.span(id),
+                     "in a function, only what another function gives has parts: f(x, y, z).x");
+    const Handle<Formula> formula = found->handle<Formula>();
+    const Result first = call_formula(tree, *call, node.operand, formula);
+    if (!first) return std::nullopt;
+    const std::string_view member = state.names.spelling(node.member);
+    const std::size_t count = formula->results();
+    const Result result = part(member, *first, count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Operand other = ProgramBuilder::following(*first, i);
+        if (!result || other != *result) builder.release(other);
+    }
+    if (!result)
+        state.broken(Fault::bad_index, tree.span(id),
+                     message("there is no `.", member, "` in the ", count, " numbers of `",
+                             state.names.spelling(call->name), "`"));
+    return result;
+}
+
+/// A component, or a mixture of some, of numbers in registers that follow each other.
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::part(
+    std::string_view member, Operand first, std::size_t count) {
+    const auto mixed = [&](std::span<const double> weights) -> Result {
+        if (count < weights.size()) return std::nullopt;
+        std::vector<Operand> products;
+        for (std::size_t i = 0; i < weights.size(); ++i)
+            products.push_back(builder.emit(Operation::multiply,
+                                            ProgramBuilder::following(first, i),
+                                            builder.constant(weights[i])));
+        return builder.fold(Operation::add, products);
+    };
+    if (member == "hf") return mixed(std::array{0.996093, 0.996093 / 255});
+    const int component = component_of(member);
+    if (component == grey_component) return mixed(grey_weights);
+    if (component < 0 || component >= static_cast<int>(count)) return std::nullopt;
+    return ProgramBuilder::following(first, static_cast<std::size_t>(component));
+}
+
+/// sum(i, first, last, e) and prod(...).
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::loop(
+    const Tree& tree, const node::Call& node, NodeId id) {
+    std::vector<NodeId> parts;
+    for (NodeId part = node.arguments; part != no_node; part = tree[part].next)
+        parts.push_back(part);
+    const bool sums = state.names.spelling(node.name) == "sum";
+    const auto* counter = parts.empty() ? nullptr : tree.get_if<node::Name>(parts[0]);
+    if (parts.size() != 4 || !counter || state.scope.find(counter->name)) {
+        state.report(
+            error(counter && parts.size() == 4 ? Fault::redefinition : Fault::wrong_count,
+                  parts.empty() ? tree.span(id) : tree.span(parts[0]),
+                  message("`", state.names.spelling(node.name),
+                          "` counts with a name that stands for nothing else"))
+                .with_help(message(state.names.spelling(node.name),
+                                   "(i, 1, 10, i * i): counter, first, last, expression")));
+        return std::nullopt;
+    }
+    const Result first = expression(tree, parts[1]), last = expression(tree, parts[2]);
+    if (!first || !last) return std::nullopt;
+    const Operand i = builder.variable(), result = builder.variable();
+    builder.pin(i);  // whoever reads the counter releases it
+    builder.assign(i, *first);
+    builder.assign(result, builder.constant(sums ? 0 : 1));
+    builder.release(*first);
+    const std::size_t start = builder.here();
+    const Operand goes_on = builder.emit(Operation::less_equal, i, *last);
+    const std::size_t end = builder.jump_unless(goes_on);
+    builder.release(goes_on);
+    locals.push_back({counter->name, i});
+    const Result term = expression(tree, parts[3]);
+    locals.pop_back();
+    if (!term) return std::nullopt;
+    builder.update(sums ? Operation::add : Operation::multiply, result, *term);
+    builder.release(*term);
+    builder.update(Operation::add, i, builder.constant(1));
+    builder.repeat(start);
+    builder.land(end);
+    builder.unpin(i);
+    builder.release(*last);
+    return result;
+}
+
+ProgramBuilder::Operand Evaluator::State::FunctionCompiler::function_of_two(std::string_view name,
+                                                                            Operand a, Operand b) {
+    const double* exponent = name == "pow" ? builder.known(b) : nullptr;
+    if (exponent && *exponent >= 0 && *exponent <= 8 && *exponent == static_cast<int>(*exponent))
+        return builder.whole_power(a, static_cast<int>(*exponent));
+    return builder.emit(*operation_of_two(name), a, b);
+}
+
+std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::function(
+    const Tree& tree, const node::Call& node, NodeId id) {
+    const std::string_view name = state.names.spelling(node.name);
+    const auto of_one = function_number(name);
+    const bool of_two = operation_of_two(name).has_value();
+    const bool extreme = name == "min" || name == "max", select = name == "select";
+    if (!of_one && !of_two && !extreme && !select) {
+        Diagnostic problem = error(Fault::wrong_type, tree.span(id),
+                                   message("`", name, "` cannot be used in functions"));
+        if (name == "rand")
+            problem.with_help(
+                "a function gives the same whenever it is asked; at random over "
+                "space is f_noise3d(x, y, z) of functions.inc");
+        state.report(problem);
+        return std::nullopt;
+    }
+    const auto values = arguments(tree, node.arguments);
+    if (!values) return std::nullopt;
+    const std::size_t least = of_one ? 1 : select ? 3 : 2;
+    const std::size_t most = extreme ? values->size() : select ? 4 : least;
+    if (values->size() < least || values->size() > most) {
+        state.broken(Fault::wrong_count, tree.span(id),
+                     message("in a function, `", name, "` takes ", extreme ? "at least " : "",
+                             least, select ? " or 4" : "", least == 1 ? " argument" : " arguments",
+                             ", but here ", values->size() == 1 ? "is " : "are ", values->size()));
+        return std::nullopt;
+    }
+    if (extreme)
+        return builder.fold(name == "min" ? Operation::least : Operation::greatest, *values);
+    if (select) return builder.select(*values);
+    const Operand result = of_one ? builder.apply(*of_one, (*values)[0])
+                                  : function_of_two(name, (*values)[0], (*values)[1]);
+    for (const Operand value : *values)
+        if (value != result) builder.release(value);
+    return result;
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiles the body of a user function. Its language is smaller than that of other expressions:
+// numbers only, comparisons without tolerance, and sum() and prod(). What has a value when the
+// function is declared is a constant from then on. Used by user_function.cpp.
+#pragma once
+
+#include "formula/builder.h"
+#include "formula/formula.h"
+#include "interpret/state.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+struct Evaluator::State::FunctionCompiler {
+    using Operand = ProgramBuilder::Operand;
+    using Result = std::optional<Operand>;  ///< nothing: has been reported
+
+    explicit FunctionCompiler(State& state) : state(state) {}
+
+    void add_parameter(NameId name) { locals.push_back({name, builder.input()}); }
+
+    // ---- operators
+    /// A list with directives and one expression.
+    Result body(const Tree&, NodeId first, Span);
+    void list(const Tree&, NodeId first, std::vector<Operand>& values);
+    void take(const Tree&, NodeId, std::vector<Operand>& values);
+    Result expression(const Tree&, NodeId);
+    Result name(NameId, Span);
+    Result constant(const Value&, std::string_view what, Span);
+    Result unary(const Tree&, const node::Unary&, NodeId);
+    Result binary(const Tree&, const node::Binary&, NodeId);
+    Result negative(Result);
+    /// An expression with macros or directives among its operands.
+    Result open(const Tree&, NodeId);
+    Result combine(const Tree&, Operator, Result a, Result b, NodeId right);
+    Result logical(const Tree&, NodeId);
+    Result division(const Tree&, Operand a, Operand b, NodeId divisor);
+    Result wrong(Span, std::string message);
+
+    // ---- calls
+    Result call(const Tree&, const node::Call&, NodeId);
+    Result call_formula(const Tree&, const node::Call&, NodeId, Handle<Formula>);
+    Result member(const Tree&, const node::Member&, NodeId);
+    Result part(std::string_view member, Operand first, std::size_t count);
+    Result loop(const Tree&, const node::Call&, NodeId);
+    Result function(const Tree&, const node::Call&, NodeId);
+    Operand function_of_two(std::string_view name, Operand a, Operand b);
+    std::optional<std::vector<Operand>> arguments(const Tree&, NodeId first);
+
+    State& state;
+    ProgramBuilder builder;
+    std::vector<std::pair<NameId, Operand>> locals;  ///< parameters and counters of loops
+};

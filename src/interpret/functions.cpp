@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/functions.h"
+
+#include "base/degrees.h"
+#include "interpret/array_data.h"
+#include "interpret/data_functions.h"
+#include "interpret/number_functions.h"
+#include "interpret/string_functions.h"
+#include "text/message.h"
+
+#include <array>
+#include <cmath>
+
+std::size_t RandomStreams::open(double seed) {
+    // Cut off to 32 bits with a sign; what does not fit becomes the least, as in POV-Ray.
+    constexpr double least = -2147483648.0;
+    const double whole = seed > least - 1 && seed < -least ? std::trunc(seed) : least;
+    states_.push_back(static_cast<std::uint32_t>(static_cast<std::int32_t>(whole)));
+    return states_.size() - 1;
+}
+
+void RandomStreams::take_back(std::size_t begin) {
+    for (; drawn_.size() > begin; drawn_.pop_back())
+        states_[drawn_.back().stream] = drawn_.back().before;
+}
+
+Value FunctionCall::fail(Fault fault, std::size_t argument, std::string message) {
+    if (!failed_) world.report(error(fault, place(argument), std::move(message)));
+    return fail_silently();
+}
+
+Value FunctionCall::fail_silently() {
+    failed_ = true;
+    return Absence::broken;
+}
+
+void FunctionCall::warn(Fault fault, std::size_t argument, std::string message) {
+    world.report(warning(fault, place(argument), std::move(message)));
+}
+
+Value FunctionCall::wrong_kind(std::size_t i, std::string_view wanted) {
+    return fail(
+        Fault::wrong_type, i,
+        message("`", name_, "` takes ", wanted, " here, but this is ", kind_name(arguments_[i])));
+}
+
+double FunctionCall::number(std::size_t i) {
+    const Numbers* found = arguments_[i].numbers();
+    if (found && found->is_scalar()) return found->at[0];
+    wrong_kind(i, "a number");
+    return 0;
+}
+
+std::int64_t FunctionCall::integer(std::size_t i) {
+    const double value = number(i);
+    if (std::isnan(value)) return 0;
+    constexpr double limit = 9.2e18;
+    return static_cast<std::int64_t>(value < -limit ? -limit : value > limit ? limit : value);
+}
+
+const Numbers& FunctionCall::numbers(std::size_t i) {
+    static const Numbers nothing;
+    if (const Numbers* found = arguments_[i].numbers()) return *found;
+    wrong_kind(i, "numbers");
+    return nothing;
+}
+
+Vec3 FunctionCall::vector(std::size_t i) {
+    const Numbers& found = numbers(i);
+    if (found.count <= 3) return found.promoted(3).vec3();
+    wrong_kind(i, "a vector of 3");
+    return Vec3(0);
+}
+
+std::string_view FunctionCall::text(std::size_t i) {
+    if (const std::string* found = arguments_[i].text()) return *found;
+    wrong_kind(i, "a string");
+    return {};
+}
+
+Handle<Object> FunctionCall::object(std::size_t i) {
+    Handle<Object> found = arguments_[i].handle<Object>();
+    if (!found) wrong_kind(i, "a declared object");
+    return found;
+}
+
+const ArrayData* FunctionCall::array(std::size_t i) {
+    if (const ArrayData* found = arguments_[i].array()) return found;
+    wrong_kind(i, "an array");
+    return nullptr;
+}
+
+namespace {
+
+using Call = FunctionCall&;
+using General = FunctionInfo::General;
+using Unary = FunctionInfo::Unary;
+
+Value dimension_size(Call call) {
+    const ArrayData* array = call.array(0);
+    const double i = call.number(1);
+    if (call.failed() || !(i >= 1 && i <= static_cast<double>(array->sizes().size()))) return 0.0;
+    return array->sizes()[static_cast<std::size_t>(i) - 1];
+}
+
+Value dimensions(Call call) {
+    const ArrayData* array = call.array(0);
+    return array ? static_cast<double>(array->sizes().size()) : 0.0;
+}
+
+Value file_exists(Call call) { return call.world.file_exists(call.text(0)) ? 1.0 : 0.0; }
+
+Value not_yet(Call call) {
+    return call.fail(Fault::not_implemented, FunctionInfo::any,
+                     "this function is known but not implemented");
+}
+
+constexpr auto table = std::array{
+    FunctionInfo{"abs", 1, 1, "x", "x without its sign",
+                 Unary([](double x) { return std::abs(x); })},
+    FunctionInfo{"acos", 1, 1, "x", "arc cosine, in radians", General(arc_cosine)},
+    FunctionInfo{"acosh", 1, 1, "x", "inverse hyperbolic cosine",
+                 Unary([](double x) { return std::acosh(x); })},
+    FunctionInfo{"asc", 1, 1, "text", "code of the first character, 0 for none",
+                 General(first_code)},
+    FunctionInfo{"asin", 1, 1, "x", "arc sine, in radians", General(arc_sine)},
+    FunctionInfo{"asinh", 1, 1, "x", "inverse hyperbolic sine",
+                 Unary([](double x) { return std::asinh(x); })},
+    FunctionInfo{"atan", 1, 1, "x", "arc tangent, in radians",
+                 Unary([](double x) { return std::atan(x); })},
+    FunctionInfo{"atan2", 2, 2, "y, x", "angle of the point (x, y), in radians",
+                 General(arc_tangent)},
+    FunctionInfo{"atanh", 1, 1, "x", "inverse hyperbolic tangent",
+                 Unary([](double x) { return std::atanh(x); })},
+    FunctionInfo{"bitwise_and", 1, FunctionInfo::any, "a, ...", "bits that all have",
+                 General(bits_and)},
+    FunctionInfo{"bitwise_or", 1, FunctionInfo::any, "a, ...", "bits that any has",
+                 General(bits_or)},
+    FunctionInfo{"bitwise_xor", 1, FunctionInfo::any, "a, ...", "bits that an odd number has",
+                 General(bits_xor)},
+    FunctionInfo{"ceil", 1, 1, "x", "the next whole number, upwards",
+                 Unary([](double x) { return std::ceil(x); })},
+    FunctionInfo{"chr", 1, 1, "code", "the character with this code", General(character)},
+    FunctionInfo{"column_names", 1, 1, "array",
+                 "the names in the header of a table, or of the members of an object: an array of "
+                 "strings",
+                 General(column_names)},
+    FunctionInfo{"concat", 1, FunctionInfo::any, "text, ...", "the strings joined",
+                 General(concatenated)},
+    FunctionInfo{"cos", 1, 1, "x", "cosine of radians",
+                 Unary([](double x) { return std::cos(x); })},
+    FunctionInfo{"cosh", 1, 1, "x", "hyperbolic cosine",
+                 Unary([](double x) { return std::cosh(x); })},
+    FunctionInfo{"datetime", 1, 2, "days[, format]", "a date as text, in UTC; days count from 2000",
+                 General(date_text)},
+    FunctionInfo{"degrees", 1, 1, "x", "radians to degrees",
+                 Unary([](double x) { return x / radians_per_degree; })},
+    FunctionInfo{"dimension_size", 2, 2, "array, n", "size in dimension n, from 1",
+                 General(dimension_size)},
+    FunctionInfo{"dimensions", 1, 1, "array", "number of dimensions", General(dimensions)},
+    FunctionInfo{"div", 2, 2, "a, b", "whole part of a / b", General(divide_whole)},
+    FunctionInfo{"exp", 1, 1, "x", "e to the power of x",
+                 Unary([](double x) { return std::exp(x); })},
+    FunctionInfo{"file_exists", 1, 1, "name", "whether the file can be read", General(file_exists)},
+    FunctionInfo{"find_column", 2, 2, "array, name",
+                 "the number of the column that the header of a table calls so, -1: there is none",
+                 General(find_column)},
+    FunctionInfo{"floor", 1, 1, "x", "the next whole number, downwards",
+                 Unary([](double x) { return std::floor(x); })},
+    FunctionInfo{"int", 1, 1, "x", "x without its fraction", Unary(to_integer)},
+    FunctionInfo{"ln", 1, 1, "x", "natural logarithm", General(natural_logarithm)},
+    FunctionInfo{"log", 1, 1, "x", "logarithm to base 10", General(decimal_logarithm)},
+    FunctionInfo{"max", 1, FunctionInfo::any, "a, ...", "the greatest", General(greatest)},
+    FunctionInfo{"min", 1, FunctionInfo::any, "a, ...", "the least", General(least)},
+    FunctionInfo{"mod", 2, 2, "a, b", "remainder of a / b, with the sign of a", General(remainder)},
+    FunctionInfo{"pow", 2, 2, "base, exponent", "base to the power of the exponent",
+                 General(power)},
+    FunctionInfo{"prod", 4, 4, "i, first, last, e", "product, in functions only", General(not_yet)},
+    FunctionInfo{"radians", 1, 1, "x", "degrees to radians",
+                 Unary([](double x) { return x * radians_per_degree; })},
+    FunctionInfo{"rand", 1, 1, "stream", "the next random number of a stream, 0 to 1",
+                 General(next_random)},
+    FunctionInfo{"read_csv", 1, 2, "name[, options]",
+                 "the rows of a table in a file: an array of rows by columns, of numbers and "
+                 "strings; A[row][\"name\"] asks by the header; options are words in a string: "
+                 "header, no_header, text, comma, semicolon, tab, bar, blank",
+                 General(csv_file)},
+    FunctionInfo{"read_json", 1, 2, "name[, path]",
+                 "what is in a JSON file, or in one place of it: a number, a string, or an array, "
+                 "whose members are asked by name: A[\"lamps.0.radiance\"]",
+                 General(json_file)},
+    FunctionInfo{"seed", 1, 1, "n", "a new random stream", General(new_random)},
+    FunctionInfo{"select", 3, 4, "v, a, b[, c]", "a if v < 0, else b; with c: b if v = 0, else c",
+                 General(select)},
+    FunctionInfo{"sin", 1, 1, "x", "sine of radians", Unary([](double x) { return std::sin(x); })},
+    FunctionInfo{"sinh", 1, 1, "x", "hyperbolic sine",
+                 Unary([](double x) { return std::sinh(x); })},
+    FunctionInfo{"sqrt", 1, 1, "x", "square root", General(square_root)},
+    FunctionInfo{"str", 3, 3, "x, width, digits", "a number as text", General(number_text)},
+    FunctionInfo{"strcmp", 2, 2, "a, b",
+                 "below, equal to, above 0: a comes before, is, comes after b", General(compare)},
+    FunctionInfo{"strlen", 1, 1, "text", "number of characters", General(character_number)},
+    FunctionInfo{"strlwr", 1, 1, "text", "in small letters (ASCII)", General(lower_case)},
+    FunctionInfo{"strupr", 1, 1, "text", "in capitals (ASCII)", General(upper_case)},
+    FunctionInfo{"substr", 3, 3, "text, start, length", "part of a string; start counts from 1",
+                 General(substring)},
+    FunctionInfo{"sum", 4, 4, "i, first, last, e", "sum, in functions only", General(not_yet)},
+    FunctionInfo{"tan", 1, 1, "x", "tangent of radians",
+                 Unary([](double x) { return std::tan(x); })},
+    FunctionInfo{"tanh", 1, 1, "x", "hyperbolic tangent",
+                 Unary([](double x) { return std::tanh(x); })},
+    FunctionInfo{"val", 1, 1, "text", "the number that the text begins with", General(number_in)},
+    FunctionInfo{"vaxis_rotate", 3, 3, "v, axis, degrees", "v turned about an axis",
+                 General(rotated_about)},
+    FunctionInfo{"vcross", 2, 2, "a, b", "cross product", General(cross_product)},
+    FunctionInfo{"vdot", 2, 2, "a, b", "dot product", General(dot_product)},
+    FunctionInfo{"vlength", 1, 1, "v", "length", General(vector_length)},
+    FunctionInfo{"vnormalize", 1, 1, "v", "v with length 1", General(normalised)},
+    FunctionInfo{"vrotate", 2, 2, "v, degrees", "v turned about x, then y, then z",
+                 General(rotated)},
+    FunctionInfo{"vstr", 5, 5, "n, v, separator, width, digits", "n numbers of a vector as text",
+                 General(vector_text)},
+    FunctionInfo{"vturbulence", 4, 4, "lambda, omega, octaves, point", "sum of noises as a vector",
+                 General(vector_turbulence)},
+};
+
+}  // namespace
+
+std::span<const FunctionInfo> functions() { return table; }

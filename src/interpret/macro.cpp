@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/macro.h"
+
+#include "interpret/state.h"
+#include "text/message.h"
+
+namespace {
+
+/// `1 -2` among the arguments: a difference, where a comma was meant.
+bool has_minus_for_comma(const Tree& tree, NodeId call, std::string_view text) {
+    const auto* arguments = tree.get_if<node::Call>(call);
+    for (NodeId id = arguments ? arguments->arguments : no_node; id != no_node;
+         id = tree[id].next) {
+        const auto* sum = tree.get_if<node::Binary>(id);
+        if (!sum || sum->sign != Operator::subtract) continue;
+        const std::string_view right = text.substr(0, tree[sum->right].first);
+        if (right.ends_with(" -") || right.ends_with("\t-")) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+void Evaluator::State::define_macro(const Tree& tree, const node::Macro& node, NodeId id) {
+    const Value* before = scope.find(node.name);
+    if (before && !before->macro()) {
+        broken(Fault::redefinition, tree.span(id),
+               message("`", names.spelling(node.name), "` is declared as ", kind_name(*before),
+                       " and cannot become a macro"));
+        return;
+    }
+    const auto [found, fresh] = macros.try_emplace({tree.source, id});
+    MacroData& macro = found->second;
+    if (fresh) {
+        macro.name = node.name;
+        macro.body = {&tree, node.body};
+        for (NodeId parameter = node.parameters; parameter != no_node;
+             parameter = tree[parameter].next) {
+            const auto& info = tree.get<node::Parameter>(parameter);
+            macro.parameters.push_back({info.name, info.optional});
+            if (!info.optional) macro.least = macro.parameters.size();
+        }
+        macro.defined = heading(tree, id, node.name);
+    }
+    scope.declare(node.name, &macro);
+}
+
+bool Evaluator::State::argument_element(const Tree& tree, const node::Index& index, NodeId id,
+                                        Argument& result) {
+    Indices places;
+    note_use(index.name, tree, id);
+    if (!indices(tree, index.indices, places)) return false;
+    const Value* array = scope.find(index.name);
+    if (array) {
+        std::size_t used = 0;
+        if (!check_array(*array, tree.span(id))) return false;
+        const std::optional<std::size_t> i = place(*array->array(), places, used, tree.span(id));
+        if (!i) return false;
+        const Scope::Reference base = scope.reference(index.name);
+        if (used == places.count && base.element < 0 && array->array()->has(*i)) {
+            result.place = {base.cell, static_cast<std::int64_t>(*i)};
+            return true;
+        }
+    }
+    return by_value(index_value(tree, index, id), result);
+}
+
+/// A lone name or element is passed by reference, anything else by value.
+bool Evaluator::State::argument(const Tree& tree, NodeId id, Argument& result) {
+    if (const auto* name = tree.get_if<node::Name>(id)) {
+        note_use(name->name, tree, id);
+        const Value* found = scope.find(name->name);
+        if (found && !found->absent() && !found->macro()) {
+            result.place = scope.reference(name->name);
+            return true;
+        }
+    } else if (const auto* index = tree.get_if<node::Index>(id)) {
+        return argument_element(tree, *index, id, result);
+    }
+    Numbers numbers;
+    if (compute(tree, id, numbers)) return by_value(numbers, result);
+    return by_value(walk_expression(tree, id), result);
+}
+
+void Evaluator::State::report_arguments(const MacroData& macro, std::size_t count, const Tree& tree,
+                                        NodeId call) {
+    const std::size_t least = macro.least, most = macro.parameters.size();
+    std::string list;
+    for (const MacroData::Parameter& parameter : macro.parameters)
+        list += message(list.empty() ? "" : ", ", parameter.optional ? "optional " : "",
+                        names.spelling(parameter.name));
+    Diagnostic problem = error(Fault::wrong_count, tree.span(call),
+                               message("macro `", names.spelling(macro.name), "` takes ",
+                                       least == most ? message(most) : message(least, " to ", most),
+                                       most == 1 ? " argument" : " arguments", ", but here ",
+                                       count == 1 ? "is " : "are ", count));
+    problem.pointing(macro.defined,
+                     message("defined as ", names.spelling(macro.name), "(", list, ")"));
+    if (count < least && has_minus_for_comma(tree, call, sources.text(tree.source)))
+        problem.with_help("a value and a `-` behind it are one value: a comma keeps them apart");
+    report(problem);
+}
+
+/// What a macro gives as arguments of another: perhaps several.
+bool Evaluator::State::pass_values(const Tree& tree, const node::Call& inner, NodeId id) {
+    bool good = true;
+    const std::size_t depth = arguments.size();
+    call_macro(tree, inner, id, [&](const Element& element) {
+        Argument one;
+        good = by_value(evaluator.value_of(element), one) && good;
+        arguments.push_back(one);
+    });
+    if (arguments.size() > depth || !good) return good;
+    report_count(0, tree.span(id));
+    return false;
+}
+
+bool Evaluator::State::pass_arguments(const Tree& tree, const node::Call& node, NodeId id,
+                                      const MacroData& macro) {
+    const std::size_t base = arguments.size();
+    bool good = true;
+    for (NodeId at = node.arguments; at != no_node && !stopped_; at = tree[at].next) {
+        if (const auto* inner = macro_call(tree, at)) {
+            good = pass_values(tree, *inner, at) && good;
+            continue;
+        }
+        Argument one;
+        good = argument(tree, at, one) && good;
+        arguments.push_back(one);
+    }
+    const std::size_t count = arguments.size() - base;
+    if (good && !stopped_ && (count < macro.least || count > macro.parameters.size())) {
+        report_arguments(macro, count, tree, id);
+        good = false;
+    }
+    if (good && !stopped_) return true;
+    for (; arguments.size() > base; arguments.pop_back())
+        if (arguments.back().by_value && arguments.back().place.cell)
+            scope.give_back(arguments.back().place.cell);
+    return false;
+}
+
+const MacroData* Evaluator::State::called_macro(const Tree& tree, const node::Call& node,
+                                                NodeId id) {
+    note_use(node.name, tree, id);
+    const Value* found = scope.find(node.name);
+    if (!found) {
+        const auto length = static_cast<std::uint32_t>(names.spelling(node.name).size());
+        unknown_name(node.name, {tree.source, tree[id].first, tree[id].first + length});
+        return nullptr;
+    }
+    if (found->is(Absence::uninitialised))
+        broken(Fault::uninitialised, tree.span(id),
+               message("`", names.spelling(node.name), "` has no value"));
+    else if (!found->macro() && !found->broken())
+        report(error(Fault::wrong_type, tree.span(id),
+                     message("`", names.spelling(node.name), "` is ", kind_name(*found),
+                             " and cannot be called"))
+                   .with_help(found->array() ? message("an element of it is written ",
+                                                       names.spelling(node.name), "[0]")
+                                             : ""));
+    return found->macro();
+}
+
+const MacroData* Evaluator::State::enter_macro(const Tree& tree, const node::Call& node,
+                                               NodeId id) {
+    const MacroData* macro = called_macro(tree, node, id);
+    if (!macro || too_many_steps(tree, id)) return nullptr;
+    if (frames.depth() >= limits.call_depth) {
+        if (!stopped_)
+            report(error(Fault::recursion_limit, tree.span(id),
+                         message("macros call each other ", limits.call_depth,
+                                 " deep, which is the limit"))
+                       .with_help("a recursion needs an #if that ends it; --limit-depth raises the "
+                                  "limit"));
+        stopped_ = true;
+        return nullptr;
+    }
+    constexpr std::uint64_t each = 80;
+    work += each;
+    const std::size_t base = arguments.size();
+    if (!pass_arguments(tree, node, id, *macro)) return nullptr;
+    scope.enter();
+    for (std::size_t i = base; i < arguments.size(); ++i) {
+        const Argument& argument = arguments[i];
+        const NameId name = macro->parameters[i - base].name;
+        if (argument.by_value)
+            scope.bind_parameter(name, argument.place.cell);
+        else
+            scope.alias(name, argument.place);
+    }
+    arguments.resize(base);
+    frames.push({Frame::macro, macro->name, no_source, tree.span(id)});
+    return macro;
+}
+
+void Evaluator::State::leave_macro() {
+    frames.pop();
+    scope.leave();
+}
+
+Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, NodeId id,
+                                  const Sink& take) {
+    if (!room(tree, id)) return Flow::stopped;
+    const MacroData* macro = enter_macro(tree, node, id);
+    if (!macro) {
+        if (stopped_) return Flow::stopped;
+        take.value(Absence::broken, tree, id);
+        return stopped_ ? Flow::stopped : Flow::end;
+    }
+    const Flow flow = walk(*macro->body.tree, macro->body.first, take);
+    leave_macro();
+    return flow == Flow::stopped ? Flow::stopped
+                                 : Flow::end;  // a #break outside loops ends the macro
+}

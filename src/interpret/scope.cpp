@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "interpret/scope.h"
+
+#include "interpret/array_data.h"
+
+#include <algorithm>
+
+namespace {
+
+Value element_of(const Scope::Reference& origin) {
+    const ArrayData* array = origin.cell->array();
+    const auto i = static_cast<std::size_t>(origin.element);
+    return array && i < array->size() ? array->at(i) : Value(Absence::uninitialised);
+}
+
+}  // namespace
+
+Value* Scope::edit(NameId name) {
+    Slot& top = slot(name);
+    if (top.kind != Kind::element) return top.cell;
+    const Reference origin = element(name).origin;
+    // Without the copy nothing shares an array that is the element, and it is edited in place.
+    if (top.cell->array()) *top.cell = Absence::uninitialised;
+    Value* inner = origin.cell->array()
+                       ? origin.cell->edit_array().inner(static_cast<std::size_t>(origin.element))
+                       : nullptr;
+    return inner ? inner : top.cell;
+}
+
+Scope::Reference Scope::reference(NameId name) const {
+    if (!find(name)) return {};
+    const Slot& top = slots_[static_cast<std::size_t>(name)];
+    return top.kind == Kind::element ? element(name).origin : Reference{top.cell, -1};
+}
+
+/// Of the newest binding of a name that is one.
+const Scope::Element& Scope::element(NameId name) const {
+    return *std::find_if(elements_.rbegin(), elements_.rend(),
+                         [&](const Element& element) { return element.name == name; });
+}
+
+void Scope::refresh() {
+    for (const Element& element : elements_) *element.copy = element_of(element.origin);
+}
+
+void Scope::make_slots(NameId name) {
+    const auto i = static_cast<std::size_t>(name);
+    slots_.resize(i + i / 2 + 64);
+}
+
+Value* Scope::new_cell(Value value) {
+    Value* const cell = fresh_cell();
+    *cell = std::move(value);
+    return cell;
+}
+
+/// What a bound name stands for becomes something else.
+void Scope::change(NameId name, Value value) {
+    const Slot& top = slot(name);
+    if (top.kind == Kind::element) {
+        const Reference origin = element(name).origin;
+        const auto i = static_cast<std::size_t>(origin.element);
+        if (origin.cell->array() && i < origin.cell->array()->size())
+            origin.cell->edit_array().set(i, std::move(value));
+    } else {
+        *top.cell = std::move(value);
+    }
+    edited();
+}
+
+void Scope::declare(NameId name, Value value) {
+    if (slot(name).cell) return change(name, std::move(value));
+    slot(name) = {new_cell(std::move(value)), 0, Kind::own};
+}
+
+void Scope::declare_local(NameId name, Value value) {
+    const Slot& top = slot(name);
+    if (top.cell && top.frame == frames_.size()) return change(name, std::move(value));
+    bind(name, new_cell(std::move(value)), Kind::own);
+}
+
+void Scope::bind_parameter(NameId name, Value* fresh) { bind(name, fresh, Kind::own); }
+
+void Scope::alias(NameId name, Reference reference) {
+    if (reference.element < 0) {
+        bind(name, reference.cell, Kind::alias);
+        return;
+    }
+    Value* const copy = new_cell(element_of(reference));
+    bind(name, copy, Kind::element);
+    elements_.push_back({name, reference, copy});
+}
+
+/// A binding goes; the one below it is put back by the caller.
+void Scope::drop(NameId name, const Slot& slot) {
+    if (!slot.cell || slot.kind == Kind::alias) return;
+    if (slot.kind == Kind::element)
+        elements_.erase(elements_.begin() + (&element(name) - elements_.data()));
+    give_back(slot.cell);
+}
+
+bool Scope::undefine(NameId name) {
+    Slot& top = slot(name);
+    if (!top.cell) return false;
+    if (top.kind == Kind::element) drop(name, top);
+    // Other cells stay: a parameter may refer to them.
+    if (top.frame == 0) {
+        top = {};
+        return true;
+    }
+    for (std::size_t i = hidden_.size(); i-- > 0;) {
+        if (hidden_[i].name != name) continue;
+        const Slot below = hidden_[i].slot;
+        hidden_.erase(hidden_.begin() + static_cast<std::ptrdiff_t>(i));
+        for (std::size_t& frame : frames_) frame -= frame > i;
+        slots_[static_cast<std::size_t>(name)] = below;
+        break;
+    }
+    return true;
+}
+
+void Scope::leave() {
+    for (const std::size_t first = frames_.back(); hidden_.size() > first; hidden_.pop_back()) {
+        const Hidden& hidden = hidden_.back();
+        Slot& top = slots_[static_cast<std::size_t>(hidden.name)];
+        drop(hidden.name, top);
+        top = hidden.slot;
+    }
+    frames_.pop_back();
+}
+
+std::vector<NameId> Scope::names() const {
+    std::vector<NameId> result;
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+        if (slots_[i].cell) result.push_back(NameId(i));
+    return result;
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the elements of a list go while it is walked: to a callback, or, where one value is wanted,
+// straight into it; or all that is no directive goes to a callback as it is written. Part of the
+// inside of the evaluator.
+#pragma once
+
+#include "interpret/evaluator.h"
+
+#include <optional>
+#include <utility>
+
+/// What a list gives where one value is wanted.
+struct OneValue {
+    /// What makes a value of a block.
+    const ElementHandlers& handlers;
+    Value value = Absence::nothing;     ///< the first, if it is one
+    std::optional<Element> first = {};  ///< the first element, if it is no value
+    std::size_t count = 0;
+    bool broken = false;  ///< one of them has been reported
+
+    void add(Value&& next) {
+        broken = broken || next.broken();
+        if (count++ == 0) value = std::move(next);
+    }
+    void operator()(const Element& element) {
+        if (element.kind == Element::Kind::value) return add(Value(element.value));
+        // Now, while the names of its macro are there.
+        if (element.kind == Element::Kind::block) return add(handlers.value({&element, 1}));
+        if (count++ == 0) first = element;
+    }
+};
+
+class Sink {
+public:
+    Sink(Evaluator::Take take) : take_(take) {}
+    template <class F>
+    requires(!std::is_same_v<std::remove_cvref_t<F>, Sink> &&
+             !std::is_same_v<std::remove_cvref_t<F>, OneValue> &&
+             std::is_invocable_v<F&, const Element&>) Sink(F&& take)
+        : take_(take) {}
+    explicit Sink(OneValue& one) : take_(one), one_(&one) {}
+    /// What is taken as it is written must be used at once, while its names are there.
+    using Written = FunctionRef<void(const Tree&, NodeId)>;
+    explicit Sink(const Written& written) : take_(nowhere), written_(&written) {}
+
+    /// Where nodes go as they are written; null: nowhere.
+    const Written* written() const { return written_; }
+
+    void operator()(const Element& element) const { take_(element); }
+    /// What a node gives.
+    void value(Value&& value, const Tree& tree, NodeId id) const {
+        if (one_) return one_->add(std::move(value));
+        take_(value_element(std::move(value), tree, id));
+    }
+
+    static Element value_element(Value&& value, const Tree& tree, NodeId id) {
+        Element element;
+        element.kind = Element::Kind::value;
+        element.value = std::move(value);
+        element.origin = {&tree, id};
+        element.span = element.word_span = tree.span(id);
+        return element;
+    }
+
+private:
+    static constexpr auto nowhere = [](const Element&) {};
+
+    Evaluator::Take take_;
+    OneValue* one_ = nullptr;
+    const Written* written_ = nullptr;
+};

@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inside of the evaluator: what its parts (expression.cpp, array.cpp, call.cpp, directive.cpp)
+// share. Nobody else includes it.
+#pragma once
+
+#include "interpret/array_data.h"
+#include "interpret/code.h"
+#include "interpret/evaluator.h"
+#include "interpret/file_trees.h"
+#include "interpret/files.h"
+#include "interpret/frames.h"
+#include "interpret/functions.h"
+#include "interpret/indices.h"
+#include "interpret/macro.h"
+#include "interpret/scope.h"
+#include "interpret/sink.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+/// How a list of elements was left.
+enum class Flow {
+    end,     ///< at its end
+    broken,  ///< by #break
+    stopped  ///< nothing more is evaluated
+};
+
+/// A loop that is running.
+struct OpenLoop {
+    const Tree* tree;
+    NodeId first;  ///< of the nodes of its condition or range
+    std::uint64_t passes = 0;
+
+    Span place() const;
+};
+
+/// Which component of numbers a member names (`.x`), grey_component, or -1 for none.
+int component_of(std::string_view member);
+inline constexpr int grey_component = 5;
+inline constexpr auto grey_weights = std::array{0.297, 0.589, 0.114};
+
+struct Evaluator::State {
+    State(Evaluator&, SourceStore&, const Loader&, Names&, Diagnostics&, const RunFacts&);
+
+    // ---- evaluator.cpp
+    void add_functions(std::span<const FunctionInfo>);
+    void run(SourceId main);
+    /// The same, with a message when memory runs out.
+    void run_within_memory(SourceId main);
+    /// Whether there is stack left to go deeper; reports when not.
+    bool room(const Tree& tree, NodeId id) {
+        const char here = 0;
+        return !stack_end || &here > stack_end || no_room(tree, id);
+    }
+    bool no_room(const Tree&, NodeId);
+    /// Stops the evaluation, too, when no further errors are told.
+    void report(Diagnostic diagnostic) {
+        diagnostics.add(std::move(diagnostic));
+        if (diagnostics.full()) stopped_ = true;
+    }
+    /// What is wrong in the library is told of where the scene calls it.
+    void point_at_scene(Diagnostic&) const;
+    Span outside_library(Span) const;
+    std::string data_folder(Span) const;
+    Value broken(Fault, Span, std::string message);
+    bool stopped() const { return stopped_; }
+    Value unknown_name(NameId, Span);
+    std::pair<const Tree*, NodeId> own_declaration(NameId, Span use) const;
+    /// From the word of a declaration, which may be long, to the name that it declares.
+    Span heading(const Tree&, NodeId declaration, NameId) const;
+    /// To be called where a name is used: warns of deprecated ones.
+    void note_use(NameId name, const Tree& tree, NodeId id) {
+        if (!deprecated.empty()) warn_deprecated(name, tree.span(id));
+    }
+    void warn_deprecated(NameId, Span);
+    /// The one value of some elements, for a place where a value is wanted.
+    Value one_value(std::span<const Element>, Span);
+    Value one_value(OneValue&&, Span);
+    /// Where one value is wanted and a macro gives none or several.
+    Value report_count(std::size_t, Span);
+    /// A block element as it is handed to the handlers.
+    Element block_element(const Tree&, NodeId);
+
+    // ---- compute.cpp: the fast way for numbers
+    struct Compiler;  ///< compile.cpp
+    /// The numbers of an expression, when it can be computed without saying anything. False:
+    /// nothing has happened, and walk_expression() must do it.
+    bool compute(const Tree&, NodeId, Numbers&);
+    std::optional<double> compute_scalar(const Tree&, NodeId);
+    Code* compile(const Tree&, NodeId);
+    bool load(Code&) const;
+    bool run(Code&, Numbers& result);
+
+    // ---- expression.cpp
+    Value evaluate(const Tree&, NodeId);
+    /// The same without an attempt to compute() it.
+    Value walk_expression(const Tree&, NodeId);
+    Value name_value(NameId, Span);
+    Value index_value(const Tree&, const node::Index&, NodeId);
+    /// A number, or nothing when that has been reported. `what` and the word begin the message:
+    /// "the argument of `sin`".
+    std::optional<double> number(const Tree&, NodeId, std::string_view what, NameId word = no_name);
+    /// The number of an expression that most often is one; nothing: it has this other value, of
+    /// which number_in() makes a number or says that it is none.
+    std::optional<double> number_or(const Tree&, NodeId, Value& other);
+    std::optional<double> number_in(const Value&, const Tree&, NodeId, std::string_view what,
+                                    NameId word = no_name);
+    Value unary(const Tree&, const node::Unary&, NodeId);
+    Value with_sign(Operator, Value, Span);
+    Value binary(const Tree&, const node::Binary&, NodeId);
+    Value combine(Operator, Value left, Value right, Span right_span, Span whole);
+    // ---- chain.cpp
+    /// An operand as it is written, and what is in front of it. The sign of the first is add.
+    struct Operand {
+        Operator sign;
+        bool negative;
+        const Tree& tree;
+        NodeId id;
+        Span span;  ///< where it stands in the expression: the call, if it is of a macro
+    };
+    class OperandWalk;
+    /// The operands of an expression in their order, with those of the macros and directives among
+    /// them, as if their text stood there; false when there is something else, which has been
+    /// reported.
+    bool walk_operands(const Tree&, NodeId, FunctionRef<void(const Operand&)> take);
+    /// The value of an expression that is walked so.
+    Value open_expression(const Tree&, NodeId);
+    /// The call of a macro; null for other nodes.
+    const node::Call* macro_call(const Tree&, NodeId) const;
+    Value choice(const Tree&, const node::Choice&);
+    /// Draws the random numbers that an expression would have drawn.
+    void draw(const Tree&, NodeId);
+    /// The calls of rand() in an expression, in their order; those in macros are not seen.
+    std::vector<NodeId> random_calls(const Tree&, NodeId) const;
+    Value group(const Tree&, NodeId content, Span);
+    Value vector(const Tree&, const node::Vector&, NodeId);
+    Value vector_of(const std::vector<double>&, Span);
+    bool components(const Tree&, NodeId first, std::vector<double>&);
+    Value member(const Tree&, const node::Member&, NodeId);
+    Value constant(NameId);
+    Value prefixed(const Tree&, const node::Prefixed&, NodeId);
+    Value colour(const Tree&, const node::Colour&, NodeId);
+    bool set_channel(const Tree&, const node::Channel&, Numbers&);
+    Value truth(const Value&, const Value&, Operator, Span);
+
+    // ---- array.cpp
+    Value array(const Tree&, const node::Array&, NodeId);
+    bool fill(ArrayData&, std::size_t dimension, std::size_t& next, Body, Span);
+    bool fill_one(ArrayData&, std::size_t at, Value value, Span);
+    /// Computed before the array is looked up: an index may call a macro that changes the array.
+    bool indices(const Tree&, NodeId first, Indices& result);
+    /// The element that indices lead to, through arrays of arrays: uninitialised when it is not
+    /// set, broken when that has been reported.
+    Value element(const Value& array, Indices&, Span);
+    /// An element for writing.
+    struct Place {
+        ArrayData* array = nullptr;  ///< null when reported
+        std::size_t element = 0;
+    };
+    Place edit_element(Value& array, Indices&, Span);
+    /// The place of an element in its array, or nothing when reported; `used` moves past the
+    /// indices that it took.
+    std::optional<std::size_t> place(const ArrayData&, Indices&, std::size_t& used, Span);
+    /// One index of a dimension of that size; nothing when reported.
+    std::optional<int> index_in(const ArrayData&, std::size_t dimension, Indices&,
+                                std::size_t used);
+    void report_unknown_name(const IndexNames*, const std::string& name, Span);
+    bool check_array(const Value&, Span);
+
+    // ---- call.cpp
+    Value call(const Tree&, const node::Call&, NodeId);
+    Value call_function(const Tree&, const node::Call&, NodeId);
+    void receive(const Tree&, NodeId first, int count, const Value&);
+    bool defined(const Tree&, NodeId target);
+    void walk_arguments(const Tree&, NodeId first, FunctionRef<void(Value, Span)> take);
+
+    /// Whether the name, where it is called, is a function or a spline and not a macro.
+    bool is_function(NameId) const;
+    /// A call of a function or a spline; `name` is for messages.
+    Value call_value(const Tree&, const Value& called, NameId name, NodeId first, Span);
+
+    // ---- user_function.cpp
+    struct FunctionCompiler;
+    Value function(const Tree&, const node::Function&, NodeId);
+    std::optional<std::vector<NameId>> parameters(const Tree&, const node::Function&, NodeId);
+    bool take_size(const Tree&, const node::Function&, Formula&);
+    Handle<Formula> written_function(const Tree&, const node::Function&, NodeId);
+    Handle<Formula> named_function(const Tree&, const node::Function&, NodeId);
+    Handle<Formula> block_function(const Tree&, NodeId body, NodeId);
+    bool check_count(NameId function, std::size_t count, const Formula&, Span);
+    Value call_formula(const Tree&, Handle<Formula>, NameId, NodeId first, Span);
+    Value call_spline(const Tree&, Handle<Spline>, NameId, NodeId first, Span);
+
+    // ---- texts.cpp
+    /// Whether it is a call that append_text() can build.
+    bool builds_text(const Tree& tree, NodeId id) const {
+        const auto* call = tree.get_if<node::Call>(id);
+        return call && (call->name == concat || call->name == str) &&
+               has_plain_arguments(tree, *call);
+    }
+    bool has_plain_arguments(const Tree&, const node::Call&) const;
+    /// The text of an argument of the function is appended; false when reported.
+    bool append_text(const Tree&, NodeId, std::string& text, NameId function);
+    bool append_texts(const Tree&, NodeId first, std::string& text, NameId function);
+    bool append_number(const Tree&, NodeId first, std::string& text);
+    /// One number, an argument of a function.
+    std::optional<double> number_argument(const Tree&, NodeId, NameId function);
+
+    // ---- macro.cpp
+    void define_macro(const Tree&, const node::Macro&, NodeId);
+    /// Opens a call: its parameters have their values until leave_macro(). Null, and nothing to
+    /// leave, when reported.
+    const MacroData* enter_macro(const Tree&, const node::Call&, NodeId);
+    void leave_macro();
+    /// Runs a macro; its elements go to `take`.
+    Flow call_macro(const Tree&, const node::Call&, NodeId, const Sink& take);
+    /// The macro that is called, or null when it has been reported that there is none.
+    const MacroData* called_macro(const Tree&, const node::Call&, NodeId);
+    struct Argument {
+        Scope::Reference place;
+        bool by_value = false;  ///< the cell is a fresh one
+    };
+    /// Makes it a value in a cell of its own; false when that is broken.
+    template <class Given>
+    bool by_value(Given&& value, Argument& result) {
+        result.by_value = true;
+        result.place.cell = scope.fresh_cell();
+        *result.place.cell = std::forward<Given>(value);
+        return !result.place.cell->broken();
+    }
+    bool pass_values(const Tree&, const node::Call& inner, NodeId);
+    /// Computes the arguments and puts them at the end of `arguments`; false when reported.
+    bool pass_arguments(const Tree&, const node::Call&, NodeId, const MacroData&);
+    void report_arguments(const MacroData&, std::size_t count, const Tree&, NodeId call);
+    bool argument(const Tree&, NodeId, Argument&);
+    bool argument_element(const Tree&, const node::Index&, NodeId, Argument&);
+
+    // ---- walk.cpp, directive.cpp, declare.cpp
+    Flow walk(const Tree&, NodeId first, const Sink& take);
+    /// A list that #break cannot leave: a file, the content of a block.
+    void walk_whole(const Tree&, NodeId first, const Sink& take);
+    /// One node of a list: gives the next one to go on with.
+    Flow walk_one(const Tree&, NodeId, const Sink& take);
+    static bool is_directive(const Tree&, NodeId);
+    Flow directive(const Tree&, NodeId, const Sink& take);
+    // ---- spending.cpp: work that no loop shows
+    /// Counts work, in the unit of the limit; reports, and stops, when it is too much.
+    bool spend(std::uint64_t amount, Span place) {
+        work += amount;
+        return work <= limits.work || overspent(place);
+    }
+    bool overspent(Span);
+    /// Counts a file that is included or opened; false when it is one too many.
+    bool count_file(Span);
+    /// Counts what is said; false when it is too much.
+    bool count_said(std::size_t bytes, Span);
+    /// Whether a string may be so long; reports, and stops, when not. Counts the work of making it.
+    bool may_be_long(std::size_t bytes, Span);
+    /// The same for a function.
+    bool may_be_costly(const Formula&, Span);
+    /// Whether an object may have so many parts.
+    bool may_have_parts(std::uint64_t parts, Span);
+    void exceeded(Span, std::string message, std::string help);
+    /// Counts one more step; reports when it is one too many.
+    bool too_many_steps(const Tree&, NodeId);
+    /// The open loop that has run the most passes, and the innermost of several; null: none.
+    const OpenLoop* busiest_loop() const;
+    /// Shows the busiest loop with a problem that it is perhaps the reason for.
+    Diagnostic& point_at_loop(Diagnostic&) const;
+    /// Counts one more object; reports when it is one too many.
+    void count_object(Span);
+    void count_placed(std::uint64_t parts, Span);
+    std::optional<std::array<double, 3>> for_range(const Tree&, const node::For&, NodeId);
+    std::optional<double> counter(NameId, Span);
+    Flow branch(const Tree&, const node::If&, const Sink& take);
+    /// The branch whose condition holds, or null.
+    const node::Branch* taken_branch(const Tree&, const node::If&);
+    Flow loop_while(const Tree&, const node::While&, const Sink& take);
+    Flow loop_for(const Tree&, const node::For&, NodeId, const Sink& take);
+    Flow choose(const Tree&, const node::Switch&, const Sink& take);
+    bool condition(const Tree&, NodeId);
+    void declare(const Tree&, const node::Declare&, NodeId);
+    void declare_deprecated(const Tree&, const node::Deprecated&, NodeId);
+    void declare_tuple(const Tree&, const node::Declare&, NodeId);
+    void check_semicolon(const Tree& tree, const node::Declare& node) {
+        if (!node.semicolon) report_semicolon(tree, node);
+    }
+    void report_semicolon(const Tree&, const node::Declare&);
+    void declare_numbers(const Tree&, const node::Declare&, const Numbers&);
+    void assign(const Tree&, NodeId target, Value&& value, bool local);
+    void assign_element(const Tree&, const node::Index&, NodeId target, Value&& value);
+    /// A string built by concat() for a name, in place where that is possible. False: it is
+    /// something else, and nothing has happened.
+    bool declare_text(const Tree&, const node::Declare&);
+    Value right_side(const Tree&, NodeId);
+    void undefine(const Tree&, NodeId target);
+    Flow include(const Tree&, const node::Include&, NodeId, const Sink& take);
+    const Tree* load(const std::string& name, Span);
+    void speak(const Tree&, const node::Message&, NodeId);
+    void set_version(const Tree&, const node::Version&, NodeId);
+
+    // ---- files.cpp
+    void open_file(const Tree&, const node::Open&, NodeId);
+    void open_for_reading(DataFile&, Span);
+    void open_for_writing(DataFile&, bool append, Span);
+    std::unique_ptr<DataWriter> writer_for(const std::string& path, bool append);
+    /// The file behind a name; null when there is none, which has been reported.
+    Handle<DataFile> open_file_named(const Tree&, NodeId);
+    Handle<DataFile> open_file_named(NameId, Span);
+    void close_file(const Tree&, const node::Close&, NodeId);
+    void check_written(const std::shared_ptr<DataWriter>&, Span);
+    /// At the end: those that were not closed by the scene.
+    void check_written_files();
+    void read_values(const Tree&, const node::Read&, NodeId);
+    bool read_into(const Tree&, NodeId target, DataReader&);
+    void warn_of_line_end(const DataFile&, Span target, Span before);
+    void write_values(const Tree&, const node::Write&, NodeId);
+    void write_value(DataWriter&, const Value&, const std::optional<BinaryForm>&, Span);
+
+    // ---- walk.cpp
+    /// Hands the element of a value node to `take`, with channels that follow it (`Red filter .5`);
+    /// gives the next node.
+    NodeId take_value(const Tree&, NodeId, const Sink& take);
+    Flow take_vector(const Tree&, NodeId, const Sink& take);
+    NodeId take_power(const Tree&, NodeId, const Sink& take);
+
+    Evaluator& evaluator;
+    SourceStore& sources;
+    Loader loader;  ///< knows what this run has written
+    Names& names;
+    Diagnostics& diagnostics;
+    RunFacts facts;
+    ElementHandlers handlers;
+    Limits limits;
+    Scope scope;
+    Frames frames;
+    FunctionWorld world;
+    std::vector<const FunctionInfo*> functions;  ///< by name; null: none
+    const NameId concat = names.find("concat");
+    const NameId str = names.find("str");
+    FileTrees files{sources, loader, names, diagnostics};
+    CodeTable codes;
+    std::map<std::pair<SourceId, NodeId>, MacroData> macros;  ///< by where they are defined
+    struct Deprecation {
+        std::string text;
+        bool once = false;
+        std::set<std::pair<SourceId, std::uint32_t>> places;  ///< where it has been reported
+    };
+    std::map<NameId, Deprecation> deprecated;
+    std::vector<Argument> arguments;  ///< of the calls that are being made
+    std::size_t include_depth = 0;
+    /// The innermost last. When evaluation ends early they are left here: a report names one.
+    std::vector<OpenLoop> loops;
+    double working_gamma = 1;  ///< of colours, as assumed_gamma says
+    std::uint64_t steps = 0;
+    std::uint64_t objects = 0;
+    std::uint64_t placed = 0;                ///< objects in the scene with all their parts
+    std::vector<WrittenFile> written_files;  ///< that are still to be checked
+    std::set<std::string> crossed_lines;     ///< files of which a #read went on in the next line
+    std::uint64_t written_bytes = 0, said_bytes = 0, opened_files = 0;
+    std::uint64_t work = 0;
+    double version = 3.7;
+    bool version_given = false;
+    bool semicolons_reported = false;  ///< what a missing one means
+    std::shared_ptr<SceneNoise> noise = std::make_shared<SceneNoise>();
+    Span last_break;
+    Body reported;  ///< the last word that a report spoke of
+    bool stopped_ = false;
+    const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
+};

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strings that are built from parts: concat() and str() write into one text, without a value for
+// each part.
+#include "interpret/state.h"
+#include "interpret/string_functions.h"
+#include "text/message.h"
+
+namespace {
+
+/// How what is no string becomes one.
+std::string as_text(const Value& value) {
+    const Numbers* numbers = value.numbers();
+    if (!numbers) return {};
+    return numbers->is_scalar()
+               ? "str(x, 0, 2) is the number x as a string"
+               : message("vstr(", numbers->count, ", v, \", \", 0, 2) is the vector v as a string");
+}
+
+}  // namespace
+
+/// Whether concat() or str() is called with as many arguments as it needs, and no directives.
+bool Evaluator::State::has_plain_arguments(const Tree& tree, const node::Call& call) const {
+    int count = 0;
+    for (NodeId at = call.arguments; at != no_node; at = tree[at].next, ++count)
+        if (is_directive(tree, at) || macro_call(tree, at)) return false;
+    return call.name == concat ? count > 0 : count == 3;
+}
+
+bool Evaluator::State::append_texts(const Tree& tree, NodeId first, std::string& text,
+                                    NameId function) {
+    bool good = true;
+    for (NodeId id = first; id != no_node && !stopped_; id = tree[id].next)
+        good = append_text(tree, id, text, function) && good;
+    return good;
+}
+
+bool Evaluator::State::append_text(const Tree& tree, NodeId id, std::string& text,
+                                   NameId function) {
+    if (builds_text(tree, id)) {
+        if (!room(tree, id)) return false;
+        const auto& call = tree.get<node::Call>(id);
+        return call.name == concat ? append_texts(tree, call.arguments, text, concat)
+                                   : append_number(tree, call.arguments, text);
+    }
+    if (const auto* literal = tree.get_if<node::Text>(id)) {
+        text += tree.texts[literal->text];
+        return may_be_long(text.size(), tree.span(id));
+    }
+    const Value value = evaluate(tree, id);
+    if (value.text()) {
+        if (!may_be_long(text.size() + value.text()->size(), tree.span(id))) return false;
+        text += *value.text();
+    } else if (!value.broken()) {
+        report(error(Fault::wrong_type, tree.span(id),
+                     message("`", names.spelling(function), "` takes a string here, but this is ",
+                             kind_name(value)))
+                   .with_help(as_text(value)));
+    }
+    return value.text() != nullptr;
+}
+
+std::optional<double> Evaluator::State::number_argument(const Tree& tree, NodeId id,
+                                                        NameId function) {
+    Numbers numbers;
+    const bool computed = compute(tree, id, numbers);
+    if (computed && numbers.is_scalar()) return numbers.at[0];
+    const Value value = computed ? Value(numbers) : walk_expression(tree, id);
+    const Numbers* found = value.numbers();
+    if (found && found->is_scalar()) return found->at[0];
+    if (!value.broken())
+        broken(Fault::wrong_type, tree.span(id),
+               message("`", names.spelling(function), "` takes a number here, but this is ",
+                       kind_name(value)));
+    return std::nullopt;
+}
+
+/// str(number, width, digits).
+bool Evaluator::State::append_number(const Tree& tree, NodeId first, std::string& text) {
+    std::array<double, 3> values{};
+    bool good = true;
+    NodeId id = first;
+    for (double& value : values) {
+        const std::optional<double> found = number_argument(tree, id, str);
+        good = good && found;
+        value = found.value_or(0);
+        id = tree[id].next;
+    }
+    const std::size_t before = text.size();
+    if (good) append_formatted(text, values[0], values[1], values[2]);
+    constexpr std::uint64_t formatting = 30;
+    return good && spend(formatting + text.size() - before, tree.span(first));
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `function (a, b) { ... }` to a Formula, and its calls in expressions.
+#include "base/transform.h"
+#include "formula/internal.h"
+#include "interpret/function_compiler.h"
+#include "interpret/splines.h"
+#include "text/message.h"
+
+#include <algorithm>
+#include <cmath>
+
+/// `(a, b)`; without that x, y, z, the first two of which are also u and v.
+std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree,
+                                                                const node::Function& node,
+                                                                NodeId id) {
+    const auto* one = tree.get_if<node::Group>(node.parameters);
+    const auto* several = tree.get_if<node::Tuple>(node.parameters);
+    if (!one && !several) {
+        broken(Fault::wrong_count, tree.span(id),
+               "before its body, a function has its parameters in ( ), or the width and height of "
+               "a picture");
+        return std::nullopt;
+    }
+    std::vector<NameId> result;
+    bool good = true;
+    const auto refuse = [&](Fault fault, NodeId place, const std::string& text) {
+        broken(fault, tree.span(place), text);
+        good = false;
+    };
+    constexpr std::string_view usable = "xyzuv";
+    for (NodeId at = one ? one->content : several->content; at != no_node; at = tree[at].next) {
+        const auto* name = tree.get_if<node::Name>(at);
+        const auto* word = tree.get_if<node::Constant>(at);
+        const NameId parameter = name ? name->name : word ? word->word : no_name;
+        const std::string_view spelling =
+            parameter == no_name ? std::string_view() : names.spelling(parameter);
+        const bool letter =
+            word && spelling.size() == 1 && usable.find(spelling[0]) != std::string_view::npos;
+        if (!name && !letter)
+            refuse(Fault::wrong_type, at, "a parameter is a name");
+        else if (name && scope.find(parameter))
+            refuse(Fault::redefinition, at,
+                   message("`", spelling,
+                           "` is declared already; a parameter needs a name of its own"));
+        else if (std::find(result.begin(), result.end(), parameter) != result.end())
+            refuse(Fault::duplicate, at, message("there are two parameters `", spelling, "`"));
+        result.push_back(parameter);
+    }
+    constexpr std::size_t most = 56;
+    if (result.empty() || result.size() > most)
+        refuse(Fault::wrong_count, node.parameters,
+               message("a function has 1 to ", most, " parameters, but here are ", result.size()));
+    return good ? std::optional(result) : std::nullopt;
+}
+
+namespace {
+
+/// `function 256, 256 { ... }`.
+bool stands_for_picture(const Tree& tree, const node::Function& node) {
+    return node.parameters != no_node && !tree.get_if<node::Group>(node.parameters) &&
+           !tree.get_if<node::Tuple>(node.parameters) && tree[node.parameters].next != no_node;
+}
+
+/// f_noise3d of the scene's generator.
+Handle<Formula> noise_formula(std::shared_ptr<const SceneNoise> scene) {
+    return make_handle<Formula>(3, 1, [scene](const double* arguments, double* results) {
+        const Vec3 point(arguments[0], arguments[1], arguments[2]);
+        results[0] = noise(point, scene->generator());
+        return true;
+    });
+}
+
+}  // namespace
+
+/// Tells the function the size of the picture that it stands for; false after a report.
+bool Evaluator::State::take_size(const Tree& tree, const node::Function& node, Formula& formula) {
+    constexpr double most = 16384;
+    const NodeId second = tree[node.parameters].next;
+    const auto width = number(tree, node.parameters, "the width of a picture");
+    const auto height = number(tree, second, "the height of a picture");
+    if (!width || !height) return false;
+    if (*width >= 1 && *height >= 1 && *width <= most && *height <= most &&
+        tree[second].next == no_node) {
+        formula.stand_for(static_cast<int>(*width), static_cast<int>(*height));
+        return true;
+    }
+    broken(Fault::out_of_range, tree.span(node.parameters),
+           message("a picture made by a function has a width and a height from 1 to ", most));
+    return false;
+}
+
+/// A body that is no expression, but names something: null when it is none or has been reported.
+Handle<Formula> Evaluator::State::named_function(const Tree& tree, const node::Function& node,
+                                                 NodeId id) {
+    const auto* word = tree.get_if<node::Word>(node.body);
+    if (word && names.spelling(word->word) == "internal") {
+        const NodeId argument = tree[node.body].next;
+        const std::optional<double> number =
+            argument == no_node
+                ? std::nullopt
+                : this->number(tree, argument, "the number of an internal function");
+        if (!number) return nullptr;
+        if (*number == noise_function) return noise_formula(noise);
+        const InternalFunction* found = internal_function(static_cast<int>(*number));
+        if (found && found->number == *number)
+            return make_handle<Formula>(
+                static_cast<std::size_t>(found->parameters), 1,
+                [code = found->code](const double* arguments, double* results) {
+                    results[0] = code(arguments);
+                    return true;
+                });
+        broken(Fault::out_of_range, tree.span(argument),
+               message("there is no internal function ", *number));
+        return nullptr;
+    }
+    if (node.parameters != no_node && !stands_for_picture(tree, node)) {
+        broken(Fault::misplaced, tree.span(node.parameters),
+               "a function of this kind has the parameters that it has; leave these out");
+        return nullptr;
+    }
+    return block_function(tree, node.body, id);
+}
+
+/// `function { transform { ... } }` and its like.
+Handle<Formula> Evaluator::State::block_function(const Tree& tree, NodeId body, NodeId id) {
+    const auto* block = tree.get_if<node::Block>(body);
+    const std::string_view word = block ? names.spelling(block->word) : std::string_view();
+    if (word != "transform" && word != "spline" && word != "pigment" && word != "pattern") {
+        broken(
+            Fault::wrong_type, tree.span(block ? body : id),
+            "a function is an expression, or one of transform, spline, pattern, pigment, internal");
+        return nullptr;
+    }
+    const Element element = block_element(tree, body);
+    if (word == "pattern" || word == "pigment") return handlers.function(element);
+    const Value value = handlers.value({&element, 1});
+    if (const auto spline = value.handle<Spline>()) return spline_formula(spline);
+    const auto transform = value.handle<Transform>();
+    if (!transform) return nullptr;
+    return make_handle<Formula>(3, 3, [transform](const double* in, double* out) {
+        const Vec3 moved = transform->point(Vec3(in[0], in[1], in[2]));
+        for (int i = 0; i < 3; ++i) out[i] = moved[i];
+        return true;
+    });
+}
+
+Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node::Function& node,
+                                                   NodeId id) {
+    constexpr std::uint64_t compiling = 1'000;
+    if (!spend(compiling, tree.span(id))) return nullptr;
+    FunctionCompiler compiler(*this);
+    if (node.parameters != no_node && !stands_for_picture(tree, node)) {
+        const auto given = parameters(tree, node, id);
+        if (!given) return nullptr;
+        for (const NameId name : *given) compiler.add_parameter(name);
+    } else {
+        for (const std::string_view name : {"x", "y", "z"})
+            compiler.add_parameter(names.find(name));
+        compiler.locals.push_back({names.find("u"), compiler.locals[0].second});
+        compiler.locals.push_back({names.find("v"), compiler.locals[1].second});
+    }
+    const auto result = compiler.body(tree, node.body, tree.span(id));
+    if (!result) return nullptr;
+    if (!compiler.builder.fits()) {
+        broken(Fault::out_of_range, tree.span(id), "this function is too long");
+        return nullptr;
+    }
+    Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
+    if (!may_be_costly(*made, tree.span(id))) return nullptr;
+    if (made->depth() <= Formula::most_depth) return made;
+    report(error(Fault::recursion_limit, tree.span(id),
+                 message("functions call each other more than ", Formula::most_depth,
+                         " deep, which is the limit"))
+               .with_help("it cannot be raised: write some of them out, or compute a part "
+                          "beforehand"));
+    return nullptr;
+}
+
+Value Evaluator::State::function(const Tree& tree, const node::Function& node, NodeId id) {
+    const bool named = tree.get_if<node::Word>(node.body) || tree.get_if<node::Block>(node.body);
+    Handle<Formula> made =
+        named ? named_function(tree, node, id) : written_function(tree, node, id);
+    if (made && stands_for_picture(tree, node) && !take_size(tree, node, made.edit()))
+        return Absence::broken;
+    return made ? Value(std::move(made)) : Value(Absence::broken);
+}
+
+bool Evaluator::State::check_count(NameId function, std::size_t count, const Formula& formula,
+                                   Span span) {
+    if (count == formula.parameters()) return true;
+    broken(Fault::wrong_count, span,
+           message("function `", names.spelling(function), "` takes ", formula.parameters(),
+                   formula.parameters() == 1 ? " argument" : " arguments", ", but here ",
+                   count == 1 ? "is " : "are ", count));
+    return false;
+}
+
+Value Evaluator::State::call_formula(const Tree& tree, Handle<Formula> formula, NameId name,
+                                     NodeId first, Span span) {
+    std::vector<double> values;
+    bool good = true;
+    walk_arguments(tree, first, [&](const Value& value, Span place) {
+        const Numbers* numbers = value.numbers();
+        const bool scalar = numbers && numbers->is_scalar();
+        if (!scalar && !value.broken())
+            broken(Fault::wrong_type, place,
+                   message("`", names.spelling(name), "` takes numbers, but this is ",
+                           kind_name(value)));
+        good = good && scalar;
+        values.push_back(scalar ? numbers->at[0] : 0);
+    });
+    if (!good || stopped_ || !check_count(name, values.size(), *formula, span))
+        return Absence::broken;
+    Numbers result;
+    result.count = static_cast<int>(formula->results());
+    std::uint32_t passes = 0;
+    const bool good_call = formula->run(values.data(), result.at.data(), passes);
+    if (!spend(formula->cost() + cost_of_pass * passes, span)) return Absence::broken;
+    if (good_call) return result;
+    return broken(
+        Fault::loop_limit, span,
+        message("`", names.spelling(name), "` gives no value here: a sum in it does not end"));
+}
+
+/// S(t) or S(t, natural_spline).
+Value Evaluator::State::call_spline(const Tree& tree, Handle<Spline> spline, NameId name,
+                                    NodeId first, Span span) {
+    Spline::Kind kind = spline->kind();
+    const NodeId second = first == no_node ? no_node : tree[first].next;
+    const auto* word = tree.get_if<node::Word>(second);
+    const auto other = word ? spline_kind(names.spelling(word->word)) : std::nullopt;
+    if (first == no_node || (second != no_node && (!other || tree[second].next != no_node))) {
+        report(error(Fault::wrong_count, span,
+                     message("spline `", names.spelling(name), "` takes one number"))
+                   .with_help("a word may follow: linear_spline, quadratic_spline, cubic_spline, "
+                              "natural_spline"));
+        return Absence::broken;
+    }
+    if (other) kind = *other;
+    const std::optional<double> t = number(tree, first, "the argument of", name);
+    if (!t) return Absence::broken;
+    return Numbers{spline->at(*t, kind), static_cast<int>(spline->components())};
+}
+
+bool Evaluator::sample(const Formula& function, Rows rows, Span place,
+                       FunctionRef<void(const FunctionResults&, bool good)> visit) {
+    constexpr std::uint64_t each_pixel = 10;
+    const int width = function.columns(), height = function.rows();
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (!spend(pixels * (function.cost() + each_pixel), place)) return false;
+    for (int row = 0; row < height; ++row) {
+        const double share = row / std::fmax(1, height - 1);
+        const double y = rows == Rows::from_bottom ? share : 1 - share;
+        std::uint64_t passes = 0;  // of the row
+        for (int column = 0; column < width; ++column) {
+            const std::array<double, 3> at = {column / std::fmax(1, width - 1), y, 0};
+            FunctionResults results{};
+            std::uint32_t own = 0;
+            const bool good = function.run(at.data(), results.data(), own);
+            visit(results, good);
+            passes += own;
+        }
+        if (!spend(cost_of_pass * passes, place)) return false;
+    }
+    return true;
+}

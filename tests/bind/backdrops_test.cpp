@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/backdrops.h"
+
+#include "support/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("a sky has pigments, the last one counts of several", "[bind]") {
+    const Script done =
+        run("#version 3.7; #declare S = sky_sphere { pigment { rgb 1 } pigment { bozo } scale 2 } "
+            "sky_sphere { pigment { rgb 0 } } sky_sphere { S emission rgb 3 } sphere { 0, 1 }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.sky);
+    CHECK(done.scene.sky->pigments.size() == 2);
+    CHECK(done.scene.sky->pigments[1].transform.point(Vec3(1)) == Vec3(2));
+    CHECK(done.scene.sky->emission == Vec3(3));
+}
+
+TEST_CASE("fogs add up", "[bind]") {
+    const Script done =
+        run("#version 3.7; fog { distance 5 color rgbt <1, 0, 0, 0.2> } fog { fog_type 2 rgb 1 "
+            "distance "
+            "3 fog_alt 2 fog_offset 1 turbulence 0.5 up z } sphere { 0, 1 }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.fogs.size() == 2);
+    CHECK(done.scene.fogs[0].colour.transmit == 0.2);
+    CHECK(done.scene.fogs[1].turbulence == Vec3(0.5));
+    CHECK(complaint("fog { fog_type 3 }") ==
+          "error out-of-range: `fog_type` of `fog` must be from 1 to 2, but it is 3");
+    CHECK(complaint("fog { up 0 distance 1 }") ==
+          "error degenerate: `up` of `fog` must not be zero");
+    CHECK(complaint("sky_sphere { }") == "error missing: `sky_sphere` needs a pigment");
+}

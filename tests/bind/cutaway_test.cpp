@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/cutaway.h"
+
+#include "support/script.h"
+#include "surface/texture_map.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// The colour of the numbered part of the scene's only object at a point.
+Vec3 colour(const Script& script, std::size_t part, const Vec3& point) {
+    const Handle<Texture> texture = std::get<Union>(script.object(0).form).children[part]->texture;
+    if (!texture) return Vec3(-1);
+    Vec3 sum(0);
+    for_layers(*texture, point, Vec3(0, 1, 0), PatternScene{},
+               [&](double weight, std::span<const Layer> layers) {
+                   sum += weight * layers.front().colour.rgb;
+               });
+    return sum;
+}
+
+const Vec3 red(1, 0, 0), green(0, 1, 0), none(-1);
+
+}  // namespace
+
+TEST_CASE("a difference shows its first part where it is cut", "[bind]") {
+    const Script done =
+        run("#version 3.7; difference { box { -1, 1 pigment { rgb <1, 0, 0> } } sphere { 1, 1 } "
+            "sphere { -1, 1 pigment { rgb <0, 1, 0> } } cutaway_textures }");
+    CHECK(done.said.empty());
+    CHECK(colour(done, 0, Vec3(0)) == red);
+    CHECK(colour(done, 1, Vec3(0)) == red);
+    CHECK(colour(done, 2, Vec3(0)) == green);
+}
+
+TEST_CASE("an intersection shows the mean of its other parts", "[bind]") {
+    const Script done =
+        run("#version 3.7; intersection { box { -1, 1 pigment { rgb <1, 0, 0> } } sphere { 0, 1.2 "
+            "pigment { rgb <0, 1, 0> } } sphere { 0.1, 1 } plane { y, 0 } cutaway_textures }");
+    CHECK(colour(done, 2, Vec3(0)) == Vec3(0.5, 0.5, 0));
+    CHECK(colour(done, 3, Vec3(0)) == Vec3(0.5, 0.5, 0));
+}
+
+TEST_CASE("of a union it is the parts that contain the point", "[bind]") {
+    const Script done =
+        run("#version 3.7; difference { union { box { -1, 0.5 pigment { rgb <1, 0, 0> } } sphere { "
+            "0.5, "
+            "1 pigment { rgb <0, 1, 0> } } translate x } sphere { 0, 9 } cutaway_textures }");
+    CHECK(colour(done, 0, Vec3(0)) == none);
+    CHECK(colour(done, 1, Vec3(0.2, -0.9, -0.9)) == red);
+    CHECK(colour(done, 1, Vec3(2, 1, 1)) == green);
+    CHECK(colour(done, 1, Vec3(1.4, 0.4, 0.4)) == Vec3(0.5, 0.5, 0));
+}
+
+TEST_CASE("cutaway_textures changes nothing where there is a texture for the whole", "[bind]") {
+    const Script whole =
+        run("#version 3.7; difference { box { -1, 1 pigment { rgb <1, 0, 0> } } sphere { 1, 1 } "
+            "cutaway_textures pigment { rgb 1 } }");
+    CHECK(colour(whole, 1, Vec3(0)) == none);
+    const Script first =
+        run("#version 3.7; difference { box { -1, 1 } sphere { 1, 1 pigment { rgb 1 } } "
+            "cutaway_textures }");
+    CHECK(colour(first, 0, Vec3(0)) == none);
+}
+
+TEST_CASE("cutaway_textures belongs to what cuts", "[bind]") {
+    const Script done = run("#version 3.7; union { sphere { 0, 1 } cutaway_textures }");
+    REQUIRE(done.said.size() == 1);
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/lights.h"
+
+#include "support/script.h"
+
+#include <catch2/catch.hpp>
+
+#include <regex>
+
+namespace {
+
+const PointLight& light(const Script& done, std::size_t i = 0) {
+    return std::get<PointLight>(done.scene.lights.at(i).light);
+}
+
+}  // namespace
+
+TEST_CASE("a light source has its place, colour and words", "[bind]") {
+    const Script done =
+        run("#version 3.7; light_source { <1, 2, 3>, rgb <1, 0.5, 0> fade_distance 2 fade_power 1 "
+            "shadowless } light_source { 0 } light_source { x 2 scale 3 }");
+    REQUIRE(done.text.empty());
+    CHECK(light(done).location == Vec3(1, 2, 3));
+    CHECK(light(done).colour == Vec3(1, 0.5, 0));
+    CHECK(light(done).fade_distance == 2);
+    CHECK(light(done).shadowless);
+    CHECK(light(done, 1).colour == Vec3(0));
+    CHECK(light(done, 2).location == Vec3(3, 0, 0));
+    CHECK(done.scene.objects.empty());
+}
+
+TEST_CASE("of shadowless and kinds with shadows the last word holds, as in POV-Ray", "[bind]") {
+    const Script done = run(
+        "#version 3.7; light_source { y, 1 shadowless spotlight } light_source { y, 1 spotlight "
+        "shadowless } #declare L = light_source { y, 1 shadowless } light_source { L cylinder }"
+        "light_source { y, 1 shadowless cylinder shadowless parallel }");
+    REQUIRE(done.scene.lights.size() == 4);
+    CHECK_FALSE(light(done, 0).shadowless);
+    CHECK(done.text.find("`shadowless` has no effect") != std::string::npos);
+    CHECK(light(done, 1).shadowless);
+    CHECK_FALSE(light(done, 2).shadowless);
+    CHECK(light(done, 3).shadowless);
+}
+
+TEST_CASE("declared lights are placed anew", "[bind]") {
+    const Script done =
+        run("#version 3.7; #declare L = light_source { x, 1 } light_source { L translate x } "
+            "object { L translate y } L");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    CHECK(light(done, 0).location == Vec3(2, 0, 0));
+    CHECK(light(done, 1).location == Vec3(1, 1, 0));
+    CHECK(light(done, 2).location == Vec3(1, 0, 0));
+}
+
+TEST_CASE("lights in unions move with them", "[bind]") {
+    const Script done = run(
+        "#version 3.7; #declare Lamp = union { sphere { 0, 1 } light_source { y, 1 } translate x } "
+        "object { Lamp translate x } union { object { Lamp scale 2 } Lamp translate z } object { "
+        "Lamp pigment { rgb 1 } }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.lights.size() == 4);
+    CHECK(light(done, 0).location == Vec3(2, 1, 0));
+    CHECK(light(done, 1).location == Vec3(2, 2, 1));
+    CHECK(light(done, 2).location == Vec3(1, 1, 1));
+    CHECK(light(done, 3).location == Vec3(1, 1, 0));
+    CHECK(done.scene.objects.size() == 3);
+}
+
+TEST_CASE("wrong lights are told of once", "[bind]") {
+    CHECK(complaint("light_source { }") == "error missing: `light_source` needs `location`");
+    CHECK(complaint("light_source { 0, 1 no_shadow }") ==
+          "error misplaced: `no_shadow` has no place in `light_source`");
+    CHECK(complaint("light_source { 0, 1 area_light x, y, 2 }") ==
+          "error missing: the fourth value of `area_light` is missing, a whole number");
+    CHECK(complaint("light_source { 0, 1 spotlight point_at 0 }") ==
+          "error degenerate: `point_at` must not be the light's own location");
+}
+
+TEST_CASE("a light may look like an object, which moves with it", "[bind]") {
+    const Script done =
+        run("#version 3.7; light_source { <1, 2, 3>, 1 area_light x, y, 4, 3 adaptive 1 jitter "
+            "looks_like { sphere { 0, 1 } } translate 5*x }");
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    CHECK(light(done).size2 == 3);
+    CHECK(light(done).location == Vec3(6, 2, 3));
+    REQUIRE(done.scene.objects.size() == 1);
+    CHECK(done.object().transform->point(Vec3(0)) == Vec3(6, 2, 3));
+    CHECK(done.object().no_shadow);
+}
+
+TEST_CASE("a light source may be a declared object with lights in it", "[bind]") {
+    const std::string script =
+        "#version 3.7; #declare U = union { sphere { 0, 1 } light_source { y, 1 } }"
+        "#declare O = object { light_source { z, 1 } } #declare A = array[2] { U, O }"
+        "light_source { U translate x } light_source { O scale 2 } light_source { A[1] }"
+        "union { light_source { A[0] translate -x } sphere { 9, 1 } }"
+        "#declare X = light_source { U pigment { rgb x } no_shadow } object { X }"
+        "#declare S = sphere { 0, 1 } light_source { S }";
+    const Script done = run(script);
+    INFO(done.text);
+    REQUIRE(done.text.empty());
+    REQUIRE(done.scene.lights.size() == 5);
+    CHECK(light(done, 0).location == Vec3(1, 1, 0));
+    CHECK(light(done, 1).location == Vec3(0, 0, 2));
+    CHECK(light(done, 2).location == Vec3(0, 0, 1));
+    CHECK(light(done, 3).location == Vec3(-1, 1, 0));
+    CHECK(light(done, 4).location == Vec3(0, 1, 0));
+    const Script plain =
+        run(std::regex_replace(script, std::regex("light_source \\{ (U|O|S|A)"), "object { $1"));
+    CHECK(plain.text.empty());
+    CHECK(plain.scene.lights.size() == 5);
+    CHECK(done.scene.objects.size() == plain.scene.objects.size());
+    CHECK(complaint("#declare S = sphere { 0, 1 } light_source { S fade_power 2 }") ==
+          "error misplaced: `fade_power` has no place in `light_source`");
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/pictures.h"
+
+#include "support/folder.h"
+#include "support/script.h"
+#include "support/scripts.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
+#include "surface/texture_map.h"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Script with(const std::string& pigment) {
+    return run("#version 3.7; sphere { 0, 1 pigment { " + pigment + " } }");
+}
+
+std::string picture_complaint(const std::string& braces) {
+    return complaint("sphere { 0, 1 pigment { image_map { " + braces + " } } }");
+}
+
+}  // namespace
+
+TEST_CASE("a picture may be a function of x and y, down from the top", "[bind]") {
+    const Script done = with("image_map { function 3, 2 { x/2 + y/4 } map_type 1 once }");
+    REQUIRE(done.text.empty());
+    const auto& image = std::get<ImageMap>(done.texture().pigment.pattern->use.pattern);
+    REQUIRE(image.texels);
+    CHECK(image.map_type == 1);
+    CHECK(image.once);
+    CHECK(image.texels->width == 3);
+    CHECK(image.texels->channels == 1);
+    CHECK(image.texels->values[1] == Approx(0.25).margin(2e-5));
+    CHECK(image.texels->values[3] == Approx(0.25).margin(2e-5));
+    // As POV-Ray keeps them: whole steps, which begin anew beyond the end.
+    const Script far = with("image_map { function 2, 1 { x*1.7 - 0.5 } }");
+    const auto& beyond = std::get<ImageMap>(far.texture().pigment.pattern->use.pattern);
+    CHECK(beyond.texels->values[0] == Approx(32769 / 65535.0));
+    CHECK(beyond.texels->values[1] == Approx(13106 / 65535.0));
+    const Script colours =
+        with("image_map { function 2, 2 { pigment { rgbt <0.3, 1, 0, 0.5> } } }");
+    REQUIRE(colours.text.empty());
+    const Texels& texels =
+        *std::get<ImageMap>(colours.texture().pigment.pattern->use.pattern).texels;
+    CHECK(texels.channels == 3);
+    CHECK(texels.transparent());
+}
+
+TEST_CASE("filter and transmit name all colours or one", "[bind]") {
+    const Script done = with(
+        "image_map { function 2, 2 { x } filter all 0.5 transmit 3, 0.25 filter 0, .1 "
+        "interpolate 2 }");
+    REQUIRE(done.text.empty());
+    const auto& image = std::get<ImageMap>(done.texture().pigment.pattern->use.pattern);
+    REQUIRE(image.adjustments.size() == 3);
+    CHECK(image.adjustments[0].number == -1);
+    CHECK_FALSE(image.adjustments[1].filter);
+    CHECK(image.adjustments[1].number == 3);
+    CHECK(image.adjustments[1].amount == 0.25);
+    CHECK(image.adjustments[2].filter);
+    CHECK(image.adjustments[2].number == 0);
+    CHECK(image.interpolate == 2);
+}
+
+TEST_CASE("what is wrong with a picture is told of", "[bind]") {
+    CHECK(picture_complaint("function 2, 2 { x } transmit -3, 0.5") ==
+          "error out-of-range: `transmit` of a picture needs the number of a colour, counted from "
+          "0, but here is -3");
+    CHECK(picture_complaint("function 2, 2 { x } filter 1e300, 0.5") ==
+          "error out-of-range: `filter` of a picture needs the number of a colour, counted from 0, "
+          "but here is 1e+300");
+    CHECK(picture_complaint("png \"x.png\"") ==
+          "error include-not-found: there is no file `x.png`");
+    CHECK(picture_complaint("gamma srgb") == "error missing: `image_map` needs a picture");
+    CHECK(picture_complaint("function { x }") ==
+          "error wrong-type: the function of a picture says how many pixels it has");
+    CHECK(picture_complaint("function 2, 2 { x } map_type 3") ==
+          "error out-of-range: there is no `map_type` 3");
+    CHECK(picture_complaint("function 2, 2 { x } interpolate 1") ==
+          "error out-of-range: there is no `interpolate` 1");
+    CHECK(picture_complaint("function 2, 2 { x } filter all") ==
+          "error missing: `filter` and `transmit` of a picture need a number");
+    CHECK(complaint("sphere { 0, 1 texture { material_map { function 2, 2 { x } } } }") ==
+          "error missing: `material_map` needs textures");
+    CHECK(complaint("sphere { 0, 1 pigment { rgb 1 } normal { image_map { function 2, 2 { x } } } "
+                    "}") == "error misplaced: `image_map` is for pigments only");
+}
+
+TEST_CASE("a bump_map has its height in the braces or behind them", "[bind]") {
+    const auto size = [](const std::string& normal) {
+        const Script done =
+            run("#version 3.7; sphere { 0, 1 pigment { rgb 1 } normal { " + normal + " } }");
+        REQUIRE(done.text.empty());
+        return done.texture().normal.pattern->settings.bump_size;
+    };
+    CHECK(size("bump_map { function 2, 2 { x } bump_size 3 }") == 3);
+    CHECK(size("bump_map { function 2, 2 { x } } bump_size 4") == 4);
+    CHECK(size("bump_map { function 2, 2 { x } bump_size 3 } bump_size 4") == 4);
+}
+
+TEST_CASE("a material_map has textures by number", "[bind]") {
+    const Script done = run(R"(#version 3.7; sphere { 0, 1 texture { material_map {
+        function 2, 2 { x } texture { pigment { rgb 1 } } texture { pigment { rgb x } } } } })");
+    REQUIRE(done.text.empty());
+    REQUIRE(done.texture().choice);
+    CHECK(done.texture().choice->map.size() == 2);
+    CHECK(std::get<MaterialMap>(done.texture().choice->use.pattern).textures == 2);
+}
+
+TEST_CASE("uv_mapping may stand in textures and in what they consist of", "[bind]") {
+    const Script done = run(R"(#version 3.7;
+        sphere { 0, 1 pigment { uv_mapping checker scale 0.1 } scale 2 }
+        sphere { 0, 1 texture { uv_mapping pigment { checker } normal { bumps } } }
+        box { 0, 1 uv_mapping pigment { checker } rotate 45*y })");
+    REQUIRE(done.text.empty());
+    const Pigment& own = done.texture().pigment;
+    CHECK(own.uv);
+    CHECK(own.transform.point(Vec3(1, 0, 0)).x == Approx(0.1));
+    CHECK(done.texture(1).pigment.uv);
+    CHECK(done.texture(1).normal.uv);
+    CHECK(done.object(2).uv_mapping);
+    CHECK(done.texture(2).pigment.transform == Transform());
+}
+
+TEST_CASE("the ending of a picture's name may be left out", "[bind]") {
+    CHECK(picture_endings("png")[1] == ".PNG");
+    CHECK(picture_endings("")[0] == ".png");
+    CHECK(picture_endings("jpeg").size() == 4);
+    CHECK(picture_endings("sys").empty());
+    const Folder folder;
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/p.tga", folder / "a.TGA");
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/p.ppm", folder / "a.ppm");
+    fs::copy_file(CANDELABRA_SOURCE_DIR "/tests/conformance/pictures/g1.png", folder / "b.png");
+    const auto said = [&](const std::string& picture) {
+        const std::size_t name = picture.find('"') + 1;
+        const std::string text = std::string(picture).insert(name, folder.path().string() + "/");
+        const std::string script = text.starts_with("height_field")
+                                       ? text
+                                       : "sphere { 0, 1 pigment { image_map { " + text + " } } }";
+        return evaluated("#version 3.7; " + script).diagnostics;
+    };
+    for (const std::string good :
+         {"tga \"a\"", "ppm \"a\"", "png \"b\"", "\"b\"", "\"b.png\"", "height_field { tga \"a\" }",
+          "height_field { png \"b\" }", "height_field { \"b\" smooth }"}) {
+        INFO(good);
+        CHECK(said(good).empty());
+    }
+    for (const std::string bad :
+         {"png \"a\"", "\"a\"", "jpeg \"b\"", "sys \"b\"", "tga \"b.png.tga\"", "png \"b.\"",
+          "height_field { png \"a\" }", "height_field { sys \"b\" }"}) {
+        INFO(bad);
+        CHECK(said(bad).find("there is no file") != std::string::npos);
+    }
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/settings.h"
+
+#include "support/script.h"
+
+#include <catch2/catch.hpp>
+
+TEST_CASE("global settings add up", "[bind]") {
+    const Script done =
+        run("#version 3.7; global_settings { max_trace_level 7 ambient_light rgb 0.5 } "
+            "global_settings { adc_bailout 0.1 assumed_gamma 1 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.settings.max_trace_level == 7);
+    CHECK(done.scene.settings.ambient_light == Vec3(0.5));
+    CHECK(done.scene.settings.adc_bailout == 0.1);
+}
+
+TEST_CASE("colours by srgb are in the space of the assumed_gamma before them", "[bind]") {
+    // 0.5 is decoded to 0.21404, and that to the power of 1 / 2.2 is 0.49621.
+    const Script done =
+        run("#version 3.7; global_settings { assumed_gamma 2.2 ambient_light srgb 0.5 }");
+    CHECK(done.scene.settings.ambient_light.x == Approx(0.49621).epsilon(1e-4));
+}
+
+TEST_CASE("each light sampler can be chosen", "[bind]") {
+    for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
+        const std::string name(Kinds<LightSampler>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { light_sampler { " + name + " } }")
+                  .scene.settings.light_sampler.index() == kind);
+        CHECK(run("#version 3.7; global_settings { light_sampler { " + name + " { } } }")
+                  .scene.settings.light_sampler.index() == kind);
+    }
+    for (const char* octree : {"light_octree { paper threshold 0.5 max_depth 3 }",
+                               "light_octree paper threshold 0.5 max_depth 3"}) {
+        const Script done =
+            run(std::string("#version 3.7; global_settings { light_sampler { ") + octree + " } }");
+        INFO(done.text);
+        REQUIRE(done.text.empty());
+        CHECK(std::get<LightOctree>(done.scene.settings.light_sampler).threshold == 0.5);
+        CHECK(std::get<LightOctree>(done.scene.settings.light_sampler).max_depth == 3);
+    }
+}
+
+TEST_CASE("each index can be chosen", "[bind]") {
+    for (std::size_t kind = 0; kind < Kinds<RayIndex>::count; ++kind) {
+        const std::string name(Kinds<RayIndex>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { index { " + name + " } }")
+                  .scene.settings.index.index() == kind);
+    }
+    const Script done =
+        run("#version 3.7; global_settings { index { kd_tree { node_cost 2 } } light_sampler { "
+            "light_bvh } }");
+    REQUIRE(done.text.empty());
+    CHECK(std::get<KdTree>(done.scene.settings.index).node_cost == 2);
+    CHECK(std::holds_alternative<LightBvh>(done.scene.settings.light_sampler));
+}
+
+TEST_CASE("each integrator can be chosen", "[bind]") {
+    for (std::size_t kind = 0; kind < Kinds<IntegratorSettings>::count; ++kind) {
+        const std::string name(Kinds<IntegratorSettings>::infos[kind]->name);
+        CHECK(run("#version 3.7; global_settings { integrator { " + name + " } }")
+                  .scene.settings.integrator.index() == kind);
+    }
+    const Script done =
+        run("#version 3.7; global_settings { integrator { path_traced { bounces 3 } } }");
+    REQUIRE(done.text.empty());
+    CHECK(std::get<PathTraced>(done.scene.settings.integrator).bounces == 3);
+}
+
+TEST_CASE("a background is one colour, the last one", "[bind]") {
+    const Script done =
+        run("#version 3.7; background { rgb 1 } background { color rgb <1, 2, 3> }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.background.colour.rgb == Vec3(1, 2, 3));
+}
+
+TEST_CASE("wrong settings are told of once", "[bind]") {
+    CHECK(complaint("global_settings { charset utf8 } #declare A = \"plain\";") == "nothing");
+    CHECK(complaint("global_settings { charset utf8 } #declare A = \"\xC3\xA9\";") ==
+          "warning no-effect: `charset` has no effect in this version");
+    CHECK(complaint("global_settings { radiosity { count 100 } }") ==
+          "warning no-effect: `radiosity` has no effect in this version");
+    CHECK(complaint("global_settings { subsurface { samples 9, 9 radiosity on } }") ==
+          "warning no-effect: `radiosity` has no effect in this version");
+    CHECK(complaint("global_settings { foo 1 }") ==
+          "error unknown-word: `global_settings` has no word `foo`");
+    CHECK(complaint("global_settings { assumed_gamma 1 } global_settings { assumed_gamma 2 }") ==
+          "warning duplicate: `assumed_gamma` has been given before; the first one counts");
+    CHECK(complaint("global_settings { light_sampler { } }") ==
+          "error missing: `light_sampler` needs the name of a strategy");
+    CHECK(complaint("global_settings { light_sampler { light_otree } }") ==
+          "error unknown-word: `light_sampler` has no word `light_otree`");
+    CHECK(complaint("global_settings { light_sampler { every_light light_bvh } }") ==
+          "error duplicate: `light_sampler` has one strategy, and this is a second");
+    CHECK(complaint("global_settings { light_sampler { light_octree { threshold -1 } } }") ==
+          "error out-of-range: `threshold` of `light_octree` must be above 0, but it is -1");
+    CHECK(complaint("global_settings { index { } }") ==
+          "error missing: `index` needs the name of a structure");
+    CHECK(complaint("global_settings { index { kd_tree bounding_boxes } }") ==
+          "error duplicate: `index` has one structure, and this is a second");
+    CHECK(complaint("background { }") == "error missing: `background` needs `colour`");
+}
+
+TEST_CASE("assumed_gamma may be the curve of sRGB", "[bind]") {
+    const Script done =
+        run("#version 3.7; global_settings { assumed_gamma srgb max_trace_level 7 }");
+    REQUIRE(done.text.empty());
+    CHECK(done.scene.settings.assumed_gamma < 0);
+    CHECK(done.scene.settings.max_trace_level == 7);
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/evaluate.h"
+#include "support/folder.h"
+
+#include <catch2/catch.hpp>
+
+namespace {
+
+/// What is said about a scene that lies, with its files, in the folder.
+std::string spent(const std::string& script, const Limits& limits, const Folder& folder) {
+    const std::string here = folder.path().string();
+    SourceStore sources;
+    Diagnostics diagnostics;
+    Door door({here}, {here});
+    Loader loader(scene_reader(door), here, {}, door);
+    EvaluateOptions options;
+    options.limits = limits;
+    evaluate(sources, loader, sources.add(here + "/main.pov", "#version 3.7; " + script), options,
+             diagnostics);
+    std::string messages;
+    for (const Diagnostic& each : diagnostics.all())
+        if (each.severity == Severity::error) messages += each.message + " | " + each.help + "\n";
+    return messages;
+}
+
+std::string spent(const std::string& script, const Limits& limits = {}) {
+    return spent(script, limits, Folder());
+}
+
+/// Declarations in which each is made of the one before, so many levels.
+std::string levels(int count, const std::string& first, const std::string& next) {
+    std::string text = "#declare A0 = " + first + "\n";
+    for (int i = 1; i <= count; ++i) {
+        text += "#declare A" + std::to_string(i) + " = ";
+        for (const char c : next)
+            text += c == '@' ? "A" + std::to_string(i - 1) : std::string(1, c);
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("files that include others twice come to an end", "[interpret]") {
+    const Folder folder;
+    folder.put("f0.inc", "");
+    for (int i = 1; i <= 40; ++i) {
+        const std::string include = "#include \"f" + std::to_string(i - 1) + ".inc\"\n";
+        folder.put("f" + std::to_string(i) + ".inc", include + include);
+    }
+    Limits limits;
+    limits.files = 1000;
+    CHECK(spent("#include \"f40.inc\"", limits, folder) ==
+          "this scene includes or opens files more than 1000 times, which is the limit | a file "
+          "that others include often can keep what it declares: #ifndef; --limit-files raises the "
+          "limit\n");
+    limits.files = 15;
+    CHECK(spent("#include \"f3.inc\"", limits, folder) == "");
+    limits.files = 14;
+    CHECK(spent("#include \"f3.inc\"", limits, folder) != "");
+    limits.files = 100;
+    CHECK(spent("#for (I, 1, 200) #fopen F \"o.txt\" write #fclose F #end", limits, folder)
+              .starts_with("this scene includes or opens files more than 100 times"));
+}
+
+TEST_CASE("functions that call others twice come to an end", "[interpret]") {
+    const std::string said =
+        spent(levels(60, "function(x) { x + 1 }", "function(x) { @(x) + @(-x) }"));
+    CHECK(said ==
+          "a call of this function can take more than 10000000 steps, which is the limit | "
+          "functions that call others twice grow fast: compute a part beforehand, or pass it as an "
+          "argument; --limit-function raises the limit\n");
+    CHECK(spent(levels(15, "function(x) { x + 1 }", "function(x) { @(x) + @(-x) }")) == "");
+    // Loops in loops, by calls, count together.
+    CHECK(spent("#declare F = function(x) { sum(i, 1, 1e5, i*x) }"
+                "#declare G = function(x) { sum(i, 1, 1e5, F(i)) } #declare V = G(1);")
+              .starts_with("`G` gives no value here: a sum in it does not end"));
+}
+
+TEST_CASE("objects of objects come to an end", "[interpret]") {
+    for (const char* how : {"difference { object { @ } object { @ translate 0.1 } }",
+                            "intersection { object { @ } object { @ translate 0.1 } }",
+                            "difference { object { @ } object { @ } cutaway_textures }"}) {
+        INFO(how);
+        CHECK(spent(levels(60, "sphere { 0, 1 }", how))
+                  .starts_with("this object has more than 20000000 parts, which is the limit of "
+                               "objects | objects of objects grow fast; --limit-objects"));
+    }
+}
+
+TEST_CASE("what a scene says has an end", "[interpret]") {
+    Limits limits;
+    limits.said_bytes = 10'000;
+    const std::string message =
+        "this scene has said more than 10000 bytes, which is the limit | --limit-said, in "
+        "megabytes, raises it\n";
+    for (const char* what :
+         {"#debug \"0123456789\"", "#debug \"\"", "#render \"x\"", "#statistics \"x\""}) {
+        INFO(what);
+        CHECK(spent(std::string("#while (1) ") + what + " #end", limits) == message);
+    }
+    CHECK(spent("#for (I, 1, 300) #debug \"0123456789\" #end", limits) == "");
+}
+
+TEST_CASE("strings have an end", "[interpret]") {
+    Limits limits;
+    limits.text_bytes = 10'000;
+    for (const char* script :
+         {"#declare S = \"x\"; #while (1) #declare S = concat(S, S); #end",
+          "#declare S = \"x\"; #while (1) #declare S = concat(S, \"y\"); #end",
+          "#declare S = \"x\"; #while (1) #declare S = concat(\"y\", S); #end",
+          "#declare S = \"x\"; #while (1) #declare S = concat(concat(S, S), S); #end",
+          "#declare S = array[1] {\"x\"} #while (1) #declare S[0] = concat(S[0], S[0]); #end",
+          "#macro M(S) M(concat(S, S)) #end M(\"x\")"}) {
+        INFO(script);
+        CHECK(spent(script, limits)
+                  .starts_with("this string has more than 10000 bytes, which is the limit | "
+                               "--limit-text, in megabytes, raises it"));
+    }
+}
+
+TEST_CASE("work of all kinds has an end", "[interpret]") {
+    Limits limits;
+    limits.work = 20'000'000;
+    for (const char* script :
+         {"#while (1) #declare A = array[10000]; #end",
+          "#declare A = array[10000] #declare A[0] = 1; #while (1) #declare B = A; #declare B[0] = "
+          "2; #end",
+          "#declare F = function(x) { sum(i, 1, 1000, i*x) } #while (1) #declare A = F(2); #end",
+          "#while (1) #declare A = strlen(strupr(\"abcdefghijklmnopqrstuvwxyz\")); #end",
+          "#declare F = function 16000, 16000 { x } height_field { function 16000, 16000 { x*y } }",
+          "plane { y, 0 pigment { image_map { function 16000, 16000 { x*y } } } }"}) {
+        INFO(script);
+        CHECK(spent(script, limits)
+                  .starts_with("this scene takes more than 20 million steps before it is rendered, "
+                               "which is the limit | strings, arrays, functions and files take "
+                               "steps as well as loops; --limit-work, in millions, raises the "
+                               "limit"));
+    }
+}
