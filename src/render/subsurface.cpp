@@ -62,9 +62,8 @@ private:
     /// POV-Ray sends rays to the surface from a point below it, and leaves out those that miss: of
     /// a plane these are half of them, so that what is left comes out twice as bright.
     static bool is_plane(const World& world, PrimitiveIndex primitive) {
-        const std::size_t others = world.geometry.spheres.size() + world.geometry.triangles.size();
-        return primitive >= others && primitive < world.geometry.leaves_begin() &&
-               std::holds_alternative<Plane>(world.geometry.shapes[primitive - others].shape);
+        const PlacedShape* placed = world.geometry.shape(primitive);
+        return placed && std::holds_alternative<Plane>(placed->shape);
     }
 
     /// In the scene's units. What lets no light in does so nearly.

@@ -131,7 +131,7 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         CAPTURE(point.x, point.y, point.z);
         CHECK(found == expected);
     }
-    CHECK(parallel.geometry.clear_solids.bounded.size() > 20);
+    CHECK(parallel.geometry.clear_solids.finite.size() > 20);
 }
 
 TEST_CASE("the background's transparency counts from version 3.7 on", "[world]") {
