@@ -17,8 +17,6 @@ constexpr double mounted = 0.5;
 /// Ends of rays are moved by this share of the luminaire's radius, and of the distance from the
 /// origin.
 constexpr double apart = 1e-4, rounding = 1e-9;
-/// Clear surfaces in a row that are looked through.
-constexpr int most_passed = 16;
 /// Luminaires that are done at once.
 constexpr std::size_t chunk = 256;
 /// Rays that count as having got away, because the ones that were tried are few: of a side of a
@@ -35,19 +33,21 @@ double number(std::size_t light, std::size_t ray, std::uint32_t which) {
 /// Whether what leaves the point gets so far, and is not inside of anything.
 bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ray, double start,
                double far) {
-    Hit hit;
-    for (int passed = 0; passed < most_passed; ++passed) {
-        if (!world.first_hit(ray, start, RayKind::light, hit)) return true;
-        const double distance = dot(hit.position - ray.origin, ray.direction);
-        if (world.material(hit.primitive).stops_light()) {
-            if (distance < far) return false;
-            const bool with_eye = eye && world.contains_point(hit.primitive, *eye);
-            return with_eye ||
-                   !world.contains_point(hit.primitive, ray.at(0.5 * (start + distance)));
+    double behind = start;
+    bool away = true;
+    world.along(ray, start, RayKind::light, [&](const Hit& hit, double distance) {
+        if (!world.material(hit.primitive).stops_light()) {
+            behind = distance + hit.tolerance;
+            return true;
         }
-        start = distance + hit.tolerance;
-    }
-    return true;
+        const auto within = [&](const Vec3& point) {
+            return world.contains_point(hit.primitive, point);
+        };
+        away = distance >= far &&
+               ((eye && within(*eye)) || !within(ray.at(0.5 * (behind + distance))));
+        return false;
+    });
+    return away;
 }
 
 /// Rays of a luminaire that were tried, and the sums over those that got away.

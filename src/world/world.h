@@ -29,6 +29,9 @@ struct Rules {
     int quality = 9;  ///< see surface/simplified.h
 };
 
+/// Surfaces that a ray passes in a straight line: more are rounding errors, or too many to matter.
+inline constexpr int max_surfaces_along = 1000;
+
 class World {
 public:
     World() = default;
@@ -37,6 +40,22 @@ public:
 
     /// The nearest surface further than `tolerance` along the ray, whose direction has length 1.
     bool first_hit(const Ray&, double tolerance, RayKind, Hit&) const;
+
+    /// Calls visit(hit, distance) for the surfaces that the ray meets further than `from`, the
+    /// nearest first, while that returns true. A visit that takes a Hit& may raise its tolerance:
+    /// the next surface is further behind it than that. Returns whether there was no visit that
+    /// returned false.
+    template <class Visit>
+    bool along(const Ray& ray, double from, RayKind kind, Visit visit) const {
+        Hit hit;
+        for (int met = 0; met < max_surfaces_along; ++met) {
+            if (!first_hit(ray, from, kind, hit)) return true;
+            const double distance = dot(hit.position - ray.origin, ray.direction);
+            if (!visit(hit, distance)) return false;
+            from = distance + hit.tolerance;
+        }
+        return true;
+    }
 
     /// The share of light that gets from a hit to a point at that distance along the ray, per
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
