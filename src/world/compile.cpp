@@ -8,9 +8,9 @@
 #include "shape/stick.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
+#include "world/bent_normals.h"
 #include "world/flatten.h"
-#include "world/leans.h"
-#include "world/precedence.h"
+#include "world/shutter.h"
 
 #include <algorithm>
 
@@ -191,7 +191,7 @@ void build_indices(World& world, const CompileOptions& options) {
     lit.pixel = pixel_angle(world.view.camera, options);
     if (!world.view.camera.parallel) lit.eye = world.view.camera.location;
     const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
-    if (octree && !octree->paper) find_leans(world, lit.eye, options.threads);
+    if (octree && !octree->paper) find_bent_normals(world, lit.eye, options.threads);
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
@@ -200,23 +200,44 @@ void build_indices(World& world, const CompileOptions& options) {
                     world.left_to_chance() ? most_asked_among_samples : most_asked_sources);
 }
 
+/// Gives up the scene's objects.
+World compiled(Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world = flattened(scene, options, Flatten::everything, diagnostics);
+    scene.objects = {};
+    build_indices(world, options);
+    return world;
+}
+
+void add_shutter_samples(World& world, const View& view, const CompileOptions& options,
+                         const ShutterScenes& scenes) {
+    for (int i = 1; view.shutter > 0 && i < view.moments; ++i) {
+        std::optional<Scene> scene = scenes.scene_at(view.shutter * i / view.moments);
+        if (!scene) break;
+        Diagnostics said_of_the_first;
+        world.shutter.push_back(compiled(*scene, options, said_of_the_first));
+    }
+    share_light_statements(world, scenes.sources);
+}
+
 }  // namespace
 
-World survey(const Scene& scene, Diagnostics& diagnostics) {
+const World survey(const Scene& scene, Diagnostics& diagnostics) {
     CompileOptions full;
     full.quality = quality_full;
     return flattened(scene, full, Flatten::luminaires, diagnostics);
 }
 
-World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+const World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world = flattened(scene, options, Flatten::everything, diagnostics);
     build_indices(world, options);
     return world;
 }
 
-World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, options, Flatten::everything, diagnostics);
-    scene.objects = {};
-    build_indices(world, options);
+const World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics,
+                    const ShutterScenes* shutter) {
+    World world = compiled(scene, options, diagnostics);
+    const View& view =
+        std::visit([](const auto& camera) -> const View& { return camera; }, scene.camera);
+    if (shutter) add_shutter_samples(world, view, options, *shutter);
     return world;
 }

@@ -5,7 +5,7 @@
 #include "solid/extent.h"
 #include "text/message.h"
 #include "world/corners.h"
-#include "world/dark.h"
+#include "world/emission.h"
 #include "world/emitters.h"
 #include "world/light_groups.h"
 #include "world/materials.h"
@@ -58,11 +58,11 @@ public:
     /// a union with bounds is in POV-Ray.
     void add(const Object& object, const Inherited& outer, bool whole = false) {
         if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
-        const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
-        if (dark || is_composite(object)) {
+        const bool inert = only_lights_count_ && cannot_emit(object, outer.texture);
+        if (inert || is_composite(object)) {
             ++world_.provenance.object_count;
             objects_.begin(object.span);
-            if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
+            if (!inert && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
         }
         Inherited here = inherit(object, outer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/leans.h"
+#include "world/bent_normals.h"
 
 #include "base/parallel.h"
 
@@ -22,8 +22,8 @@ constexpr std::size_t chunk = 256;
 /// Rays that count as having got away, because the ones that were tried are few: of a side of a
 /// flat luminaire, and of a round one.
 constexpr double flat_doubt = 0.25, round_doubt = 1;
-/// The greatest lean.
-constexpr double most_lean = 0.48;
+/// The greatest length of a bent normal.
+constexpr double max_length = 0.48;
 
 double number(std::size_t light, std::size_t ray, std::uint32_t which) {
     return uniform(Key{light, static_cast<std::uint32_t>(ray), which, 2},
@@ -59,25 +59,25 @@ struct Tried {
     double away() const { return away_to_axis + away_from_axis; }
 };
 
-Vec3 lean_of_flat(const Tried& tried, const Vec3& axis) {
+Vec3 bent_normal_of_flat(const Tried& tried, const Vec3& axis) {
     const double front = (tried.away_to_axis + flat_doubt) / (tried.to_axis + flat_doubt),
                  back = (tried.away_from_axis + flat_doubt) / (tried.from_axis + flat_doubt);
-    const double lean = 0.5 * (front - back) / std::fmax(front, back);
-    return std::clamp(lean, -most_lean, most_lean) * axis;
+    const double length = 0.5 * (front - back) / std::fmax(front, back);
+    return std::clamp(length, -max_length, max_length) * axis;
 }
 
-/// As if what gets away were open + dot(lean, direction) of all.
-Vec3 lean_of_round(const Tried& tried) {
+/// As if what gets away were open + dot(bent, direction) of all.
+Vec3 bent_normal_of_round(const Tried& tried) {
     const double all = tried.all() + round_doubt;
     const double open = (tried.away() + round_doubt) / all;
-    const Vec3 lean = 3 / all * tried.directions;
-    const double size = length(lean);
+    const Vec3 bent = 3 / all * tried.directions;
+    const double size = length(bent);
     if (!(size > 0)) return Vec3(0);
-    return std::fmin(1 / (open + size), most_lean / size) * lean;
+    return std::fmin(1 / (open + size), max_length / size) * bent;
 }
 
-Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
-             std::size_t pairs) {
+Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
+                    std::size_t pairs) {
     const Luminaire& luminaire = world.lights.luminaires[light];
     const LightBounds b = bounds(luminaire);
     const bool flat = b.axis != Vec3(0);
@@ -106,18 +106,18 @@ Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& e
         tried.directions += direction;
     }
     if (tried.away() == 0) return Vec3(0);
-    return flat ? lean_of_flat(tried, b.axis) : lean_of_round(tried);
+    return flat ? bent_normal_of_flat(tried, b.axis) : bent_normal_of_round(tried);
 }
 
 }  // namespace
 
-void find_leans(World& world, const std::optional<Vec3>& eye, int threads) {
+void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads) {
     const std::size_t count = world.lights.luminaires.size();
     if (count < 2) return;
     const std::size_t pairs = std::min(most_pairs, most_rays / (2 * count));
     if (pairs == 0) return;
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            world.lights.luminaires[light].lean = lean_of(world, light, eye, pairs);
+            world.lights.luminaires[light].lean = bent_normal_of(world, light, eye, pairs);
     });
 }
