@@ -24,7 +24,6 @@
 #include "text/message.h"
 #include "text/sha256.h"
 #include "world/compile.h"
-#include "world/moments.h"
 #include "world/review.h"
 
 #include <filesystem>
@@ -180,17 +179,18 @@ private:
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
-        const View view = std::visit([](const View& v) { return v; }, scene.camera);
-        World world = compile(std::move(scene), compile_options(), diagnostics_);
-        if (!is_check() && !dumps) add_moments(main, folder_of(output), view, world);
+        Output fitting = output;
+        fitting.format.gamma = scene.settings.assumed_gamma;
+        fitting.format.encoded = scene.gamma_handling;
+        const ShutterScenes shutter{
+            sources_, [&](double ahead) { return scene_at(ahead, main, folder_of(output)); }};
+        const World world = compile(std::move(scene), compile_options(), diagnostics_,
+                                    is_check() || dumps ? nullptr : &shutter);
         if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_index) return say(index_slice(world));
         if (dumps) return say(report(world));
         if (is_check()) return finish(world);
-        Output fitting = output;
-        fitting.format.gamma = scene.settings.assumed_gamma;
-        fitting.format.encoded = scene.gamma_handling;
         return render_picture(world, fitting);
     }
 
@@ -201,21 +201,15 @@ private:
     }
 
     /// The scene as the clock runs on while the camera's shutter is open.
-    void add_moments(SourceId main, const std::string& picture_folder, const View& view,
-                     World& world) {
-        for (int i = 1; view.shutter > 0 && i < view.moments; ++i) {
-            Diagnostics problems;
-            const double ahead = view.shutter * i / view.moments;
-            Scene scene = evaluate_scene(main, picture_folder, ahead, problems);
-            settle_settings(scene.settings, options_.render);
-            // What is no error has been said of the first moment.
-            for (const Diagnostic& each : problems.all())
-                if (each.severity == Severity::error) diagnostics_.add(each);
-            if (problems.failed()) return;
-            Diagnostics unheard;
-            world.shutter.push_back(compile(std::move(scene), compile_options(), unheard));
-        }
-        share_light_statements(world, sources_);
+    std::optional<Scene> scene_at(double ahead, SourceId main, const std::string& picture_folder) {
+        Diagnostics problems;
+        Scene scene = evaluate_scene(main, picture_folder, ahead, problems);
+        settle_settings(scene.settings, options_.render);
+        // What is no error has been said of the first sample.
+        for (const Diagnostic& each : problems.all())
+            if (each.severity == Severity::error) diagnostics_.add(each);
+        if (problems.failed()) return std::nullopt;
+        return scene;
     }
 
     int export_mesh(const Scene& scene) {
@@ -246,7 +240,7 @@ private:
         Loader loader(noted(scene_reader(scene_door)), scene_folder_, library, scene_door,
                       disk_lister());
         loader.set_standard_library(console_.library);
-        // Files are written once, not at each moment of an open shutter.
+        // Files are written once, not for each sample of an open shutter.
         const bool makes = options_.task == Task::render || options_.task == Task::export_mesh;
         if (!makes || clock_ahead > 0) loader.keep_off_disk();
         bool line_is_open = false;

@@ -40,7 +40,7 @@ std::string report(const World& world) {
         "primitives: ", world.geometry.spheres.size(), " spheres, ",
         world.geometry.triangles.size(), " triangles, ", world.geometry.shapes.size(),
         " other shapes, ", world.geometry.composites.size(), " composites; ",
-        world.geometry.unbounded.size(), " unbounded\n",
+        world.geometry.infinite.all.size(), " infinite\n",
         "materials: ", world.appearance.materials.size(), "\n",
         "luminaires: ", luminaire_text(world), "\n", "light sampler: ", sampler_text(world), "\n",
         "light sources: ", world.lights.sources.size(), "\n",

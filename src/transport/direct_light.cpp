@@ -3,11 +3,11 @@
 
 #include "base/gamma.h"
 #include "lighting/draw.h"
-#include "transport/path.h"
 #include "transport/point_lights.h"
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace {
 
@@ -241,33 +241,29 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
     ++ledger.shadow;
     const Vertex& vertex = layer.vertex;
     const Ray ray{vertex.position(), direction};
-    double from = vertex.tolerance();
     Vec3 sum(0);
     met_.clear();
-    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
-        Hit hit;
-        if (!world_.first_hit(ray, from, RayKind::light, hit)) break;
-        const double distance = dot(hit.position - ray.origin, direction);
+    bool first = true;
+    world_.along(ray, vertex.tolerance(), RayKind::light, [&](const Hit& hit, double distance) {
+        const bool unobstructed = std::exchange(first, false);
+        const bool passes = !world_.material(hit.primitive).stops_light();
         const LightIndex light = world_.lights.luminaire_of[hit.primitive];
-        if (light != no_primitive) {
-            const Vec3 clear = passed == 0 ? Vec3(1)
-                                           : world_.transmittance(ray, vertex.tolerance(), distance,
-                                                                  vertex.around);
-            if (clear == Vec3(0)) break;
-            Vec3 weights(0);
-            for_densities(light, layer.bsdf.shading(), direction, {distance, hit.tolerance},
-                          [&](double density) { weights += weight(light, density); });
-            const Vec3 seen =
-                weights == Vec3(0)
-                    ? weights
-                    : clear * weights * radiance(world_.lights.luminaires[light], hit.position);
-            record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
-            met_.push_back({{distance, 0}, light});
-            sum += seen;
-        }
-        if (world_.material(hit.primitive).stops_light()) break;
-        from = distance + hit.tolerance;
-    }
+        if (light == no_primitive) return passes;
+        const Vec3 clear =
+            unobstructed ? Vec3(1)
+                         : world_.transmittance(ray, vertex.tolerance(), distance, vertex.around);
+        if (clear == Vec3(0)) return false;
+        Vec3 weights(0);
+        for_densities(light, layer.bsdf.shading(), direction, {distance, hit.tolerance},
+                      [&](double density) { weights += weight(light, density); });
+        const Luminaire& luminaire = world_.lights.luminaires[light];
+        const Vec3 seen =
+            weights == Vec3(0) ? weights : clear * weights * radiance(luminaire, hit.position);
+        record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
+        met_.push_back({{distance, 0}, light});
+        sum += seen;
+        return passes;
+    });
     if (met_.empty() && !ledger.lights.empty()) ++ledger.lights.back().rays;
     return sum;
 }
@@ -379,13 +375,11 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer
 
 /// The first thing on a ray that stops all light.
 std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
-    Hit hit;
-    for (int passed = 0; passed < max_clear_surfaces; ++passed) {
-        if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
-        const double distance = dot(hit.position - ray.origin, ray.direction);
-        if (world_.material(hit.primitive).stops_light())
-            return LightSight{distance, hit.normal, hit.tolerance, {}, 0};
-        tolerance = distance + hit.tolerance;
-    }
-    return {};
+    std::optional<LightSight> seen;
+    world_.along(ray, tolerance, RayKind::light, [&](const Hit& hit, double distance) {
+        if (!world_.material(hit.primitive).stops_light()) return true;
+        seen = LightSight{distance, hit.normal, hit.tolerance, {}, 0};
+        return false;
+    });
+    return seen;
 }

@@ -10,10 +10,6 @@
 #include <algorithm>
 #include <optional>
 
-/// Clear surfaces in a row that are looked or shone through; a stop for rays that rounding keeps in
-/// one place.
-inline constexpr int max_clear_surfaces = 1000;
-
 /// How a path goes on.
 enum class Bounce : std::uint32_t { reflection, refraction, scattering, diffuse };
 

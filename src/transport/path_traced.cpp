@@ -283,6 +283,6 @@ bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
     path.depth = depth;
     path.media = surface.behind;
     // As in POV-Ray, a ray that goes straight on needs a level that is left.
-    return ++path.passed <= max_clear_surfaces &&
+    return ++path.passed <= max_surfaces_along &&
            depth + (straight ? 1 : 0) < world_.rules.settings.max_trace_level;
 }

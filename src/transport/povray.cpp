@@ -207,7 +207,7 @@ Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, 
         vertex.tolerance(), Bounce::refraction);
     if (straight) next.depth = path.depth;
     next.passed = path.passed + 1;
-    if (next.passed > max_clear_surfaces) return Vec3(0);
+    if (next.passed > max_surfaces_along) return Vec3(0);
     next.weight = path.weight * max_component(glm::abs(share));
     next.media = surface.behind;
     ++ledger_.scattered;

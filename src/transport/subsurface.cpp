@@ -13,9 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Surfaces in a row that a line through the solid may pass.
-constexpr int max_walls = 64;
-
 /// Light whose share is smaller than this is asked for more seldom.
 constexpr double least_factor = 0.2;
 
@@ -66,9 +63,8 @@ private:
     /// POV-Ray sends rays to the surface from a point below it, and leaves out those that miss: of
     /// a plane these are half of them, so that what is left comes out twice as bright.
     static bool is_plane(const World& world, PrimitiveIndex primitive) {
-        const std::size_t others = world.geometry.spheres.size() + world.geometry.triangles.size();
-        return primitive >= others && primitive < world.geometry.leaves_begin() &&
-               std::holds_alternative<Plane>(world.geometry.shapes[primitive - others].shape);
+        const PlacedShape* placed = world.geometry.shape(primitive);
+        return placed && std::holds_alternative<Plane>(placed->shape);
     }
 
     /// In the scene's units. What lets no light in does so nearly.
@@ -104,15 +100,16 @@ private:
 
     /// The next crossing of the solid on the line; `from` moves behind it.
     std::optional<Hit> next(const Ray& ray, double& from, double until) const {
-        Hit hit;
-        for (int passed = 0; passed < max_walls; ++passed) {
-            if (!world_.first_hit(ray, from, RayKind::light, hit)) return {};
-            const double t = dot(hit.position - ray.origin, ray.direction);
-            if (t > until) return {};
-            from = t + std::fmax(hit.tolerance, 1e-9 * reach_);
-            if (world_.solid(hit.primitive) == solid_) return hit;
-        }
-        return {};
+        std::optional<Hit> crossing;
+        world_.along(ray, from, RayKind::light, [&](Hit& hit, double distance) {
+            if (distance > until) return false;
+            hit.tolerance = std::fmax(hit.tolerance, 1e-9 * reach_);
+            if (world_.solid(hit.primitive) != solid_) return true;
+            from = distance + hit.tolerance;
+            crossing = hit;
+            return false;
+        });
+        return crossing;
     }
 
     /// Where light goes in.

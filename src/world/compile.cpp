@@ -8,93 +8,80 @@
 #include "shape/stick.h"
 #include "solid/assemble.h"
 #include "surface/simplified.h"
+#include "world/bent_normals.h"
 #include "world/flatten.h"
-#include "world/leans.h"
-#include "world/precedence.h"
+#include "world/shutter.h"
 
 #include <algorithm>
 
 namespace {
 
-std::uint32_t item_count(const World& world) {
-    return world.geometry.leaves_begin() +
-           static_cast<std::uint32_t>(world.geometry.composites.size());
-}
-
 /// Empty for what has no end.
-Box bounds_in_tree(const World& world, std::uint32_t item) {
-    return std::ranges::binary_search(world.geometry.unbounded, item) ? Box()
-                                                                      : item_bounds(world, item);
+Box bounds_in_tree(const Geometry& geometry, std::uint32_t item) {
+    return std::ranges::binary_search(geometry.infinite.all, item) ? Box() : geometry.bounds(item);
 }
 
-Box part_in_tree(const World& world, std::uint32_t item, const Box& cell) {
-    if (item < world.geometry.spheres.size()) {
-        const SpherePrimitive& s = world.geometry.spheres[item];
-        return clipped_bounds(Sphere{s.centre, s.radius}, cell);
-    }
-    if (item >= world.geometry.leaves_begin()) return cell;
-    const std::size_t face = item - world.geometry.spheres.size();
-    if (face < world.geometry.triangles.size()) {
-        const TrianglePrimitive& t = world.geometry.triangles[face];
-        return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
-    }
-    const PlacedShape& placed = world.geometry.shapes[face - world.geometry.triangles.size()];
-    return clipped_bounds(stick_around(placed.shape, bounds(placed.shape), placed.transform.get()),
-                          cell);
+Box part_in_tree(const Geometry& geometry, std::uint32_t item, const Box& cell) {
+    return geometry.visit(
+        item,
+        [&](const SpherePrimitive& s) {
+            return clipped_bounds(Sphere{s.centre, s.radius}, cell);
+        },
+        [&](const TrianglePrimitive& t) {
+            return clipped_bounds(Triangle{t.corner1, t.corner2, t.corner3}, cell);
+        },
+        [&](const PlacedShape& placed) {
+            return clipped_bounds(
+                stick_around(placed.shape, bounds(placed.shape), placed.transform.get()), cell);
+        },
+        [&](const PlacedComposite&) { return cell; });
 }
 
-void build_index(World& world, int threads) {
-    world.geometry.tree = build_tree(
-        item_count(world), [&](std::uint32_t item) { return bounds_in_tree(world, item); },
-        [&](std::uint32_t item, const Box& cell) { return part_in_tree(world, item, cell); },
-        tree_settings(world.rules.settings.index), threads);
-    const auto spheres = static_cast<std::uint32_t>(world.geometry.spheres.size());
-    const auto faces = static_cast<std::uint32_t>(world.geometry.triangles.size());
-    const PackedKinds kinds{spheres, spheres + faces,
-                            [&](std::uint32_t item) {
-                                return PackedKinds::Ball{world.geometry.spheres[item].centre,
-                                                         world.geometry.spheres[item].radius};
-                            },
-                            [&](std::uint32_t item) {
-                                const TrianglePrimitive& t =
-                                    world.geometry.triangles[item - spheres];
-                                return std::array{t.corner1, t.corner2, t.corner3};
-                            },
-                            [&](std::uint32_t item) { return item_bounds(world, item); }};
-    world.geometry.tree.pack(leaf_packs(kinds), threads);
+void build_index(Geometry& geometry, const RayIndex& index, int threads) {
+    geometry.tree = build_tree(
+        geometry.item_count(), [&](std::uint32_t item) { return bounds_in_tree(geometry, item); },
+        [&](std::uint32_t item, const Box& cell) { return part_in_tree(geometry, item, cell); },
+        tree_settings(index), threads);
+    const PackedKinds kinds{
+        geometry.triangles_begin(), geometry.shapes_begin(),
+        [&](std::uint32_t item) {
+            return PackedKinds::Ball{geometry.spheres[item].centre, geometry.spheres[item].radius};
+        },
+        [&](std::uint32_t item) {
+            const TrianglePrimitive& t = geometry.triangles[item - geometry.triangles_begin()];
+            return std::array{t.corner1, t.corner2, t.corner3};
+        },
+        [&](std::uint32_t item) { return geometry.bounds(item); }};
+    geometry.tree.pack(leaf_packs(kinds), threads);
 }
 
 /// The planes of a scene in world space: where points to be lit may be, besides the bounded
 /// primitives.
-std::vector<Plane> world_planes(const World& world) {
+std::vector<Plane> world_planes(const Geometry& geometry) {
     std::vector<Plane> planes;
-    for (const std::uint32_t primitive : world.geometry.unbounded) {
-        if (primitive >= world.geometry.leaves_begin()) continue;
-        const PlacedShape& placed =
-            world.geometry.shapes[primitive - world.geometry.shapes_begin()];
-        const Plane* plane = std::get_if<Plane>(&placed.shape);
+    for (const std::uint32_t item : geometry.infinite.all) {
+        const PlacedShape* placed = geometry.shape(item);
+        const Plane* plane = placed ? std::get_if<Plane>(&placed->shape) : nullptr;
         if (!plane) continue;
-        planes.push_back(placed.transform ? moved(*plane, *placed.transform)
-                                          : Plane{unit(plane->normal), plane->distance});
+        planes.push_back(placed->transform ? moved(*plane, *placed->transform)
+                                           : Plane{unit(plane->normal), plane->distance});
     }
     return planes;
 }
 
 /// Divides what has no end into planes and others.
-void note_planes(World& world) {
-    for (const std::uint32_t item : world.geometry.unbounded) {
-        const std::size_t shape = item - world.geometry.shapes_begin();
+void divide(const Geometry& geometry, InfiniteItems& infinite) {
+    for (const std::uint32_t item : infinite.all) {
+        const PlacedShape* placed = geometry.shape(item);
         const Plane* plane =
-            shape < world.geometry.shapes.size() && !world.geometry.shapes[shape].transform
-                ? std::get_if<Plane>(&world.geometry.shapes[shape].shape)
-                : nullptr;
+            placed && !placed->transform ? std::get_if<Plane>(&placed->shape) : nullptr;
         if (!plane) {
-            world.geometry.endless.push_back(item);
+            infinite.others.push_back(item);
             continue;
         }
         Crossings found;
         crossings(*plane, {Vec3(0), plane->normal}, found);
-        world.geometry.planes.push_back({found[0].normal, plane->distance, item});
+        infinite.planes.push_back({found[0].normal, plane->distance, item});
     }
 }
 
@@ -133,28 +120,17 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     return world;
 }
 
-/// Around all points that lie inside of a primitive that is no face, or of a composite.
-Box inside_box(const World& world, std::uint32_t item) {
-    if (item < world.geometry.spheres.size()) return item_bounds(world, item);
-    if (item >= world.geometry.leaves_begin())
-        return world.geometry.composites[item - world.geometry.leaves_begin()]
-            .composite->inside_bounds();
-    const PlacedShape& placed = world.geometry.shapes[item - world.geometry.shapes_begin()];
-    const Box box = inside_bounds(placed.shape);
-    return placed.transform ? placed.transform->box(box) : box;
-}
-
 ClearSolids find_clear_solids(const World& world) {
     ClearSolids clear;
     std::vector<Box> around;
-    for (std::uint32_t item = 0; item < item_count(world); ++item) {
+    for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item) {
         if (!world.is_noted_solid(item)) continue;
-        const Box box = inside_box(world, item);
+        const Box box = world.geometry.inside_bounds(item);
         if (box.empty()) continue;
         if (!finite(box)) {
-            clear.unbounded.push_back(item);
+            clear.infinite.push_back(item);
         } else {
-            clear.bounded.push_back(item);
+            clear.finite.push_back(item);
             around.push_back(box);
         }
     }
@@ -197,8 +173,8 @@ double pixel_angle(const Projection& camera, const CompileOptions& options) {
 /// What a flattened world still lacks.
 void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
-    note_planes(world);
-    build_index(world, options.threads);
+    divide(world.geometry, world.geometry.infinite);
+    build_index(world.geometry, world.rules.settings.index, options.threads);
     if (world.notes_solids() && world.view.camera.parallel)
         world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
@@ -207,15 +183,15 @@ void build_indices(World& world, const CompileOptions& options) {
         world.sky.light =
             SkyLight([&](const Vec3& direction) { return world.sky_radiance(direction); });
     // After the tree, whose building takes the most memory.
-    std::vector<Box> boxes(item_count(world));
+    std::vector<Box> boxes(world.geometry.item_count());
     for (std::uint32_t item = 0; item < boxes.size(); ++item)
-        boxes[item] = bounds_in_tree(world, item);
-    const std::vector<Plane> planes = world_planes(world);
+        boxes[item] = bounds_in_tree(world.geometry, item);
+    const std::vector<Plane> planes = world_planes(world.geometry);
     LightScene lit{world.lights.luminaires, boxes, planes};
     lit.pixel = pixel_angle(world.view.camera, options);
     if (!world.view.camera.parallel) lit.eye = world.view.camera.location;
     const auto* octree = std::get_if<LightOctree>(&world.rules.settings.light_sampler);
-    if (octree && !octree->paper) find_leans(world, lit.eye, options.threads);
+    if (octree && !octree->paper) find_bent_normals(world, lit.eye, options.threads);
     world.lights.sampler = build(world.rules.settings.light_sampler, lit, options.threads);
     std::vector<std::uint32_t> group_of;
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
@@ -224,23 +200,44 @@ void build_indices(World& world, const CompileOptions& options) {
                     world.left_to_chance() ? most_asked_among_samples : most_asked_sources);
 }
 
+/// Gives up the scene's objects.
+World compiled(Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+    World world = flattened(scene, options, Flatten::everything, diagnostics);
+    scene.objects = {};
+    build_indices(world, options);
+    return world;
+}
+
+void add_shutter_samples(World& world, const View& view, const CompileOptions& options,
+                         const ShutterScenes& scenes) {
+    for (int i = 1; view.shutter > 0 && i < view.moments; ++i) {
+        std::optional<Scene> scene = scenes.scene_at(view.shutter * i / view.moments);
+        if (!scene) break;
+        Diagnostics said_of_the_first;
+        world.shutter.push_back(compiled(*scene, options, said_of_the_first));
+    }
+    share_light_statements(world, scenes.sources);
+}
+
 }  // namespace
 
-World survey(const Scene& scene, Diagnostics& diagnostics) {
+const World survey(const Scene& scene, Diagnostics& diagnostics) {
     CompileOptions full;
     full.quality = quality_full;
     return flattened(scene, full, Flatten::luminaires, diagnostics);
 }
 
-World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
+const World compile(const Scene& scene, const CompileOptions& options, Diagnostics& diagnostics) {
     World world = flattened(scene, options, Flatten::everything, diagnostics);
     build_indices(world, options);
     return world;
 }
 
-World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics) {
-    World world = flattened(scene, options, Flatten::everything, diagnostics);
-    scene.objects = {};
-    build_indices(world, options);
+const World compile(Scene&& scene, const CompileOptions& options, Diagnostics& diagnostics,
+                    const ShutterScenes* shutter) {
+    World world = compiled(scene, options, diagnostics);
+    const View& view =
+        std::visit([](const auto& camera) -> const View& { return camera; }, scene.camera);
+    if (shutter) add_shutter_samples(world, view, options, *shutter);
     return world;
 }

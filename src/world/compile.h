@@ -4,8 +4,10 @@
 #pragma once
 
 #include "text/diagnostic.h"
+#include "text/source.h"
 #include "world/world.h"
 
+#include <functional>
 #include <optional>
 
 struct CompileOptions {
@@ -17,14 +19,23 @@ struct CompileOptions {
     bool remembers_objects = false;  ///< Provenance::object_of is wanted
 };
 
+/// Where compile() gets the later scenes of a camera whose shutter stays open.
+struct ShutterScenes {
+    const SourceStore& sources;  ///< of all of them
+    /// The scene when the clock has run on by so much. Nothing: it has errors; no more is asked
+    /// for.
+    std::function<std::optional<Scene>(double ahead)> scene_at;
+};
+
 /// Adds diagnostics for what cannot be rendered as written (a luminaire without area); the world is
-/// complete all the same.
-World compile(const Scene&, const CompileOptions&, Diagnostics&);
+/// complete all the same. Nothing may change it any more.
+const World compile(const Scene&, const CompileOptions&, Diagnostics&);
 
 /// The same for a scene that is not needed any more: its objects are given up before the index
-/// structures are built, which then have more room.
-World compile(Scene&&, const CompileOptions&, Diagnostics&);
+/// structures are built, which then have more room. With the worlds of the shutter's other samples,
+/// if their scenes can be had; what there is to say of these worlds is not said again.
+const World compile(Scene&&, const CompileOptions&, Diagnostics&, const ShutterScenes* = nullptr);
 
 /// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
 /// its luminaires, and without lights its materials, but no ray can ask it.
-World survey(const Scene&, Diagnostics&);
+const World survey(const Scene&, Diagnostics&);

@@ -94,7 +94,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
     Emitters emitters(world, guided);
     for (const GlowingPrimitive& glow : glowing) {
         Luminaire luminaire;
-        luminaire.primitive = primitive(world, glow.kind, glow.index);
+        luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
         set_radiance(world, luminaire);
         luminaire.emitter = emitters.of(glow, luminaire);
         if (emitting_area(luminaire.emitter) > 0) {

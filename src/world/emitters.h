@@ -4,7 +4,6 @@
 #pragma once
 
 #include "text/diagnostic.h"
-#include "world/bookkeeping.h"
 #include "world/world.h"
 
 #include <span>

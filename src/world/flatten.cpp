@@ -4,13 +4,13 @@
 #include "solid/assemble.h"
 #include "solid/extent.h"
 #include "text/message.h"
-#include "world/bookkeeping.h"
 #include "world/corners.h"
-#include "world/dark.h"
+#include "world/emission.h"
 #include "world/emitters.h"
 #include "world/light_groups.h"
 #include "world/materials.h"
 #include "world/mesh_copies.h"
+#include "world/provenance.h"
 
 #include <algorithm>
 
@@ -45,8 +45,8 @@ public:
         : world_(world),
           geometry_(world.geometry),
           diagnostics_(diagnostics),
-          objects_(world, remembers_objects),
-          statements_(world),
+          objects_(world.provenance, remembers_objects),
+          statements_(world.provenance),
           all_(what == Flatten::everything),
           only_lights_count_(!all_ && !scene.lights.empty() &&
                              !world.rules.settings.ambient_luminaires),
@@ -58,11 +58,11 @@ public:
     /// a union with bounds is in POV-Ray.
     void add(const Object& object, const Inherited& outer, bool whole = false) {
         if (has_needless_bounds(object)) return add(without_bounds(object), outer, true);
-        const bool dark = only_lights_count_ && surely_dark(object, outer.texture);
-        if (dark || is_composite(object)) {
+        const bool inert = only_lights_count_ && cannot_emit(object, outer.texture);
+        if (inert || is_composite(object)) {
             ++world_.provenance.object_count;
             objects_.begin(object.span);
-            if (!dark && (all_ || glows(object, outer))) add_composite(object, outer);
+            if (!inert && (all_ || glows(object, outer))) add_composite(object, outer);
             return;
         }
         Inherited here = inherit(object, outer);
@@ -130,17 +130,16 @@ public:
         if (!geometry_.normals.empty())
             geometry_.normals_of.resize(geometry_.triangles.size(), no_primitive);
         objects_.finish();
-        const PrimitiveIndex shapes = primitive(world_, PrimitiveKind::shape, 0),
-                             leaves = geometry_.leaves_begin();
-        for (std::uint32_t& item : geometry_.unbounded) item += shapes;
+        const PrimitiveIndex shapes = geometry_.shapes_begin(), leaves = geometry_.leaves_begin();
+        for (std::uint32_t& item : geometry_.infinite.all) item += shapes;
         for (std::uint32_t i = 0; i < geometry_.composites.size(); ++i) {
             PlacedComposite& placed = geometry_.composites[i];
             placed.first_leaf += leaves;
             if (!placed.composite->bounds().empty() && !finite(placed.composite->bounds()))
-                geometry_.unbounded.push_back(leaves + i);
+                geometry_.infinite.all.push_back(leaves + i);
         }
         for (Parted& each : parted_)
-            world_.appearance.part_textures[primitive(world_, each.kind, each.index)] =
+            world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
         add_luminaires(world_, glowing_, all_, diagnostics_);
     }
@@ -294,7 +293,7 @@ private:
         const auto index = static_cast<std::uint32_t>(geometry_.shapes.size());
         const Box own = bounds(shape);
         note(PrimitiveKind::shape, index, material, span, finite(own));
-        if (!finite(own)) geometry_.unbounded.push_back(index);
+        if (!finite(own)) geometry_.infinite.all.push_back(index);
         geometry_.shapes.push_back({shape, transform, transform ? transform->box(own) : own});
         shape_materials_.push_back(material);
         objects_.placed(PrimitiveKind::shape);

@@ -67,16 +67,11 @@ void blend_components(const BuiltBlob& blob, const PartLooks& looks, const Vec3&
 
 }  // namespace
 
-const CompositeLeaf& World::leaf(std::uint32_t number) const {
-    const PlacedComposite& placed = geometry.composites[geometry.composite_of[number]];
-    return placed.composite->leaf(number + geometry.leaves_begin() - placed.first_leaf);
-}
-
 void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point,
                          Use use) const {
     const Material& look = material(primitive);
     if (look.texture2) {
-        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.spheres.size()];
+        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.triangles_begin()];
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
                      positive(corner_weights(corners(face), point)), use);
     }
@@ -91,32 +86,33 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
         else
             blend_corners(*std::get<Shared<BuiltMesh>>(placed.shape), looks, part, here, use);
     };
-    if (primitive < geometry.leaves_begin())
-        show(geometry.shapes[primitive - geometry.shapes_begin()]);
-    else
-        show(leaf(primitive - geometry.leaves_begin()));
+    const auto has_no_parts = [](const auto&) {};
+    geometry.visit_primitive(primitive, has_no_parts, has_no_parts, show,
+                             [&](const PlacedComposite& whole, std::uint32_t leaf) {
+                                 show(whole.composite->leaf(leaf));
+                             });
 }
 
 Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) const {
-    const std::size_t first_shape = geometry.shapes_begin();
-    std::optional<Vec2> found;
-    if (primitive < geometry.spheres.size()) {
-        const SpherePrimitive& s = geometry.spheres[primitive];
-        found = ::uv(Sphere{s.centre, s.radius}, point, part);
-    } else if (primitive < first_shape) {
-        const auto number = static_cast<std::uint32_t>(primitive - geometry.spheres.size());
-        if (number < geometry.uvs_of.size() && geometry.uvs_of[number] != no_primitive) {
-            const Vec3 w = corner_weights(corners(geometry.triangles[number]), point);
-            const std::array<Vec2, 3>& at = geometry.uvs[geometry.uvs_of[number]];
-            return w.x * at[0] + w.y * at[1] + w.z * at[2];
-        }
-    } else if (primitive < geometry.leaves_begin()) {
-        const PlacedShape& placed = geometry.shapes[primitive - first_shape];
-        found = ::uv(placed.shape, local(placed.transform, point), part);
-    } else {
-        const CompositeLeaf& placed = leaf(primitive - geometry.leaves_begin());
-        found = ::uv(placed.shape, local(placed.transform, point), part);
-    }
+    using MaybeUv = std::optional<Vec2>;
+    const auto of_placed = [&](const auto& placed) -> MaybeUv {
+        return ::uv(placed.shape, local(placed.transform, point), part);
+    };
+    const MaybeUv found = geometry.visit_primitive(
+        primitive,
+        [&](const SpherePrimitive& s) -> MaybeUv {
+            return ::uv(Sphere{s.centre, s.radius}, point, part);
+        },
+        [&](const TrianglePrimitive& face) -> MaybeUv {
+            const std::array<Vec2, 3>* at = geometry.uvs_of_triangle(primitive);
+            if (!at) return std::nullopt;
+            const Vec3 w = corner_weights(corners(face), point);
+            return w.x * (*at)[0] + w.y * (*at)[1] + w.z * (*at)[2];
+        },
+        of_placed,
+        [&](const PlacedComposite& whole, std::uint32_t leaf) {
+            return of_placed(whole.composite->leaf(leaf));
+        });
     // As in POV-Ray, around what has no u and v, pictures lie on the plane of x and y.
     return found.value_or(Vec2(point.x, point.y));
 }

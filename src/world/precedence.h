@@ -6,12 +6,9 @@
 // turned or scaled are met a rounding error away, and there rounding decides, as in POV-Ray.
 #pragma once
 
-#include "world/world.h"
-
-/// Around a primitive, or around a composite, counted from world.geometry.leaves_begin() on.
-Box item_bounds(const World&, std::uint32_t item);
+#include "world/geometry.h"
 
 /// Whether the ray meets an item before another one that it meets at the same distance.
-/// Precondition: neither is endless. As in POV-Ray, the one whose box it enters first; of two that
+/// Precondition: neither is infinite. As in POV-Ray, the one whose box it enters first; of two that
 /// it enters together, and of two that it begins in, the one with the lower number.
-bool precedes(const World&, std::uint32_t item, std::uint32_t other, const Ray&);
+bool precedes(const Geometry&, std::uint32_t item, std::uint32_t other, const Ray&);

@@ -6,7 +6,7 @@
 #include "shape/leaf_pack.h"
 #include "shape/uv.h"
 #include "world/precedence.h"
-#include "world/ready_ray.h"
+#include "world/ray_constants.h"
 
 #include <algorithm>
 #include <array>
@@ -25,50 +25,62 @@ double tolerance_at(const Ray& ray, double t) {
 /// The next larger number after a positive one.
 double next_up(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 
-}  // namespace
+/// In world space, with a normal of any length.
+Crossing in_world(const PlacedShape& placed, Crossing crossing) {
+    if (placed.transform) crossing.normal = placed.transform->normal(crossing.normal);
+    return crossing;
+}
 
-void World::meet_shape(PrimitiveIndex primitive, const Ray& ray, const Interval& range,
-                       Candidate& best) const {
-    const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
+Ray in_shape(const PlacedShape& placed, const Ray& ray) {
+    return placed.transform ? placed.transform->inverse_ray(ray) : ray;
+}
+
+/// Between the ends of the range.
+std::optional<Crossing> first_crossing(const PlacedShape& placed, const Ray& ray,
+                                       const Interval& range) {
     Crossings found;
-    crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
-                 {range.min, best.t}, found);
+    crossings_in(placed.shape, in_shape(placed, ray), range, found);
+    const Crossing* first = nullptr;
+    double nearest = range.max;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const double t = found[i].t;
-        if (t <= range.min || t >= best.t) continue;
-        best = {t, primitive,
-                placed.transform ? placed.transform->normal(found[i].normal) : found[i].normal,
-                found[i].part};
+        if (t <= range.min || t >= nearest) continue;
+        nearest = t;
+        first = &found[i];
     }
+    if (!first) return std::nullopt;
+    return in_world(placed, *first);
 }
 
-/// The leaves for which wanted(PrimitiveIndex) is true.
+}  // namespace
+
 template <class Wanted>
-void World::meet_composite(std::uint32_t index, const Ray& ray, const Interval& range,
-                           Candidate& best, Wanted wanted) const {
-    const PlacedComposite& placed = geometry.composites[index];
-    const auto own = [&](std::uint32_t leaf) { return wanted(placed.first_leaf + leaf); };
-    const auto met = placed.composite->first(ray, {range.min, best.t}, own);
-    if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
-}
-
-void World::meet(PrimitiveIndex primitive, ReadyRay& ready, const Interval& range,
-                 Candidate& best) const {
-    const Ray& ray = ready.ray();
-    if (primitive < geometry.spheres.size()) {
-        const SpherePrimitive& s = geometry.spheres[primitive];
-        const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
-        if (t < best.t) best = {t, primitive};
-    } else if (primitive < geometry.shapes_begin()) {
-        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.spheres.size()];
-        const TriangleHit hit =
-            ready.sheared().meet(face.corner1, face.corner2, face.corner3, {range.min, best.t});
-        if (hit.t < best.t) best = {hit.t, primitive, Vec3(0), 0, hit.weight2, hit.weight3};
-    } else {
-        const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
-        if (!ready.slabs().miss(placed.box, {range.min, best.t}))
-            meet_shape(primitive, ray, range, best);
-    }
+void World::intersect(std::uint32_t item, RayConstants& constants, const Interval& range,
+                      Candidate& best, Wanted wanted) const {
+    const Ray& ray = constants.ray();
+    geometry.visit(
+        item,
+        [&](const SpherePrimitive& s) {
+            if (!wanted(item)) return;
+            const double t = first_crossing(s.centre, s.radius, ray, {range.min, best.t});
+            if (t < best.t) best = {t, item};
+        },
+        [&](const TrianglePrimitive& face) {
+            if (!wanted(item)) return;
+            const TriangleHit hit = constants.sheared().meet(face.corner1, face.corner2,
+                                                             face.corner3, {range.min, best.t});
+            if (hit.t < best.t) best = {hit.t, item, Vec3(0), 0, hit.weight2, hit.weight3};
+        },
+        [&](const PlacedShape& placed) {
+            if (!wanted(item) || constants.slabs().miss(placed.box, {range.min, best.t})) return;
+            const auto met = first_crossing(placed, ray, {range.min, best.t});
+            if (met) best = {met->t, item, met->normal, met->part};
+        },
+        [&](const PlacedComposite& placed) {
+            const auto own = [&](std::uint32_t leaf) { return wanted(placed.first_leaf + leaf); };
+            const auto met = placed.composite->first(ray, {range.min, best.t}, own);
+            if (met) best = {met->t, placed.first_leaf + met->leaf, met->normal, met->part};
+        });
 }
 
 bool World::left_out(PrimitiveIndex primitive, RayKind kind) const {
@@ -83,35 +95,31 @@ Hit World::complete(const Ray& ray, const Candidate& found) const {
     hit.part = found.part;
     hit.position = ray.at(found.t);
     hit.tolerance = tolerance_at(ray, found.t);
-    if (found.primitive < geometry.spheres.size()) {
-        hit.normal = (hit.position - geometry.spheres[found.primitive].centre) /
-                     geometry.spheres[found.primitive].radius;
-    } else if (found.primitive < geometry.shapes_begin()) {
-        const std::size_t face = found.primitive - geometry.spheres.size();
-        const TrianglePrimitive& f = geometry.triangles[face];
-        hit.normal = unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
-        if (!geometry.normals_of.empty() && geometry.normals_of[face] != no_primitive) {
-            const CornerNormals& n = geometry.normals[geometry.normals_of[face]];
-            hit.smooth_normal = unit((1 - found.weight2 - found.weight3) * n.normal1 +
-                                     found.weight2 * n.normal2 + found.weight3 * n.normal3);
-            return hit;
-        }
-    } else {
-        hit.normal = unit(found.normal);
-    }
-    hit.smooth_normal = hit.normal;
+    const CornerNormals* smooth = nullptr;
+    const auto unit_found = [&](const auto&...) { return unit(found.normal); };
+    hit.normal = geometry.visit(
+        geometry.item_of(found.primitive),
+        [&](const SpherePrimitive& s) { return (hit.position - s.centre) / s.radius; },
+        [&](const TrianglePrimitive& f) {
+            smooth = geometry.normals_of_triangle(found.primitive);
+            return unit(cross(f.corner1 - f.corner2, f.corner3 - f.corner2));
+        },
+        unit_found, unit_found);
+    hit.smooth_normal =
+        smooth ? unit((1 - found.weight2 - found.weight3) * smooth->normal1 +
+                      found.weight2 * smooth->normal2 + found.weight3 * smooth->normal3)
+               : hit.normal;
     return hit;
 }
 
 bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) const {
-    ReadyRay ready(ray);
+    RayConstants constants(ray);
     Candidate best{std::numeric_limits<double>::infinity()};
     const Interval range{tolerance, best.t};
-    const std::uint32_t first_composite = geometry.leaves_begin();
     const auto there = [&](PrimitiveIndex primitive) {
         return !appearance.any_left_out || !left_out(primitive, kind);
     };
-    const auto first_shape = geometry.shapes_begin();
+    const std::uint32_t first_shape = geometry.shapes_begin();
     std::uint32_t met = 0;  // the item of `best`
     // Of surfaces in one place one counts, whatever the order of asking: what has no end; of two
     // spheres or triangles, as meshes are full of, the lower number; else see precedence.h.
@@ -120,25 +128,22 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
         const Candidate before = best;
         const bool by_boxes = finite && (item >= first_shape || met >= first_shape);
         if (item < met || by_boxes) best.t = next_up(best.t);
-        if (item >= first_composite)
-            meet_composite(item - first_composite, ray, range, best, there);
-        else if (there(item))
-            meet(item, ready, range, best);
+        intersect(item, constants, range, best, there);
         if (best.primitive == before.primitive)
             best.t = before.t;
-        else if (by_boxes && best.t == before.t && !precedes(*this, item, met, ray))
+        else if (by_boxes && best.t == before.t && !precedes(geometry, item, met, ray))
             best = before;
         else
             met = item;
     };
-    for (const EndlessPlane& plane : geometry.planes) {
-        const double t = plane.meet(ray);
+    for (const InfinitePlane& plane : geometry.infinite.planes) {
+        const double t = plane.intersect(ray);
         if (!(t > tolerance && t <= best.t) || !there(plane.primitive)) continue;
         if (t == best.t && met < plane.primitive) continue;
         best = {t, plane.primitive, plane.normal};
         met = plane.primitive;
     }
-    for (const std::uint32_t item : geometry.endless) ask(item);
+    for (const std::uint32_t item : geometry.infinite.others) ask(item);
     met = 0;
     Asked asked;
     const auto ask_in_tree = [&](std::uint32_t item) {
@@ -161,62 +166,55 @@ bool World::first_hit(const Ray& ray, double tolerance, RayKind kind, Hit& hit) 
 
 void World::collect(std::uint32_t item, const Ray& ray, const Interval& range,
                     Passages& found) const {
-    if (item >= geometry.leaves_begin()) {
-        const PlacedComposite& placed = geometry.composites[item - geometry.leaves_begin()];
-        const auto passed = [&](std::uint32_t leaf) {
-            const Material& m = material(placed.first_leaf + leaf);
-            return m.transparent && !m.no_shadow;
-        };
-        placed.composite->all(ray, range, passed, [&](const Composite::Meeting& each) {
-            found.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
-        });
-        return;
-    }
-    if (material(item).no_shadow) return;
-    if (item < geometry.spheres.size()) {
-        const SpherePrimitive& s = geometry.spheres[item];
-        const double near = first_crossing(s.centre, s.radius, ray, range);
-        if (near >= range.max) return;
-        found.push_back({near, item, ray.at(near) - s.centre});
-        const double far =
-            first_crossing(s.centre, s.radius, ray, {near + tolerance_at(ray, near), range.max});
-        if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
-    } else if (item < geometry.shapes_begin()) {
-        Candidate best{range.max};
-        ReadyRay ready(ray);
-        meet(item, ready, range, best);
-        const TrianglePrimitive& face = geometry.triangles[item - geometry.spheres.size()];
-        if (best.primitive != no_primitive)
+    if (!geometry.is_composite(item) && material(item).no_shadow) return;
+    geometry.visit(
+        item,
+        [&](const SpherePrimitive& s) {
+            const double near = first_crossing(s.centre, s.radius, ray, range);
+            if (near >= range.max) return;
+            found.push_back({near, item, ray.at(near) - s.centre});
+            const double far = first_crossing(s.centre, s.radius, ray,
+                                              {near + tolerance_at(ray, near), range.max});
+            if (far < range.max) found.push_back({far, item, ray.at(far) - s.centre});
+        },
+        [&](const TrianglePrimitive& face) {
+            const TriangleHit hit =
+                ShearedRay(ray).meet(face.corner1, face.corner2, face.corner3, range);
+            if (hit.t >= range.max) return;
             found.push_back(
-                {best.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
-    } else {
-        const PlacedShape& placed = geometry.shapes[item - geometry.shapes_begin()];
-        Crossings all;
-        all_crossings_in(placed.shape, placed.transform ? placed.transform->inverse_ray(ray) : ray,
-                         range, all);
-        for (std::size_t i = 0; i < all.size(); ++i)
-            if (range.contains(all[i].t))
-                found.push_back(
-                    {all[i].t, item,
-                     placed.transform ? placed.transform->normal(all[i].normal) : all[i].normal,
-                     all[i].part});
-    }
+                {hit.t, item, cross(face.corner1 - face.corner2, face.corner3 - face.corner2)});
+        },
+        [&](const PlacedShape& placed) {
+            Crossings all;
+            all_crossings_in(placed.shape, in_shape(placed, ray), range, all);
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (!range.contains(all[i].t)) continue;
+                const Crossing met = in_world(placed, all[i]);
+                found.push_back({met.t, item, met.normal, met.part});
+            }
+        },
+        [&](const PlacedComposite& placed) {
+            const auto passed = [&](std::uint32_t leaf) {
+                const Material& m = material(placed.first_leaf + leaf);
+                return m.transparent && !m.no_shadow;
+            };
+            placed.composite->all(ray, range, passed, [&](const Composite::Meeting& each) {
+                found.push_back({each.t, placed.first_leaf + each.leaf, each.normal, each.part});
+            });
+        });
 }
 
-bool World::opaque_between(std::uint32_t item, ReadyRay& ready, const Interval& range) const {
-    const auto blocks = [&](PrimitiveIndex primitive) { return material(primitive).stops_light(); };
+bool World::opaque_between(std::uint32_t item, RayConstants& constants,
+                           const Interval& range) const {
     Candidate nearest{range.max};
-    if (item >= geometry.leaves_begin())
-        meet_composite(item - geometry.leaves_begin(), ready.ray(), range, nearest, blocks);
-    else if (blocks(item))
-        meet(item, ready, range, nearest);
+    intersect(item, constants, range, nearest,
+              [&](PrimitiveIndex primitive) { return material(primitive).stops_light(); });
     return nearest.primitive != no_primitive;
 }
 
 bool World::may_pass(std::uint32_t item) const {
-    return item < geometry.leaves_begin()
-               ? material(item).transparent
-               : geometry.composites[item - geometry.leaves_begin()].transparent;
+    const PlacedComposite* composite = geometry.composite(item);
+    return composite ? composite->transparent : material(item).transparent;
 }
 
 /// Leaves out what is clear and follows another, or an end of the way, too closely.
@@ -263,18 +261,18 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
                           std::span<const PrimitiveIndex> around, double apart) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
-    ReadyRay ready(ray);
+    RayConstants constants(ray);
     ShortList<std::uint32_t, 16> clear;
     const auto blocks = [&](std::uint32_t item) {
         if (appearance.any_transparent && may_pass(item)) clear.push_back(item);
-        return opaque_between(item, ready, range);
+        return opaque_between(item, constants, range);
     };
-    for (const EndlessPlane& plane : geometry.planes) {
-        if (!range.contains(plane.meet(ray))) continue;
+    for (const InfinitePlane& plane : geometry.infinite.planes) {
+        if (!range.contains(plane.intersect(ray))) continue;
         if (material(plane.primitive).stops_light()) return Vec3(0);
         clear.push_back(plane.primitive);
     }
-    if (std::ranges::any_of(geometry.endless, blocks)) return Vec3(0);
+    if (std::ranges::any_of(geometry.infinite.others, blocks)) return Vec3(0);
     PackRay packed(ray);
     Asked asked;
     const auto blocks_in_tree = [&](std::uint32_t item) {
@@ -301,22 +299,20 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {
-    if (primitive < geometry.spheres.size())
-        return length(point - geometry.spheres[primitive].centre) <
-               geometry.spheres[primitive].radius;
-    if (primitive < geometry.shapes_begin()) return false;
-    if (primitive >= geometry.leaves_begin())
-        return geometry.composites[geometry.composite_of[primitive - geometry.leaves_begin()]]
-            .composite->inside(point);
-    const PlacedShape& placed = geometry.shapes[primitive - geometry.shapes_begin()];
-    return inside(placed.shape, placed.transform ? placed.transform->inverse_point(point) : point);
+    return geometry.visit(
+        geometry.item_of(primitive),
+        [&](const SpherePrimitive& s) { return length(point - s.centre) < s.radius; },
+        [](const TrianglePrimitive&) { return false; },
+        [&](const PlacedShape& placed) {
+            return inside(placed.shape,
+                          placed.transform ? placed.transform->inverse_point(point) : point);
+        },
+        [&](const PlacedComposite& placed) { return placed.composite->inside(point); });
 }
 
 bool World::is_noted_solid(std::uint32_t item) const {
-    if (item >= geometry.spheres.size() && item < geometry.shapes_begin()) return false;
-    const auto* placed = item < geometry.leaves_begin()
-                             ? nullptr
-                             : &geometry.composites[item - geometry.leaves_begin()];
+    if (geometry.is_triangle(item)) return false;
+    const PlacedComposite* placed = geometry.composite(item);
     const Material& outer = material(placed ? placed->first_leaf : item);
     // What is opaque may be around the camera, or have holes that it is seen through.
     return (has_air() && !outer.hollow) || outer.interior ||
@@ -324,28 +320,29 @@ bool World::is_noted_solid(std::uint32_t item) const {
 }
 
 void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& found) const {
-    if (item < geometry.leaves_begin() && contains_point(item, point)) found.push_back(item);
-    if (item < geometry.leaves_begin()) return;
-    const PlacedComposite& placed = geometry.composites[item - geometry.leaves_begin()];
-    if (!contains(placed.around, point) || !placed.composite->inside(point)) return;
+    const PlacedComposite* placed = geometry.composite(item);
+    if (!placed) {
+        if (contains_point(item, point)) found.push_back(item);
+        return;
+    }
+    if (!contains(placed->around, point) || !placed->composite->inside(point)) return;
     // What is in the solid is what is behind its first transparent leaf.
-    PrimitiveIndex leaf = placed.first_leaf;
-    while (placed.transparent && !material(leaf).transparent) ++leaf;
+    PrimitiveIndex leaf = placed->first_leaf;
+    while (placed->transparent && !material(leaf).transparent) ++leaf;
     found.push_back(leaf);
 }
 
 EnteredSolids World::containing(const Vec3& point) const {
     EnteredSolids found;
     if (view.camera.parallel) {
-        for (const std::uint32_t item : geometry.clear_solids.unbounded)
+        for (const std::uint32_t item : geometry.clear_solids.infinite)
             add_if_inside(item, point, found);
         geometry.clear_solids.index.around(point, [&](std::uint32_t part) {
-            add_if_inside(geometry.clear_solids.bounded[part], point, found);
+            add_if_inside(geometry.clear_solids.finite[part], point, found);
         });
         return found;
     }
-    for (std::uint32_t item = 0; item < geometry.leaves_begin() + geometry.composites.size();
-         ++item)
+    for (std::uint32_t item = 0; item < geometry.item_count(); ++item)
         if (is_noted_solid(item)) add_if_inside(item, point, found);
     return found;
 }

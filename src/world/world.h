@@ -3,183 +3,18 @@
 // threads may ask it.
 #pragma once
 
-#include "backdrop/sky_light.h"
-#include "base/short_list.h"
 #include "camera/camera.h"
-#include "index/wide_tree.h"
-#include "lighting/sampler.h"
 #include "scene/scene.h"
-#include "shape/part_index.h"
-#include "world/sources.h"
+#include "world/hit.h"
+#include "world/lights.h"
+#include "world/material.h"
+#include "world/provenance.h"
+#include "world/sky.h"
 
-#include <cstdint>
-#include <memory>
-#include <unordered_map>
+#include <span>
 #include <vector>
 
-class ReadyRay;
-
-using PrimitiveIndex = std::uint32_t;
-inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
-
-/// What a ray is inside of, in the order of entering.
-using EnteredSolids = ShortList<PrimitiveIndex, 6>;
-
-/// The look of some primitives and what they do to rays; many primitives share one.
-struct Material {
-    Handle<Texture> texture;  ///< in world space; never null
-    /// Of the other corners of a mesh's face, when they differ; null: the whole shows the one
-    /// above.
-    Handle<Texture> texture2 = {}, texture3 = {};
-    Handle<Interior> interior;  ///< null: the atmosphere's
-    bool transparent = false;   ///< light can pass through it
-    bool no_shadow = false;
-    bool no_image = false;
-    bool no_reflection = false;
-    bool double_illuminate = false;
-    bool hollow = false;
-    bool uv = false;                  ///< a texture asks for u and v
-    Handle<Texture> inner = nullptr;  ///< of the side that is seen from inside; null: as outside
-    std::uint32_t light_group = 0;    ///< in WorldLights::groups; 0: none
-    /// Number of the union that gave its interior to all of its parts: rays take them for one solid
-    /// that they enter and leave in turn, as in POV-Ray. 0: the interior is its own.
-    std::uint32_t shared_interior = 0;
-    std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
-
-    /// Nothing behind it is lit.
-    bool stops_light() const { return !transparent && !no_shadow; }
-};
-
-struct SpherePrimitive {
-    Vec3 centre;
-    double radius;
-};
-
-struct TrianglePrimitive {
-    Vec3 corner1, corner2, corner3;
-};
-
-/// Normals of a smooth triangle's corners.
-struct CornerNormals {
-    Vec3 normal1, normal2, normal3;
-};
-
-/// Textures of the parts of a surface, by the numbers that the shape has for them.
-using TextureList = std::vector<Handle<Texture>>;
-
-/// A primitive of any other shape, under any affine map.
-struct PlacedShape {
-    BuiltShape shape;
-    Handle<Transform> transform;  ///< null: none
-    Box box;                      ///< around it; infinite for planes and the like
-};
-
-/// A plane in world space, which every ray asks.
-struct EndlessPlane {
-    Vec3 normal;  ///< unit
-    double distance;
-    PrimitiveIndex primitive;
-
-    /// Where the ray meets it; not a number when it never does.
-    double meet(const Ray& ray) const {
-        const double approach = dot(ray.direction, normal);
-        return approach == 0 ? std::numeric_limits<double>::quiet_NaN()
-                             : (distance - dot(ray.origin, normal)) / approach;
-    }
-};
-
-/// Several shapes as one solid. Its leaves are primitives as well, one after the other.
-struct PlacedComposite {
-    Handle<Composite> composite;
-    PrimitiveIndex first_leaf = 0;
-    bool transparent = false;  ///< a leaf is
-    Box around;  ///< out of this no ray begins inside of it, as of what is inverse in POV-Ray
-};
-
-/// Solids that rays must know of by where they are, for cameras whose rays begin anywhere.
-struct ClearSolids {
-    std::vector<std::uint32_t> unbounded;
-    std::vector<std::uint32_t> bounded;  ///< in the order of the index's parts
-    PartIndex index;
-};
-
-/// Objects that are lit by the same lights.
-struct LightGroup {
-    std::uint32_t outer = 0;    ///< another group whose lights light it as well; 0: none
-    bool global_lights = true;  ///< lights of no group light its objects
-};
-
-/// What restricts a light.
-struct LightReach {
-    std::uint32_t group = 0;             ///< it lights the objects of this group only; 0: all
-    Handle<Composite> window = nullptr;  ///< it lights what is seen through this; null: all
-};
-
-/// Where surfaces are.
-struct Geometry {
-    /// Number of the first shape among the primitives.
-    PrimitiveIndex shapes_begin() const {
-        return static_cast<PrimitiveIndex>(spheres.size() + triangles.size());
-    }
-
-    /// Number of the first leaf of a composite among the primitives. The tree and `unbounded` have
-    /// the composites themselves from this number on.
-    PrimitiveIndex leaves_begin() const {
-        return shapes_begin() + static_cast<PrimitiveIndex>(shapes.size());
-    }
-
-    // Primitives are counted through: spheres, then triangles, then shapes, then leaves.
-    std::vector<SpherePrimitive> spheres;
-    std::vector<TrianglePrimitive> triangles;
-    std::vector<PlacedShape> shapes;
-    std::vector<PlacedComposite> composites;
-    std::vector<std::uint32_t> composite_of;  ///< of the leaves
-    std::vector<CornerNormals> normals;       ///< of the smooth triangles
-    /// Per triangle: index in normals, or no_primitive; empty when none is smooth.
-    std::vector<std::uint32_t> normals_of;
-    std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
-    /// Per triangle: index in uvs, or no_primitive; the last ones are left out when they have none.
-    std::vector<std::uint32_t> uvs_of;
-    /// Planes and the like, asked apart from the tree; ascending.
-    std::vector<std::uint32_t> unbounded;
-    std::vector<EndlessPlane> planes;    ///< those of them that are planes in their own place
-    std::vector<std::uint32_t> endless;  ///< the others
-    WideTree tree;
-    ClearSolids clear_solids;  ///< empty unless the camera is parallel
-};
-
-/// How surfaces look.
-struct Appearance {
-    std::vector<Material> materials;
-    std::vector<std::uint32_t> material_of;  ///< per primitive
-    /// Of faces of meshes that are leaves, and of components of blobs.
-    std::unordered_map<PrimitiveIndex, TextureList> part_textures;
-    bool any_transparent = false;  ///< rays must know what they are inside of
-    bool any_left_out = false;     ///< some objects are not there for some rays
-    bool any_scattering = false;   ///< a finish has facets
-    bool any_clear = false;        ///< shadow rays may pass through something
-};
-
-/// What gives light, except for the sky.
-struct WorldLights {
-    std::vector<Luminaire> luminaires;
-    /// Per primitive: index in luminaires, or no_primitive; empty if none glows.
-    std::vector<std::uint32_t> luminaire_of;
-    BuiltLightSampler sampler;  ///< among the luminaires
-    std::vector<Light> sources;
-    std::vector<LightReach> reach;       ///< of each source
-    std::vector<SourceSet> source_sets;  ///< all sources
-    std::vector<LightGroup> groups{1};   ///< the first stands for what is in none
-};
-
-/// What rays meet where they meet no surface, and on their way.
-struct Sky {
-    Background background;
-    std::optional<SkySphere> sphere;
-    std::vector<Fog> fogs;
-    std::vector<Rainbow> rainbows;
-    SkyLight light;  ///< empty unless the sky is a luminaire
-};
+class RayConstants;
 
 /// From where the world is seen.
 struct WorldView {
@@ -194,32 +29,8 @@ struct Rules {
     int quality = 9;  ///< see surface/simplified.h
 };
 
-/// Which parts of the scene's text made what.
-struct Provenance {
-    /// The statements of the scene that made luminaires and lights, and which one made each of
-    /// them.
-    std::vector<Span> light_statements;
-    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
-    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
-    /// the scene makes them. Both are empty unless compile() was asked to remember.
-    std::vector<std::uint32_t> object_of;
-    std::vector<Span> object_spans;
-    std::size_t object_count = 0;  ///< as the scene counts them
-};
-
-/// Where a ray met a surface.
-struct Hit {
-    PrimitiveIndex primitive = no_primitive;
-    std::uint32_t part = 0;  ///< of shapes and leaves: see Crossing
-    Vec3 position = Vec3(0);
-    Vec3 normal = Vec3(0);         ///< unit, outward: of the surface as it is
-    Vec3 smooth_normal = Vec3(0);  ///< unit, outward: of the surface as it is shaded
-    double tolerance =
-        0;  ///< rays that start here begin this far away, to miss the surface they come from
-};
-
-/// Who asks: some objects are left out for some rays.
-enum class RayKind { camera, reflected, light, gathering };
+/// Surfaces that a ray passes in a straight line: more are rounding errors, or too many to matter.
+inline constexpr int max_surfaces_along = 1000;
 
 class World {
 public:
@@ -229,6 +40,22 @@ public:
 
     /// The nearest surface further than `tolerance` along the ray, whose direction has length 1.
     bool first_hit(const Ray&, double tolerance, RayKind, Hit&) const;
+
+    /// Calls visit(hit, distance) for the surfaces that the ray meets further than `from`, the
+    /// nearest first, while that returns true. A visit that takes a Hit& may raise its tolerance:
+    /// the next surface is further behind it than that. Returns whether there was no visit that
+    /// returned false.
+    template <class Visit>
+    bool along(const Ray& ray, double from, RayKind kind, Visit visit) const {
+        Hit hit;
+        for (int met = 0; met < max_surfaces_along; ++met) {
+            if (!first_hit(ray, from, kind, hit)) return true;
+            const double distance = dot(hit.position - ray.origin, ray.direction);
+            if (!visit(hit, distance)) return false;
+            from = distance + hit.tolerance;
+        }
+        return true;
+    }
 
     /// The share of light that gets from a hit to a point at that distance along the ray, per
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
@@ -240,9 +67,8 @@ public:
     /// What the surface that a ray hits leaves of the light from behind it, per channel.
     Vec3 passed(const Hit&, const Ray&) const;
 
-    /// Whether rays must know that they are inside of a primitive, or of a composite by its number
-    /// from leaves_begin() on: it is transparent, has an interior, or keeps out the fog that there
-    /// is.
+    /// Whether rays must know that they are inside of an item: it is transparent, has an interior,
+    /// or keeps out the fog that there is.
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be such solids.
     bool notes_solids() const { return appearance.any_transparent || has_air(); }
@@ -310,12 +136,8 @@ public:
         constexpr std::uint32_t above_all = 0x80000000;
         if (const std::uint32_t number = material(primitive).shared_interior)
             return above_all - number;
-        const bool face =
-            primitive >= geometry.spheres.size() && primitive < geometry.shapes_begin();
-        if (primitive >= geometry.leaves_begin())
-            return geometry.leaves_begin() +
-                   geometry.composite_of[primitive - geometry.leaves_begin()];
-        return face ? ~material(primitive).solid : primitive;
+        if (geometry.is_leaf(primitive)) return geometry.item_of(primitive);
+        return geometry.is_triangle(primitive) ? ~material(primitive).solid : primitive;
     }
 
     /// Whether two samples of one point of the picture may differ.
@@ -351,19 +173,16 @@ private:
     using Passages = ShortList<Passage, 8>;  ///< from the first to the last, when all are there
     /// Adds a noted solid, if the point is in it: a composite by the leaf whose interior it has.
     void add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids&) const;
-    /// A leaf of a composite, by its number among all leaves.
-    const CompositeLeaf& leaf(std::uint32_t) const;
-    void meet(PrimitiveIndex, ReadyRay&, const Interval&, Candidate&) const;
-    void meet_shape(PrimitiveIndex, const Ray&, const Interval&, Candidate&) const;
+    /// The nearest surface of the item within the range that is nearer than the candidate. Of a
+    /// composite those leaves count for which wanted(PrimitiveIndex) is true.
     template <class Wanted>
-    void meet_composite(std::uint32_t composite, const Ray&, const Interval&, Candidate&,
-                        Wanted) const;
+    void intersect(std::uint32_t item, RayConstants&, const Interval&, Candidate&, Wanted) const;
     bool left_out(PrimitiveIndex, RayKind) const;
     Hit complete(const Ray&, const Candidate&) const;
     void collect(std::uint32_t item, const Ray&, const Interval&, Passages&) const;
     Vec3 passed(const Passage&, const Ray&) const;
     void keep_apart(Passages&, const Ray&, double distance, double apart) const;
     Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
-    bool opaque_between(std::uint32_t item, ReadyRay&, const Interval&) const;
+    bool opaque_between(std::uint32_t item, RayConstants&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };

@@ -19,23 +19,25 @@ light_source { <-1, 0, -5>, 1 }
 
 /// A picture of the scene that is ready to be looked at.
 struct Look {
-    World world;
+    World world = compiled();
     SourceStore sources;
     RenderSettings settings;
     RenderState state;
     LightLedger rays;
 
     Look() {
-        CompileOptions options;
-        options.remembers_objects = true;
-        Diagnostics diagnostics;
-        world = compile(scene_of(scene), options, diagnostics);
         sources.add("scene.pov", scene);
         settings.width = 32;
         settings.height = 24;
         settings.samples = 2;
         state = begin_picture(settings);
         advance(plan_of(world, settings), state, rays, {});
+    }
+    static World compiled() {
+        CompileOptions options;
+        options.remembers_objects = true;
+        Diagnostics diagnostics;
+        return compile(scene_of(scene), options, diagnostics);
     }
     Exhibit exhibit() const { return {world, sources, settings, state.film, rays, 1}; }
 };

@@ -23,6 +23,6 @@ TEST_CASE("the report tells what a world is made of") {
     CHECK(text.find("luminaires: 1 (1 spheres, 0 triangles, 0 others), greatest radiance 2\n") !=
           std::string::npos);
     CHECK(text.find("light sampler: every_light\n") != std::string::npos);
-    CHECK(text.find("1 unbounded\n") != std::string::npos);
+    CHECK(text.find("1 infinite\n") != std::string::npos);
     CHECK(text.find("index: kd_tree, ") != std::string::npos);
 }

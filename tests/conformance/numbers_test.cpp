@@ -14,9 +14,8 @@ namespace {
 /// The same world, where each ray asks all primitives.
 World without_tree(const std::string& script) {
     World world = world_of(script);
-    std::vector<Box> boxes(world.geometry.leaves_begin() + world.geometry.composites.size(),
-                           Box{Vec3(-1e9), Vec3(1e9)});
-    for (const std::uint32_t item : world.geometry.unbounded) boxes[item] = Box();
+    std::vector<Box> boxes(world.geometry.item_count(), Box{Vec3(-1e9), Vec3(1e9)});
+    for (const std::uint32_t item : world.geometry.infinite.all) boxes[item] = Box();
     world.geometry.tree = build_tree(boxes, {}, 1);
     return world;
 }

@@ -131,7 +131,7 @@ TEST_CASE("a point knows the clear solids that it is in", "[world]") {
         CAPTURE(point.x, point.y, point.z);
         CHECK(found == expected);
     }
-    CHECK(parallel.geometry.clear_solids.bounded.size() > 20);
+    CHECK(parallel.geometry.clear_solids.finite.size() > 20);
 }
 
 TEST_CASE("the background's transparency counts from version 3.7 on", "[world]") {
@@ -141,4 +141,31 @@ TEST_CASE("the background's transparency counts from version 3.7 on", "[world]")
     CHECK(now.sky.background.covering() == Vec3(0.25, 0.125, 0.05));
     CHECK(now.sky.background.mirrored() == Vec3(1, 0.5, 0.2));
     CHECK(old.sky_radiance(Vec3(0, 0, 1)) == Vec3(1, 0.5, 0.2));
+}
+
+TEST_CASE("a walk along a ray meets surfaces in order, until the visit ends it", "[world]") {
+    const World world = world_of("sphere { 2*z, 1 } sphere { 5*z, 1 } sphere { 8*z, 1 }");
+    const Ray ray{Vec3(0), Vec3(0, 0, 1)};
+    std::vector<double> distances;
+    const auto note = [&](const Hit&, double distance) {
+        distances.push_back(distance);
+        return distances.size() < 4;
+    };
+    CHECK_FALSE(world.along(ray, 1e-9, RayKind::light, note));
+    CHECK(distances == std::vector<double>{1, 3, 4, 6});
+    distances.clear();
+    CHECK(world.along(ray, 6.5, RayKind::light, note));
+    CHECK(distances == std::vector<double>{7, 9});
+}
+
+TEST_CASE("a visit that raises the tolerance of a hit leaves out what is close behind it",
+          "[world]") {
+    const World world = world_of("sphere { 2*z, 1 } sphere { 5*z, 1 }");
+    std::vector<double> distances;
+    world.along({Vec3(0), Vec3(0, 0, 1)}, 1e-9, RayKind::light, [&](Hit& hit, double distance) {
+        distances.push_back(distance);
+        hit.tolerance = 2.5;
+        return true;
+    });
+    CHECK(distances == std::vector<double>{1, 4});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/leans.h"
+#include "world/bent_normals.h"
 
 #include "support/scripts.h"
 #include "world/compile.h"
@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Leans of the luminaires of a scene whose camera is at this place.
-std::vector<Vec3> leans(const std::string& text, const std::string& eye = "<0, 20, -50>") {
+/// Bent normals of the luminaires of a scene whose camera is at this place.
+std::vector<Vec3> bent_normals(const std::string& text, const std::string& eye = "<0, 20, -50>") {
     const World world =
         world_of("#version 3.7; camera { location " + eye + " look_at 0 }\n" +
                  "#declare G = texture { pigment { rgb 1 } finish { emission 1 } }\n" + text);
@@ -24,9 +24,9 @@ const std::string window = "box { <-0.2, 1, -1.02>, <0.2, 1.5, -0.98> texture { 
 }  // namespace
 
 TEST_CASE("luminaires that nothing is next to do not lean", "[world]") {
-    for (const Vec3& lean : leans(far + "sphere { 0, 1 texture { G } }"
-                                        "box { <-1, 4, -0.1>, <1, 6, 0.1> texture { G } }"))
-        CHECK(lean == Vec3(0));
+    for (const Vec3& bent : bent_normals(far + "sphere { 0, 1 texture { G } }"
+                                               "box { <-1, 4, -0.1>, <1, 6, 0.1> texture { G } }"))
+        CHECK(bent == Vec3(0));
 }
 
 TEST_CASE("a window leans away from its house, whatever that is made of", "[world]") {
@@ -35,7 +35,7 @@ TEST_CASE("a window leans away from its house, whatever that is made of", "[worl
                               "object { box { -1, 1 } translate y scale <1, 1.5, 1> }",
                               "box { <-1, 0, -0.95>, <1, 3, 1> }"}) {
         INFO(house);
-        const std::vector<Vec3> found = leans(far + window + house);
+        const std::vector<Vec3> found = bent_normals(far + window + house);
         REQUIRE(found.size() == 2);
         CHECK(found[0] == Vec3(0));
         CHECK(found[1].z < -0.3);
@@ -45,24 +45,25 @@ TEST_CASE("a window leans away from its house, whatever that is made of", "[worl
 
 TEST_CASE("a ball that is half in a box leans out of it, one that lies on it does not", "[world]") {
     const std::string box = " box { <-9, -9, -9>, <9, 0, 9> }";
-    const std::vector<Vec3> half_in = leans(far + "sphere { 0, 1 texture { G } }" + box);
+    const std::vector<Vec3> half_in = bent_normals(far + "sphere { 0, 1 texture { G } }" + box);
     CHECK(half_in[1].y > 0.2);
     CHECK(length(half_in[1]) < 0.5);
-    CHECK(leans(far + "sphere { y, 1 texture { G } }" + box)[1] == Vec3(0));
-    CHECK(leans(far + "sphere { y, 1 texture { G } } plane { y, 0 }")[1] == Vec3(0));
+    CHECK(bent_normals(far + "sphere { y, 1 texture { G } }" + box)[1] == Vec3(0));
+    CHECK(bent_normals(far + "sphere { y, 1 texture { G } } plane { y, 0 }")[1] == Vec3(0));
 }
 
 TEST_CASE("a solid that the eye is in hides nothing, nor does one that light passes", "[world]") {
     const std::string balls = far + "sphere { 0, 1 texture { G } }";
-    for (const Vec3& lean : leans(balls + "box { <-100, -30, -80>, <10, 40, 80> }"))
-        CHECK(lean == Vec3(0));
-    for (const Vec3& lean : leans(balls + "sphere { 0, 1.5 pigment { rgbt 1 } }"))
-        CHECK(lean == Vec3(0));
-    for (const Vec3& lean : leans(balls + "sphere { 0, 1.5 no_shadow }")) CHECK(lean == Vec3(0));
+    for (const Vec3& bent : bent_normals(balls + "box { <-100, -30, -80>, <10, 40, 80> }"))
+        CHECK(bent == Vec3(0));
+    for (const Vec3& bent : bent_normals(balls + "sphere { 0, 1.5 pigment { rgbt 1 } }"))
+        CHECK(bent == Vec3(0));
+    for (const Vec3& bent : bent_normals(balls + "sphere { 0, 1.5 no_shadow }"))
+        CHECK(bent == Vec3(0));
 }
 
 TEST_CASE("one that nothing gets away from does not lean", "[world]") {
-    CHECK(leans(far + "sphere { 0, 1 texture { G } } box { -2, 2 }")[1] == Vec3(0));
+    CHECK(bent_normals(far + "sphere { 0, 1 texture { G } } box { -2, 2 }")[1] == Vec3(0));
 }
 
 TEST_CASE("leans are the same for any number of threads", "[world]") {

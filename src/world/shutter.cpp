@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/moments.h"
+#include "world/shutter.h"
 
 #include <map>
 #include <string>
@@ -17,16 +17,16 @@ void share_light_statements(World& world, const SourceStore& sources) {
         if (added) all.push_back(statement);
         return found->second;
     };
-    const auto renumber = [&](World& moment) {
+    const auto renumber = [&](World& sample) {
         std::vector<std::uint32_t> now;
-        for (const Span& statement : moment.provenance.light_statements)
+        for (const Span& statement : sample.provenance.light_statements)
             now.push_back(number(statement));
         for (auto* list :
-             {&moment.provenance.statement_of_luminaire, &moment.provenance.statement_of_light})
+             {&sample.provenance.statement_of_luminaire, &sample.provenance.statement_of_light})
             for (std::uint32_t& statement : *list) statement = now[statement];
     };
     renumber(world);
-    for (World& moment : world.shutter) renumber(moment);
-    for (World& moment : world.shutter) moment.provenance.light_statements = all;
+    for (World& sample : world.shutter) renumber(sample);
+    for (World& sample : world.shutter) sample.provenance.light_statements = all;
     world.provenance.light_statements = std::move(all);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/dark.h"
+#include "world/emission.h"
 
 #include "support/scripts.h"
 
@@ -19,11 +19,11 @@ TEST_CASE("objects are dark when none of their parts can glow", "[world]") {
     }));
     INFO(script);
     const Scene scene = scene_of(script);
-    CHECK(surely_dark(*scene.objects.at(0), nullptr) == dark);
+    CHECK(cannot_emit(*scene.objects.at(0), nullptr) == dark);
 }
 
 TEST_CASE("what has no texture at all may glow", "[world]") {
-    CHECK_FALSE(surely_dark(Object{}, nullptr));
+    CHECK_FALSE(cannot_emit(Object{}, nullptr));
     const Handle<Texture> plain = make_handle<Texture>();
-    CHECK(surely_dark(Object{}, &plain));
+    CHECK(cannot_emit(Object{}, &plain));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/dark.h"
+#include "world/emission.h"
 
 #include <algorithm>
 
@@ -11,15 +11,15 @@ bool emits_nothing(const Texture& texture) {
 
 }  // namespace
 
-bool surely_dark(const Object& object, const Handle<Texture>* inherited) {
+bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
     const Handle<Texture>* own = object.texture ? &object.texture : inherited;
-    const auto all_dark = [&](const std::vector<ObjectHandle>& parts) {
+    const auto none_emits = [&](const std::vector<ObjectHandle>& parts) {
         return std::ranges::all_of(
-            parts, [&](const ObjectHandle& part) { return surely_dark(*part, own); });
+            parts, [&](const ObjectHandle& part) { return cannot_emit(*part, own); });
     };
-    if (object.part_textures || (object.clipping && !all_dark(object.clipping->clips)))
+    if (object.part_textures || (object.clipping && !none_emits(object.clipping->clips)))
         return false;
     if (const auto* group = std::get_if<Union>(&object.form))
-        return group->lights.empty() && !group->children.empty() && all_dark(group->children);
+        return group->lights.empty() && !group->children.empty() && none_emits(group->children);
     return own && emits_nothing(**own);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "world/leans.h"
+#include "world/bent_normals.h"
 
 #include "base/parallel.h"
 
@@ -17,15 +17,13 @@ constexpr double mounted = 0.5;
 /// Ends of rays are moved by this share of the luminaire's radius, and of the distance from the
 /// origin.
 constexpr double apart = 1e-4, rounding = 1e-9;
-/// Clear surfaces in a row that are looked through.
-constexpr int most_passed = 16;
 /// Luminaires that are done at once.
 constexpr std::size_t chunk = 256;
 /// Rays that count as having got away, because the ones that were tried are few: of a side of a
 /// flat luminaire, and of a round one.
 constexpr double flat_doubt = 0.25, round_doubt = 1;
-/// The greatest lean.
-constexpr double most_lean = 0.48;
+/// The greatest length of a bent normal.
+constexpr double max_length = 0.48;
 
 double number(std::size_t light, std::size_t ray, std::uint32_t which) {
     return uniform(Key{light, static_cast<std::uint32_t>(ray), which, 2},
@@ -35,19 +33,21 @@ double number(std::size_t light, std::size_t ray, std::uint32_t which) {
 /// Whether what leaves the point gets so far, and is not inside of anything.
 bool gets_away(const World& world, const std::optional<Vec3>& eye, const Ray& ray, double start,
                double far) {
-    Hit hit;
-    for (int passed = 0; passed < most_passed; ++passed) {
-        if (!world.first_hit(ray, start, RayKind::light, hit)) return true;
-        const double distance = dot(hit.position - ray.origin, ray.direction);
-        if (world.material(hit.primitive).stops_light()) {
-            if (distance < far) return false;
-            const bool with_eye = eye && world.contains_point(hit.primitive, *eye);
-            return with_eye ||
-                   !world.contains_point(hit.primitive, ray.at(0.5 * (start + distance)));
+    double behind = start;
+    bool away = true;
+    world.along(ray, start, RayKind::light, [&](const Hit& hit, double distance) {
+        if (!world.material(hit.primitive).stops_light()) {
+            behind = distance + hit.tolerance;
+            return true;
         }
-        start = distance + hit.tolerance;
-    }
-    return true;
+        const auto within = [&](const Vec3& point) {
+            return world.contains_point(hit.primitive, point);
+        };
+        away = distance >= far &&
+               ((eye && within(*eye)) || !within(ray.at(0.5 * (behind + distance))));
+        return false;
+    });
+    return away;
 }
 
 /// Rays of a luminaire that were tried, and the sums over those that got away.
@@ -59,25 +59,25 @@ struct Tried {
     double away() const { return away_to_axis + away_from_axis; }
 };
 
-Vec3 lean_of_flat(const Tried& tried, const Vec3& axis) {
+Vec3 bent_normal_of_flat(const Tried& tried, const Vec3& axis) {
     const double front = (tried.away_to_axis + flat_doubt) / (tried.to_axis + flat_doubt),
                  back = (tried.away_from_axis + flat_doubt) / (tried.from_axis + flat_doubt);
-    const double lean = 0.5 * (front - back) / std::fmax(front, back);
-    return std::clamp(lean, -most_lean, most_lean) * axis;
+    const double length = 0.5 * (front - back) / std::fmax(front, back);
+    return std::clamp(length, -max_length, max_length) * axis;
 }
 
-/// As if what gets away were open + dot(lean, direction) of all.
-Vec3 lean_of_round(const Tried& tried) {
+/// As if what gets away were open + dot(bent, direction) of all.
+Vec3 bent_normal_of_round(const Tried& tried) {
     const double all = tried.all() + round_doubt;
     const double open = (tried.away() + round_doubt) / all;
-    const Vec3 lean = 3 / all * tried.directions;
-    const double size = length(lean);
+    const Vec3 bent = 3 / all * tried.directions;
+    const double size = length(bent);
     if (!(size > 0)) return Vec3(0);
-    return std::fmin(1 / (open + size), most_lean / size) * lean;
+    return std::fmin(1 / (open + size), max_length / size) * bent;
 }
 
-Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
-             std::size_t pairs) {
+Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<Vec3>& eye,
+                    std::size_t pairs) {
     const Luminaire& luminaire = world.lights.luminaires[light];
     const LightBounds b = bounds(luminaire);
     const bool flat = b.axis != Vec3(0);
@@ -106,18 +106,18 @@ Vec3 lean_of(const World& world, std::size_t light, const std::optional<Vec3>& e
         tried.directions += direction;
     }
     if (tried.away() == 0) return Vec3(0);
-    return flat ? lean_of_flat(tried, b.axis) : lean_of_round(tried);
+    return flat ? bent_normal_of_flat(tried, b.axis) : bent_normal_of_round(tried);
 }
 
 }  // namespace
 
-void find_leans(World& world, const std::optional<Vec3>& eye, int threads) {
+void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads) {
     const std::size_t count = world.lights.luminaires.size();
     if (count < 2) return;
     const std::size_t pairs = std::min(most_pairs, most_rays / (2 * count));
     if (pairs == 0) return;
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)
-            world.lights.luminaires[light].lean = lean_of(world, light, eye, pairs);
+            world.lights.luminaires[light].lean = bent_normal_of(world, light, eye, pairs);
     });
 }

@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flattening writes down beside the primitives: which statement made each light, and which
-// object each primitive belongs to.
+// Where in the scene's text the parts of a world come from: which statement made each light, and
+// which object each primitive belongs to. Written by flatten().
 #pragma once
 
-#include "world/world.h"
+#include "text/span.h"
+#include "world/geometry.h"
 
 #include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
-/// Primitives are numbered by kind: all spheres, all triangles, all other shapes, all leaves of
-/// composites.
-enum class PrimitiveKind { sphere, triangle, shape, leaf };
-
-/// A primitive by its number among those of its kind, when all of the others are known, too.
-inline PrimitiveIndex primitive(const World& world, PrimitiveKind kind, std::uint32_t index) {
-    const auto triangles = static_cast<PrimitiveIndex>(world.geometry.spheres.size());
-    const auto shapes = static_cast<PrimitiveIndex>(triangles + world.geometry.triangles.size());
-    return std::array{0u, triangles, shapes,
-                      world.geometry.leaves_begin()}[static_cast<std::size_t>(kind)] +
-           index;
-}
+/// Which parts of the scene's text made what.
+struct Provenance {
+    /// The statements of the scene that made luminaires and lights, and which one made each of
+    /// them.
+    std::vector<Span> light_statements;
+    std::vector<std::uint32_t> statement_of_luminaire, statement_of_light;
+    /// Which object each primitive belongs to, by its place in object_spans: objects are counted as
+    /// the scene makes them. Both are empty unless compile() was asked to remember.
+    std::vector<std::uint32_t> object_of;
+    std::vector<Span> object_spans;
+    std::size_t object_count = 0;  ///< as the scene counts them
+};
 
 /// Numbers of the statements that make lights, in the order in which they do.
 class LightStatements {
 public:
-    explicit LightStatements(World& world) : all_(world.provenance.light_statements) {}
+    explicit LightStatements(Provenance& provenance) : all_(provenance.light_statements) {}
 
     void begin(Span statement) { now_ = statement; }
 
@@ -50,25 +52,25 @@ private:
 /// Fills Provenance::object_of and Provenance::object_spans, if that is wanted.
 class ObjectMemory {
 public:
-    ObjectMemory(World& world, bool wanted) : world_(world), wanted_(wanted) {}
+    ObjectMemory(Provenance& provenance, bool wanted) : provenance_(provenance), wanted_(wanted) {}
 
     /// What is placed from now on belongs to another object.
     void begin(Span object) {
-        if (wanted_) world_.provenance.object_spans.push_back(object);
+        if (wanted_) provenance_.object_spans.push_back(object);
     }
     void placed(PrimitiveKind kind) {
         if (wanted_)
             objects_[static_cast<std::size_t>(kind)].push_back(
-                static_cast<std::uint32_t>(world_.provenance.object_spans.size() - 1));
+                static_cast<std::uint32_t>(provenance_.object_spans.size() - 1));
     }
     void finish() {
         for (const auto& objects : objects_)
-            world_.provenance.object_of.insert(world_.provenance.object_of.end(), objects.begin(),
-                                               objects.end());
+            provenance_.object_of.insert(provenance_.object_of.end(), objects.begin(),
+                                         objects.end());
     }
 
 private:
-    World& world_;
+    Provenance& provenance_;
     bool wanted_;
     std::array<std::vector<std::uint32_t>, 4> objects_;
 };

@@ -8,10 +8,10 @@
 
 #include <optional>
 
-class ReadyRay {
+class RayConstants {
 public:
-    explicit ReadyRay(const Ray& ray) : ray_(ray) {}
-    explicit ReadyRay(Ray&&) = delete;
+    explicit RayConstants(const Ray& ray) : ray_(ray) {}
+    explicit RayConstants(Ray&&) = delete;
 
     const Ray& ray() const { return ray_; }
     const Slabs& slabs() {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "world/geometry.h"
+
+PrimitiveIndex Geometry::primitive(PrimitiveKind kind, std::uint32_t index) const {
+    switch (kind) {
+        case PrimitiveKind::sphere:
+            return index;
+        case PrimitiveKind::triangle:
+            return triangles_begin() + index;
+        case PrimitiveKind::shape:
+            return shapes_begin() + index;
+        case PrimitiveKind::leaf:
+            break;
+    }
+    return leaves_begin() + index;
+}
+
+Box Geometry::bounds(std::uint32_t item) const {
+    return visit(
+        item,
+        [](const SpherePrimitive& s) {
+            return Box{s.centre - s.radius, s.centre + s.radius};
+        },
+        [](const TrianglePrimitive& t) {
+            return join(join(Box{t.corner1, t.corner1}, t.corner2), t.corner3);
+        },
+        [](const PlacedShape& placed) { return placed.box; },
+        [](const PlacedComposite& placed) { return placed.composite->bounds(); });
+}
+
+Box Geometry::inside_bounds(std::uint32_t item) const {
+    if (const PlacedComposite* placed = composite(item)) return placed->composite->inside_bounds();
+    const PlacedShape* placed = shape(item);
+    if (!placed) return bounds(item);
+    const Box box = ::inside_bounds(placed->shape);
+    return placed->transform ? placed->transform->box(box) : box;
+}

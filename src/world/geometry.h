@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the surfaces of a world are, and how they are numbered.
+//
+// Primitives are the surfaces that rays meet. They are numbered by kind: first all spheres, then
+// all triangles, all other shapes, and all leaves of composites. Items are what the tree has, and
+// what rays ask: spheres, triangles and shapes by the same numbers, and behind them the composites.
+// A number from leaves_begin() on is that of a leaf or of a composite; the functions below say
+// which of the two they take.
+#pragma once
+
+#include "index/wide_tree.h"
+#include "shape/composite.h"
+#include "shape/part_index.h"
+#include "shape/shape.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+using PrimitiveIndex = std::uint32_t;
+inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
+
+struct SpherePrimitive {
+    Vec3 centre;
+    double radius;
+};
+
+struct TrianglePrimitive {
+    Vec3 corner1, corner2, corner3;
+};
+
+/// Normals of a smooth triangle's corners.
+struct CornerNormals {
+    Vec3 normal1, normal2, normal3;
+};
+
+/// A primitive of any other shape, under any affine map.
+struct PlacedShape {
+    BuiltShape shape;
+    Handle<Transform> transform;  ///< null: none
+    Box box;                      ///< around it; infinite for planes and the like
+};
+
+/// A plane in world space, which every ray asks.
+struct InfinitePlane {
+    Vec3 normal;  ///< unit
+    double distance;
+    PrimitiveIndex primitive;
+
+    /// Where the ray meets it; not a number when it never does.
+    double intersect(const Ray& ray) const {
+        const double approach = dot(ray.direction, normal);
+        return approach == 0 ? std::numeric_limits<double>::quiet_NaN()
+                             : (distance - dot(ray.origin, normal)) / approach;
+    }
+};
+
+/// Several shapes as one solid. Its leaves are primitives as well, one after the other.
+struct PlacedComposite {
+    Handle<Composite> composite;
+    PrimitiveIndex first_leaf = 0;
+    bool transparent = false;  ///< a leaf is
+    Box around;  ///< out of this no ray begins inside of it, as of what is inverse in POV-Ray
+};
+
+/// Solids that rays must know of by where they are, for cameras whose rays begin anywhere.
+struct ClearSolids {
+    std::vector<std::uint32_t> infinite;
+    std::vector<std::uint32_t> finite;  ///< in the order of the index's parts
+    PartIndex index;
+};
+
+/// Items without an end, which rays ask apart from the tree.
+struct InfiniteItems {
+    std::vector<std::uint32_t> all;     ///< ascending
+    std::vector<InfinitePlane> planes;  ///< those of them that are planes in their own place
+    std::vector<std::uint32_t> others;
+};
+
+enum class PrimitiveKind { sphere, triangle, shape, leaf };
+
+struct Geometry {
+    PrimitiveIndex triangles_begin() const { return static_cast<PrimitiveIndex>(spheres.size()); }
+    PrimitiveIndex shapes_begin() const {
+        return triangles_begin() + static_cast<PrimitiveIndex>(triangles.size());
+    }
+    PrimitiveIndex leaves_begin() const {
+        return shapes_begin() + static_cast<PrimitiveIndex>(shapes.size());
+    }
+    std::uint32_t item_count() const {
+        return leaves_begin() + static_cast<std::uint32_t>(composites.size());
+    }
+
+    /// The primitive with that place among those of its kind.
+    PrimitiveIndex primitive(PrimitiveKind, std::uint32_t index) const;
+
+    bool is_triangle(std::uint32_t number) const {
+        return number >= triangles_begin() && number < shapes_begin();
+    }
+    bool is_leaf(PrimitiveIndex primitive) const { return primitive >= leaves_begin(); }
+    bool is_composite(std::uint32_t item) const { return item >= leaves_begin(); }
+
+    /// Null for items of other kinds.
+    const PlacedShape* shape(std::uint32_t item) const {
+        const bool is = item >= shapes_begin() && item < leaves_begin();
+        return is ? &shapes[item - shapes_begin()] : nullptr;
+    }
+    /// The same.
+    const PlacedComposite* composite(std::uint32_t item) const {
+        return is_composite(item) ? &composites[item - leaves_begin()] : nullptr;
+    }
+    /// The item that a primitive is, or is a leaf of.
+    std::uint32_t item_of(PrimitiveIndex primitive) const {
+        return is_leaf(primitive) ? leaves_begin() + composite_of[primitive - leaves_begin()]
+                                  : primitive;
+    }
+    /// Null: the triangle is flat.
+    const CornerNormals* normals_of_triangle(PrimitiveIndex primitive) const {
+        if (normals_of.empty()) return nullptr;
+        const std::uint32_t index = normals_of[primitive - triangles_begin()];
+        return index == no_primitive ? nullptr : &normals[index];
+    }
+    /// Null: u and v of its corners are not known.
+    const std::array<Vec2, 3>* uvs_of_triangle(PrimitiveIndex primitive) const {
+        const std::size_t triangle = primitive - triangles_begin();
+        const bool known = triangle < uvs_of.size() && uvs_of[triangle] != no_primitive;
+        return known ? &uvs[uvs_of[triangle]] : nullptr;
+    }
+
+    /// Calls the one function that takes what the item is: a SpherePrimitive, TrianglePrimitive,
+    /// PlacedShape or PlacedComposite.
+    template <class OnSphere, class OnTriangle, class OnShape, class OnComposite>
+    auto visit(std::uint32_t item, OnSphere on_sphere, OnTriangle on_triangle, OnShape on_shape,
+               OnComposite on_composite) const {
+        if (item < triangles_begin()) return on_sphere(spheres[item]);
+        if (item < shapes_begin()) return on_triangle(triangles[item - triangles_begin()]);
+        if (item < leaves_begin()) return on_shape(shapes[item - shapes_begin()]);
+        return on_composite(composites[item - leaves_begin()]);
+    }
+
+    /// The same for a primitive; of a leaf: on_leaf(PlacedComposite, its number in there).
+    template <class OnSphere, class OnTriangle, class OnShape, class OnLeaf>
+    auto visit_primitive(PrimitiveIndex primitive, OnSphere on_sphere, OnTriangle on_triangle,
+                         OnShape on_shape, OnLeaf on_leaf) const {
+        return visit(item_of(primitive), on_sphere, on_triangle, on_shape,
+                     [&](const PlacedComposite& placed) {
+                         return on_leaf(placed, primitive - placed.first_leaf);
+                     });
+    }
+
+    /// Around an item.
+    Box bounds(std::uint32_t item) const;
+    /// Around all points that lie inside of an item that is no triangle.
+    Box inside_bounds(std::uint32_t item) const;
+
+    std::vector<SpherePrimitive> spheres;
+    std::vector<TrianglePrimitive> triangles;
+    std::vector<PlacedShape> shapes;  ///< all but spheres and triangles in their own place
+    std::vector<PlacedComposite> composites;
+    std::vector<std::uint32_t> composite_of;  ///< of the leaves
+    std::vector<CornerNormals> normals;       ///< of the smooth triangles
+    /// Per triangle: index in normals, or no_primitive; empty when none is smooth.
+    std::vector<std::uint32_t> normals_of;
+    std::vector<std::array<Vec2, 3>> uvs;  ///< of the corners of some triangles
+    /// Per triangle: index in uvs, or no_primitive; the last ones are left out when they have none.
+    std::vector<std::uint32_t> uvs_of;
+    InfiniteItems infinite;
+    WideTree tree;             ///< of the other items
+    ClearSolids clear_solids;  ///< empty unless the camera is parallel
+};

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What gives light in a world, except for its sky. Filled by flatten() and compile().
+#pragma once
+
+#include "world/sources.h"
+
+#include <cstdint>
+#include <vector>
+
+/// Objects that are lit by the same lights.
+struct LightGroup {
+    std::uint32_t outer = 0;    ///< another group whose lights light it as well; 0: none
+    bool global_lights = true;  ///< lights of no group light its objects
+};
+
+/// What restricts a light.
+struct LightReach {
+    std::uint32_t group = 0;             ///< it lights the objects of this group only; 0: all
+    Handle<Composite> window = nullptr;  ///< it lights what is seen through this; null: all
+};
+
+/// What gives light, except for the sky.
+struct WorldLights {
+    std::vector<Luminaire> luminaires;
+    /// Per primitive: index in luminaires, or no_primitive; empty if none glows.
+    std::vector<std::uint32_t> luminaire_of;
+    BuiltLightSampler sampler;  ///< among the luminaires
+    std::vector<Light> sources;
+    std::vector<LightReach> reach;       ///< of each source
+    std::vector<SourceSet> source_sets;  ///< all sources
+    std::vector<LightGroup> groups{1};   ///< the first stands for what is in none
+};

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What surrounds the surfaces of a world. Filled by compile().
+#pragma once
+
+#include "medium/fog.h"
+#include "backdrop/rainbow.h"
+#include "backdrop/sky_light.h"
+#include "backdrop/sky_sphere.h"
+
+#include <optional>
+#include <vector>
+
+/// What rays meet where they meet no surface, and on their way.
+struct Sky {
+    Background background;
+    std::optional<SkySphere> sphere;
+    std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
+    SkyLight light;  ///< empty unless the sky is a luminaire
+};
