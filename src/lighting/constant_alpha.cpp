@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/constant_alpha.h"
 
-void BuiltConstantAlpha::choose(const ShadingPoint& point, const Key& key,
-                                LightPicks& picks) const {
+void BuiltConstantAlpha::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     if (count_ == 0) return;
     const auto light =
         static_cast<LightIndex>(uniform(key, Purpose::light_choice) * static_cast<double>(count_));

@@ -14,8 +14,8 @@ public:
     PickAnswer<BuiltConstantAlpha> at(const LightQuery& query) const {
         return {*this, query.receiver};
     }
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const {
+    void choose(const Receiver&, const Key&, LightPicks&) const;
+    double expected(const Receiver&, const Key&, LightIndex) const {
         return 1 / static_cast<double>(count_);
     }
     std::size_t memory_bytes() const { return 0; }

@@ -50,7 +50,7 @@ bool near(const Box& box, const Vec3& position) {
     return dot(v, v) < near_radii * near_radii * dot(half, half);
 }
 
-double estimate(const LightTree& tree, const LightCluster& c, const ShadingPoint& point) {
+double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {
     const Glow g = tree.glow(c);
     const Falloff* falloff = tree.falloff(c);
     const double square = irradiance(g, point);
@@ -73,8 +73,7 @@ struct Halves {
 
 /// How a cluster that is near is divided at a point: by what its halves give there, else by their
 /// strength. Nothing when it is drawn from as it is.
-std::optional<Halves> divided(const LightTree& tree, const LightCluster& c,
-                              const ShadingPoint& point) {
+std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, const Receiver& point) {
     if (c.count == 1 || !near(tree.box(c), point.position)) return {};
     const auto [first, second] = tree.halves(c);
     if (tree.dark(first)) return Halves{first, second, 0};
@@ -176,7 +175,7 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
 /// Teaches the cut of a cell, too, what arrives of its entries' light.
 BuiltCutOctree::Survey BuiltCutOctree::survey(const Box& box, LightCut& cut,
                                               const LightProbe& probe) const {
-    const std::vector<Receiver> receivers = receivers_in(box, state_->eye, probe);
+    const std::vector<SurveyPlace> receivers = survey_places_in(box, state_->eye, probe);
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
     Survey result;
@@ -238,7 +237,7 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
     return result;
 }
 
-double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Receiver> receivers,
+double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const SurveyPlace> receivers,
                                        const LightProbe& probe) const {
     Weights weights;
     weights.cut = &cut;
@@ -248,7 +247,7 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Rece
         const auto number = [&](std::uint32_t n) {
             return uniform(Key{n, i, 0, 0}, Purpose::light_representative);
         };
-        const Receiver& from = receivers[i % receivers.size()];
+        const SurveyPlace& from = receivers[i % receivers.size()];
         cut.weigh(from.point, weights);
         picks.clear();
         choose(from.point, weights, Key{3, i, 0, 0}, number(3), picks);
@@ -302,8 +301,8 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
-                           const BsdfLobes& lobes, Weights& weights) const {
+void BuiltCutOctree::weigh(const Receiver& point, const LightProbe& probe, const BsdfLobes& lobes,
+                           Weights& weights) const {
     if (state_->luminaires.empty()) return;
     const Cell& cell = cell_at(point.position, &probe);
     weights.cut = &*cell.cut;
@@ -318,7 +317,7 @@ void BuiltCutOctree::weigh(const ShadingPoint& point, const LightProbe& probe,
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
 }
 
-void BuiltCutOctree::weigh_choice(const ShadingPoint& point, const BsdfLobes& lobes,
+void BuiltCutOctree::weigh_choice(const Receiver& point, const BsdfLobes& lobes,
                                   Weights& weights) const {
     if (state_->luminaires.empty()) return;
     weights.cut = &*cell_at(point.position, nullptr).cut;
@@ -326,7 +325,7 @@ void BuiltCutOctree::weigh_choice(const ShadingPoint& point, const BsdfLobes& lo
     if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
 }
 
-std::uint32_t BuiltCutOctree::descend(const ShadingPoint& point, LightCluster c, const Key& key,
+std::uint32_t BuiltCutOctree::descend(const Receiver& point, LightCluster c, const Key& key,
                                       double u, double& probability) const {
     double since_fresh = 1;
     for (std::uint64_t level = 1;; ++level) {
@@ -350,8 +349,8 @@ std::uint32_t BuiltCutOctree::descend(const ShadingPoint& point, LightCluster c,
     return place;
 }
 
-void BuiltCutOctree::choose(const ShadingPoint& point, const Weights& weights, const Key& key,
-                            double u, LightPicks& picks) const {
+void BuiltCutOctree::choose(const Receiver& point, const Weights& weights, const Key& key, double u,
+                            LightPicks& picks) const {
     if (!weights.cut || !(weights.total > 0)) return;
     double target = u * weights.total;
     const std::size_t entry = weights.cut->find(weights, target);
@@ -363,7 +362,7 @@ void BuiltCutOctree::choose(const ShadingPoint& point, const Weights& weights, c
         {state_->tree.light(place), std::fmax(probability, std::numeric_limits<double>::min())});
 }
 
-double BuiltCutOctree::expected(const ShadingPoint& point, const Weights& weights,
+double BuiltCutOctree::expected(const Receiver& point, const Weights& weights,
                                 LightIndex light) const {
     if (!weights.cut || !(weights.total > 0)) return 0;
     const std::uint32_t place = state_->tree.place_of(light);
@@ -382,13 +381,13 @@ double BuiltCutOctree::expected(const ShadingPoint& point, const Weights& weight
     return probability;
 }
 
-void BuiltCutOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltCutOctree::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     Weights weights;
     weigh_choice(point, {}, weights);
     choose(point, weights, key, uniform(key, Purpose::light_choice), picks);
 }
 
-double BuiltCutOctree::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
+double BuiltCutOctree::expected(const Receiver& point, const Key&, LightIndex light) const {
     Weights weights;
     weigh_choice(point, {}, weights);
     return expected(point, weights, light);

@@ -36,15 +36,15 @@ public:
 
     At at(const LightQuery&) const;
 
-    void weigh(const ShadingPoint&, const LightProbe&, const BsdfLobes&, Weights&) const;
+    void weigh(const Receiver&, const LightProbe&, const BsdfLobes&, Weights&) const;
     /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
-    void weigh_choice(const ShadingPoint&, const BsdfLobes&, Weights&) const;
+    void weigh_choice(const Receiver&, const BsdfLobes&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.
-    void choose(const ShadingPoint&, const Weights&, const Key&, double u, LightPicks&) const;
-    double expected(const ShadingPoint&, const Weights&, LightIndex) const;
+    void choose(const Receiver&, const Weights&, const Key&, double u, LightPicks&) const;
+    double expected(const Receiver&, const Weights&, LightIndex) const;
 
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    void choose(const Receiver&, const Key&, LightPicks&) const;
+    double expected(const Receiver&, const Key&, LightIndex) const;
 
     /// With the cells that there are so far.
     std::size_t memory_bytes() const;
@@ -61,8 +61,8 @@ private:
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
     Survey survey(const Box&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
-    double noise_of_choice(const LightCut&, std::span<const Receiver>, const LightProbe&) const;
-    std::uint32_t descend(const ShadingPoint&, LightCluster, const Key&, double u,
+    double noise_of_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
+    std::uint32_t descend(const Receiver&, LightCluster, const Key&, double u,
                           double& probability) const;
 
     std::unique_ptr<State> state_;
@@ -88,7 +88,7 @@ public:
 
 private:
     const BuiltCutOctree& octree_;
-    const ShadingPoint& receiver_;
+    const Receiver& receiver_;
     const BsdfSampler* bsdf_;
     Weights weights_;
     /// Shares of the shadow rays.

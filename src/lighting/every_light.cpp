@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/every_light.h"
 
-void BuiltEveryLight::choose(const ShadingPoint&, const Key&, LightPicks& picks) const {
+void BuiltEveryLight::choose(const Receiver&, const Key&, LightPicks& picks) const {
     for (LightIndex light = 0; light < count_; ++light) picks.push_back({light, 1});
 }
 

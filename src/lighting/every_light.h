@@ -15,8 +15,8 @@ public:
     PickAnswer<BuiltEveryLight> at(const LightQuery& query) const {
         return {*this, query.receiver};
     }
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const { return 1; }
+    void choose(const Receiver&, const Key&, LightPicks&) const;
+    double expected(const Receiver&, const Key&, LightIndex) const { return 1; }
     std::size_t memory_bytes() const { return 0; }
 
 private:

@@ -25,14 +25,13 @@ double cosine_beyond(double cos_a, double cos_b, double sin_b) {
 /// Upper bound, in the manner of the paper, of what the luminaires of a node give at a point: as if
 /// all were at the distance of the middle, each turned to the point and above it as well as any
 /// place in the node's sphere may be.
-double importance(const LightNode& node, const ShadingPoint& point) {
+double importance(const LightNode& node, const Receiver& point) {
     const Vec3 v = node.centre - point.position;
     const double d2 = dot(v, v), r2 = node.radius * node.radius;
     if (d2 <= r2) return node.intensity / std::fmax(r2, std::numeric_limits<double>::min());
     const double distance = std::sqrt(d2), sine = node.radius / distance,
                  cosine = std::sqrt((1 - sine) * (1 + sine));
-    const double signed_height = dot(v, point.normal) / distance;
-    const double height = point.both_sides ? std::abs(signed_height) : signed_height;
+    const double height = point.cosine(v / distance);
     if (height <= -(sine + horizon_slack)) return 0;
     const double lifted =
         std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), least_height);
@@ -58,7 +57,7 @@ BuiltLightBvh::BuiltLightBvh(std::span<const Luminaire> luminaires, bool paired)
         if (nodes_[i].leaf) leaf_of_[nodes_[i].second] = i;
 }
 
-void BuiltLightBvh::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltLightBvh::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     if (nodes_.empty()) return;
     double u = uniform(key, Purpose::light_choice), probability = 1, since_fresh = 1;
     std::uint32_t here = 0;
@@ -85,7 +84,7 @@ void BuiltLightBvh::choose(const ShadingPoint& point, const Key& key, LightPicks
         {nodes_[here].second, std::fmax(probability, std::numeric_limits<double>::min())});
 }
 
-double BuiltLightBvh::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
+double BuiltLightBvh::expected(const Receiver& point, const Key&, LightIndex light) const {
     double probability = 1;
     for (std::uint32_t here = leaf_of_[light]; here != 0; here = nodes_[here].parent) {
         const LightNode& parent = nodes_[nodes_[here].parent];

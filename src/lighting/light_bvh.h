@@ -47,13 +47,13 @@ public:
 
     private:
         const BuiltLightBvh& bvh_;
-        const ShadingPoint& receiver_;
+        const Receiver& receiver_;
         const BsdfSampler* bsdf_;  ///< null: no partner
     };
     At at(const LightQuery& query) const { return {*this, query}; }
 
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    void choose(const Receiver&, const Key&, LightPicks&) const;
+    double expected(const Receiver&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const;
 
     /// Whether each shadow ray has a partner that the surface chooses; then there is a tree to find

@@ -38,7 +38,7 @@ constexpr std::size_t block = CutWeights::block;
 using Rows = std::array<float, block>;
 
 /// The formula of irradiance() in glow.h, in single precision and with wider margins.
-template <bool both_sides>
+template <Horizon horizon>
 [[gnu::always_inline]] inline void weigh_even(const EntryColumns& c, std::size_t first,
                                               const Place& p, Rows& out) {
     const float steep_x = std::abs(p.nx), steep_y = std::abs(p.ny), steep_z = std::abs(p.nz);
@@ -50,6 +50,11 @@ template <bool both_sides>
         const float outside2 = d2 > r2 ? d2 : r2;
         const float distance = std::sqrt(outside2);
         const float inverse = 1 / distance;
+        if constexpr (horizon == Horizon::none) {
+            out[i] = c.strength[row] * radius * (d2 < r2 ? 4.0f : 1.0f) * inverse * inverse;
+            continue;
+        }
+        constexpr bool both_sides = horizon == Horizon::both_sides;
         const float signed_height = p.nx * vx + p.ny * vy + p.nz * vz;
         const float height = both_sides ? std::abs(signed_height) : signed_height;
         const float of_box =
@@ -143,7 +148,7 @@ template <bool both_sides>
 }
 
 struct Look {
-    bool both_sides;               ///< the point is lit from both sides
+    Horizon horizon;
     bool turned;                   ///< some luminaires are flat, or lean
     const SourceColumns* sources;  ///< null: there are luminaires only
 };
@@ -155,10 +160,12 @@ void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, co
     const Place p = place;
     for (std::size_t first = 0; first < count; first += block) {
         Rows rows;
-        if (look.both_sides)
-            weigh_even<true>(c, first, p, rows);
+        if (look.horizon == Horizon::one_side)
+            weigh_even<Horizon::one_side>(c, first, p, rows);
+        else if (look.horizon == Horizon::both_sides)
+            weigh_even<Horizon::both_sides>(c, first, p, rows);
         else
-            weigh_even<false>(c, first, p, rows);
+            weigh_even<Horizon::none>(c, first, p, rows);
         if (look.turned) turn_to_point(c, first, p, rows);
         if (look.sources) fall_off(c, *look.sources, first, p, rows);
         std::ranges::copy(rows, result.weight.begin() + first);
@@ -287,7 +294,7 @@ struct LightCut::Rough {
     EntryColumns columns;
 };
 
-LightCut::Rough LightCut::rough(const ShadingPoint& point) const {
+LightCut::Rough LightCut::rough(const Receiver& point) const {
     const Vec3 p = (point.position - middle_) * scale_;
     return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
              static_cast<float>(point.normal.x), static_cast<float>(point.normal.y),
@@ -297,17 +304,17 @@ LightCut::Rough LightCut::rough(const ShadingPoint& point) const {
              column(half_z), column(lean_x), column(lean_y), column(lean_z), column(lean)}};
 }
 
-void LightCut::weigh(const ShadingPoint& point, CutWeights& result) const {
+void LightCut::weigh(const Receiver& point, CutWeights& result) const {
     SourceColumns s{};
     if (sources_)
         s = {column(fade_power), column(per_fade_distance), column(dark), column(per_edge)};
     const Rough all = rough(point);
-    weigh_rows(all.columns, rows_, all.place, {point.both_sides, turned_, sources_ ? &s : nullptr},
+    weigh_rows(all.columns, rows_, all.place, {point.horizon, turned_, sources_ ? &s : nullptr},
                result);
     result.total = total(result, rows_);
 }
 
-void LightCut::weigh_answers(const ShadingPoint& point, const BsdfLobes& lobes,
+void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
                              CutWeights& result) const {
     std::array<Peak, 2> peaks;
     for (std::size_t i = 0; i < lobes.count; ++i) {

@@ -31,9 +31,9 @@ public:
     /// The entry that has the luminaire at this place of the tree.
     std::size_t entry_of(std::uint32_t place) const;
 
-    void weigh(const ShadingPoint&, CutWeights&) const;
+    void weigh(const Receiver&, CutWeights&) const;
     /// Makes of weights at a point those of what a surface that shines sends to the viewer.
-    void weigh_answers(const ShadingPoint&, const BsdfLobes&, CutWeights&) const;
+    void weigh_answers(const Receiver&, const BsdfLobes&, CutWeights&) const;
     /// Multiplies the weights of each entry by a number above 0.
     void scale(std::span<const float> factors);
     /// The entry at which the running sum of the weights passes target, which is in [0, total).
@@ -70,7 +70,7 @@ private:
     };
 
     struct Rough;
-    Rough rough(const ShadingPoint&) const;
+    Rough rough(const Receiver&) const;
     void fill(std::size_t entry, const Glow&);
     void fill(std::size_t entry, const Falloff&);
     float* column(Column c) { return values_.data() + c * rows_; }

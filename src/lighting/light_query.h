@@ -13,7 +13,7 @@
 #include <concepts>
 
 struct LightQuery {
-    const ShadingPoint& receiver;
+    const Receiver& receiver;
     const BsdfLobes& lobes;   ///< how the receiver answers light
     const BsdfSampler* bsdf;  ///< null: luminaires are wanted, and no directions
     const LightProbe* scene;  ///< null: the scene is not there to be asked
@@ -52,8 +52,7 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
 template <class Built>
 class PickAnswer {
 public:
-    PickAnswer(const Built& built, const ShadingPoint& receiver)
-        : built_(built), receiver_(receiver) {}
+    PickAnswer(const Built& built, const Receiver& receiver) : built_(built), receiver_(receiver) {}
 
     void sample(const Key& key, LightSamples& samples) const {
         built_.choose(receiver_, key, samples.picks);
@@ -68,5 +67,5 @@ public:
 
 private:
     const Built& built_;
-    const ShadingPoint& receiver_;
+    const Receiver& receiver_;
 };

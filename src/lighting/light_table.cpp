@@ -15,13 +15,13 @@ struct GlowColumns {
     const double *axis_x, *axis_y, *axis_z, *evenness, *exact_within2;
 };
 
-template <bool both_sides>
+template <Horizon horizon>
 [[gnu::always_inline]] inline void estimate_even(const GlowColumns& c, std::size_t count,
-                                                 const ShadingPoint& point, double* out) {
+                                                 const Receiver& point, double* out) {
     const Vec3 p = point.position, n = point.normal;
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = irradiance<both_sides>({c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z}, n, c.radius[i],
-                                        c.strength[i]);
+        out[i] = irradiance<horizon>({c.x[i] - p.x, c.y[i] - p.y, c.z[i] - p.z}, n, c.radius[i],
+                                     c.strength[i]);
 }
 
 /// The sign says that the estimate must be replaced: -0 needs no replacement, nothing is above the
@@ -38,12 +38,13 @@ template <bool both_sides>
 }
 
 CANDELABRA_EVERY_MACHINE
-void estimate_rows(const GlowColumns& c, std::size_t count, const ShadingPoint& point,
-                   double* out) {
-    if (point.both_sides)
-        estimate_even<true>(c, count, point, out);
+void estimate_rows(const GlowColumns& c, std::size_t count, const Receiver& point, double* out) {
+    if (point.horizon == Horizon::one_side)
+        estimate_even<Horizon::one_side>(c, count, point, out);
+    else if (point.horizon == Horizon::both_sides)
+        estimate_even<Horizon::both_sides>(c, count, point, out);
     else
-        estimate_even<false>(c, count, point, out);
+        estimate_even<Horizon::none>(c, count, point, out);
     if (c.axis_x) turn_to_point(c, count, point.position, out);
 }
 
@@ -74,7 +75,7 @@ LightTable::LightTable(std::span<const Luminaire> luminaires)
     }
 }
 
-double LightTable::estimate(LightIndex light, const ShadingPoint& point) const {
+double LightTable::estimate(LightIndex light, const Receiver& point) const {
     const Record& record = records_[light];
     const double rough = irradiance(record.glow, point);
     const Vec3 v = record.glow.centre - point.position;
@@ -113,7 +114,7 @@ LightList LightTable::append(std::span<const LightIndex> lights) {
     return list;
 }
 
-void LightTable::estimate_block(std::size_t first, std::size_t count, const ShadingPoint& point,
+void LightTable::estimate_block(std::size_t first, std::size_t count, const Receiver& point,
                                 double* out) const {
     const auto column = [&](const std::vector<double>& c) {
         return flat_ ? c.data() + first : nullptr;
@@ -132,7 +133,7 @@ std::size_t LightTable::part_length(const LightList& list) {
     return ((list.count + most_parts - 1) / most_parts + block - 1) / block * block;
 }
 
-void LightTable::sum(const LightList& list, const ShadingPoint& point, Sums& sums) const {
+void LightTable::sum(const LightList& list, const Receiver& point, Sums& sums) const {
     const std::size_t rows = padded(list.count), length = part_length(list);
     if (length == 1) {
         for (std::size_t i = 0; i < rows; i += block)
@@ -165,7 +166,7 @@ LightTable::Found LightTable::find_among(const double* sums, std::size_t count, 
     return last;
 }
 
-LightTable::Row LightTable::find(const LightList& list, const ShadingPoint& point, const Sums& sums,
+LightTable::Row LightTable::find(const LightList& list, const Receiver& point, const Sums& sums,
                                  double target) const {
     const std::size_t rows = padded(list.count), length = part_length(list);
     // Rounding may carry the target past the end of the list or of a part: then the last that can

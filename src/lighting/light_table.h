@@ -43,18 +43,18 @@ public:
     LightList append(std::span<const LightIndex>);
 
     /// Estimate for one luminaire: what a list gives for it, to the last bit.
-    double estimate(LightIndex, const ShadingPoint&) const;
+    double estimate(LightIndex, const Receiver&) const;
     const Glow& glow(LightIndex light) const { return records_[light].glow; }
     LightIndex light(std::size_t row) const { return lights_[row]; }
     std::span<const LightIndex> lights(const LightList& list) const {
         return {lights_.data() + list.first, list.count};
     }
 
-    void sum(const LightList&, const ShadingPoint&, Sums&) const;
+    void sum(const LightList&, const Receiver&, Sums&) const;
     /// The row at which the running sum of the estimates passes target, which is in [0,
     /// sums.total). Its estimate is above 0. Precondition: sum() gave these sums, and their total
     /// is above 0.
-    Row find(const LightList&, const ShadingPoint&, const Sums&, double target) const;
+    Row find(const LightList&, const Receiver&, const Sums&, double target) const;
 
     std::size_t memory_bytes() const;
 
@@ -73,8 +73,7 @@ private:
         bool passed = false;
     };
 
-    void estimate_block(std::size_t first, std::size_t count, const ShadingPoint&,
-                        double* out) const;
+    void estimate_block(std::size_t first, std::size_t count, const Receiver&, double* out) const;
     static std::size_t part_length(const LightList&);
     /// The first index at which the running sum passes target, else the last one above 0; target is
     /// left as what is missing.

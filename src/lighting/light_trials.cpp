@@ -53,12 +53,11 @@ std::vector<float> judged(std::span<const Trial> trials) {
 
 }  // namespace
 
-double arriving(std::span<const Luminaire> luminaires, LightIndex light, const Receiver& from,
+double arriving(std::span<const Luminaire> luminaires, LightIndex light, const SurveyPlace& from,
                 const Vec2& u, const LightProbe& probe) {
     const auto drawn = sample(luminaires[light], from.point, u);
     if (!drawn) return 0;
-    const double height = dot(drawn->direction, from.point.normal),
-                 cosine = from.point.both_sides ? std::abs(height) : height;
+    const double cosine = from.point.cosine(drawn->direction);
     const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
     if (!(cosine > 0) && !source) return 0;
     const Ray ray{from.point.position, drawn->direction};
@@ -85,7 +84,8 @@ float cautious_share(float share, const Box& cell, const Glow& g) {
 
 std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
                                    std::span<const Luminaire> luminaires,
-                                   std::span<const Receiver> receivers, const LightProbe& probe) {
+                                   std::span<const SurveyPlace> receivers,
+                                   const LightProbe& probe) {
     const std::size_t places = std::min(receivers.size(), most_places);
     std::vector<CutWeights> weights(places);
     for (std::size_t i = 0; i < places; ++i) cut.weigh(receivers[i].point, weights[i]);
@@ -124,10 +124,10 @@ std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
     return judged(trials);
 }
 
-double mean_total(const LightCut& cut, std::span<const Receiver> receivers) {
+double mean_total(const LightCut& cut, std::span<const SurveyPlace> receivers) {
     CutWeights weights;
     double sum = 0;
-    for (const Receiver& receiver : receivers) {
+    for (const SurveyPlace& receiver : receivers) {
         cut.weigh(receiver.point, weights);
         sum += weights.total;
     }

@@ -8,7 +8,7 @@
 
 /// What one shadow ray brings to a place: the light of the luminaire's point for u in [0, 1)^2,
 /// over the density of that point per steradian. 0 where none arrives.
-double arriving(std::span<const Luminaire>, LightIndex, const Receiver&, const Vec2& u,
+double arriving(std::span<const Luminaire>, LightIndex, const SurveyPlace&, const Vec2& u,
                 const LightProbe&);
 
 /// For each entry of the cut the root of the mean square of what arrives over what the entry's
@@ -16,11 +16,11 @@ double arriving(std::span<const Luminaire>, LightIndex, const Receiver&, const V
 /// entries have on the whole, so that no luminaire loses its chance. All the same where nothing
 /// arrives.
 std::vector<float> arriving_shares(const LightCut&, const LightTree&, std::span<const Luminaire>,
-                                   std::span<const Receiver>, const LightProbe&);
+                                   std::span<const SurveyPlace>, const LightProbe&);
 
 /// The same for an entry of a cell, but not below what may go unseen by a few rays: what is near is
 /// seen in many ways from a cell.
 float cautious_share(float share, const Box& cell, const Glow&);
 
 /// What all entries weigh together, on average over the places.
-double mean_total(const LightCut&, std::span<const Receiver>);
+double mean_total(const LightCut&, std::span<const SurveyPlace>);

@@ -10,7 +10,7 @@ BuiltLinearAlpha::BuiltLinearAlpha(const LightScene& scene) : table_(scene.lumin
     all_ = table_.append(lights);
 }
 
-void BuiltLinearAlpha::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltLinearAlpha::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     LightTable::Sums sums;
     table_.sum(all_, point, sums);
     if (!(sums.total > 0)) return;
@@ -19,7 +19,7 @@ void BuiltLinearAlpha::choose(const ShadingPoint& point, const Key& key, LightPi
     picks.push_back({table_.light(row), estimate / sums.total});
 }
 
-double BuiltLinearAlpha::expected(const ShadingPoint& point, const Key&, LightIndex light) const {
+double BuiltLinearAlpha::expected(const Receiver& point, const Key&, LightIndex light) const {
     LightTable::Sums sums;
     table_.sum(all_, point, sums);
     return sums.total > 0 ? table_.estimate(light, point) / sums.total : 0;

@@ -16,8 +16,8 @@ public:
     PickAnswer<BuiltLinearAlpha> at(const LightQuery& query) const {
         return {*this, query.receiver};
     }
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
-    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    void choose(const Receiver&, const Key&, LightPicks&) const;
+    double expected(const Receiver&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const { return table_.memory_bytes(); }
 
 private:

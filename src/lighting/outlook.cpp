@@ -54,13 +54,14 @@ using RingViews = std::array<RingView, rings>;
 
 /// Weights of a ring's bins by their light and their height above the horizon. Returns their sum.
 [[gnu::always_inline]] inline double weigh_ring(const float* light, const Compass& c,
-                                                const RingView& view, float margin, bool both_sides,
+                                                const RingView& view, float margin, Horizon horizon,
                                                 float* out) {
     std::array<float, sectors> weights;
     for (std::size_t i = 0; i < sectors; ++i) {
         const float signed_height = view.along + (view.x * c.cosine[i] + view.y * c.sine[i]);
-        const float height = both_sides ? std::abs(signed_height) : signed_height;
-        const float lifted = height + margin;
+        const float height =
+            horizon == Horizon::both_sides ? std::abs(signed_height) : signed_height;
+        const float lifted = horizon == Horizon::none ? 1 : height + margin;
         weights[i] = light[i] * (lifted > 0 ? lifted : 0);
     }
     std::ranges::copy(weights, out);
@@ -74,10 +75,10 @@ using RingViews = std::array<RingView, rings>;
 
 CANDELABRA_EVERY_MACHINE
 void weigh_rings(const float* light, const Compass& c, const RingViews& views, float margin,
-                 bool both_sides, Outlook::Weights& result) {
+                 Horizon horizon, Outlook::Weights& result) {
     for (std::size_t ring = 0; ring < rings; ++ring) {
         const std::size_t first = ring * sectors;
-        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, both_sides,
+        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, horizon,
                                        result.weight.data() + first);
     }
 }
@@ -134,7 +135,7 @@ double noise_of(const Picture& guess, const Picture& seen) {
 
 /// What lines meet in a cell: outsides of solids that do not glow, which are looked at most, then
 /// what glows, then insides.
-using Found = std::array<std::vector<Receiver>, 3>;
+using Found = std::array<std::vector<SurveyPlace>, 3>;
 
 template <class Line>
 Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
@@ -147,7 +148,7 @@ Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
         const Vec3 position = ray.at(sight->distance);
         if (!contains(cell, position)) continue;
         const bool within = dot(sight->normal, ray.direction) > 0;
-        const ShadingPoint point{position, within ? -sight->normal : sight->normal};
+        const Receiver point{position, within ? -sight->normal : sight->normal};
         found[within ? 2 : (sight->light ? 1 : 0)].push_back({point, sight->tolerance});
     }
     return found;
@@ -174,8 +175,8 @@ std::vector<double> balanced(std::span<const double> arriving) {
     return result;
 }
 
-std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& eye,
-                                   const LightProbe& probe) {
+std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
+                                          const LightProbe& probe) {
     if (eye) {
         Found seen = met_by(cell, probe, [&](std::uint32_t, const Vec3& place) {
             return Ray{*eye, unit(place - *eye)};
@@ -190,7 +191,7 @@ std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& e
     });
     for (auto& kind : found)
         if (!kind.empty()) return std::move(kind);
-    std::vector<Receiver> anywhere;
+    std::vector<SurveyPlace> anywhere;
     for (std::uint32_t i = 0; i < enough; ++i) {
         const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
         anywhere.push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
@@ -206,7 +207,7 @@ Vec3 Outlook::Cone::direction(double ring, double sector) const {
 
 double Outlook::Cone::bin_density() const { return bins / (2 * pi * widest); }
 
-Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receiver> receivers,
+Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const SurveyPlace> receivers,
                  const LightProbe& probe)
     : ball_(ball) {
     const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
@@ -216,7 +217,7 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
     if (!around_)
         pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
                                 : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
-    const auto receiver_of = [&](std::size_t bin, std::size_t i) {
+    const auto place_of = [&](std::size_t bin, std::size_t i) {
         return (tries * bin + i) * 5 % receivers.size();
     };
     std::array<Picture, tries> seen{};
@@ -224,13 +225,12 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
     double cosines = 0, sum = 0, squares = 0;
     for (std::uint32_t bin = 0; bin < bins; ++bin)
         for (std::uint32_t i = 0; i < tries; ++i) {
-            const std::size_t place = receiver_of(bin, i);
-            const Receiver& from = receivers[place];
+            const std::size_t place = place_of(bin, i);
+            const SurveyPlace& from = receivers[place];
             const Cone cone = cone_at(from.point.position);
             const Vec3 direction = cone.direction(bin / sectors + outlook_number(bin, i, 10),
                                                   bin % sectors + outlook_number(bin, i, 11));
-            const double height = dot(direction, from.point.normal),
-                         cosine = from.point.both_sides ? std::abs(height) : height;
+            const double cosine = from.point.cosine(direction);
             if (cosine <= 0) continue;
             cosines += cosine;
             double luminance = 0;
@@ -251,7 +251,7 @@ Outlook::Outlook(const Box& cell, const LightBall& ball, std::span<const Receive
     }
     const std::vector<double> counts = balanced(arriving);
     for (std::size_t bin = 0; bin < bins; ++bin)
-        for (std::size_t i = 0; i < tries; ++i) seen[i][bin] *= counts[receiver_of(bin, i)];
+        for (std::size_t i = 0; i < tries; ++i) seen[i][bin] *= counts[place_of(bin, i)];
     noise_ = INFINITY;
     double best = caution[0];
     for (const double care : caution) {
@@ -278,7 +278,7 @@ Outlook::Cone Outlook::cone_at(const Vec3& point) const {
     return {middle, x, cross(middle, x), sine * sine / (1 + std::sqrt(1 - sine * sine))};
 }
 
-void Outlook::weigh(const ShadingPoint& point, Weights& result) const {
+void Outlook::weigh(const Receiver& point, Weights& result) const {
     result.total = 0;
     if (light_.empty()) return;
     result.cone = cone_at(point.position);
@@ -295,8 +295,7 @@ void Outlook::weigh(const ShadingPoint& point, Weights& result) const {
     }
     // Bins that the horizon cuts get something as well.
     const double margin = 0.12 * std::sqrt(widest / 2);
-    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin), point.both_sides,
-                result);
+    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin), point.horizon, result);
     for (const double ring : result.ring) result.total += ring;
 }
 

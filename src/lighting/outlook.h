@@ -39,15 +39,15 @@ void look_along(const Ray& ray, double tolerance, const LightProbe& probe, Visit
 }
 
 /// A place in a cell where light may arrive.
-struct Receiver {
-    ShadingPoint point;
+struct SurveyPlace {
+    Receiver point;
     double tolerance = 0;
 };
 /// Places on the surfaces in a cell, or, where none are found, anywhere in it. The same each time.
 /// Only those that the eye sees, if it sees some: there may be sunshine on the other side of a
 /// wall.
-std::vector<Receiver> receivers_in(const Box& cell, const std::optional<Vec3>& eye,
-                                   const LightProbe&);
+std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
+                                          const LightProbe&);
 
 /// By what the light that arrives at each of several places is to be multiplied when they are
 /// looked at together: none of them counts much more than the one that gets the least. Else the
@@ -89,7 +89,7 @@ public:
         double density;  ///< per steradian
     };
 
-    Outlook(const Box& cell, const LightBall&, std::span<const Receiver>, const LightProbe&);
+    Outlook(const Box& cell, const LightBall&, std::span<const SurveyPlace>, const LightProbe&);
 
     /// Expected variance over squared mean of a ray that is drawn from it, as far as the rays that
     /// were tried tell.
@@ -102,7 +102,7 @@ public:
     double mean_luminance() const { return mean_luminance_; }
     double noise_of_scattering() const { return noise_of_scattering_; }
 
-    void weigh(const ShadingPoint&, Weights&) const;
+    void weigh(const Receiver&, Weights&) const;
     static Drawn draw(const Weights&, const Vec2& u);
     static double density(const Weights&, const Vec3& direction);
 

@@ -65,8 +65,7 @@ double BuiltPaperOctree::share(const DimSet& dim, LightIndex light) const {
                (static_cast<double>(places_.of(light)) / static_cast<double>(dim.places()));
 }
 
-double BuiltPaperOctree::guess_dim(const ShadingPoint& point, const Key& key,
-                                   const DimSet& dim) const {
+double BuiltPaperOctree::guess_dim(const Receiver& point, const Key& key, const DimSet& dim) const {
     if (dim.places() == 0) return 0;
     // Representatives are drawn by intensity, so that they differ by where they are and not by how
     // strong they are.
@@ -82,13 +81,13 @@ double BuiltPaperOctree::guess_dim(const ShadingPoint& point, const Key& key,
            representatives_;
 }
 
-void BuiltPaperOctree::weigh(const ShadingPoint& point, const Key& key, Odds& odds) const {
+void BuiltPaperOctree::weigh(const Receiver& point, const Key& key, Odds& odds) const {
     odds.list = list_at(point.position);
     table_.sum(odds.list, point, odds.bright);
     odds.dim = guess_dim(point, key, dim_set(odds.list));
 }
 
-void BuiltPaperOctree::choose(const ShadingPoint& point, const Key& key, LightPicks& picks) const {
+void BuiltPaperOctree::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     Odds odds;
     weigh(point, key, odds);
     if (!(odds.total() > 0)) return;
@@ -108,8 +107,7 @@ void BuiltPaperOctree::choose(const ShadingPoint& point, const Key& key, LightPi
     picks.push_back({light, odds.dim * share(dim, light) / odds.total()});
 }
 
-double BuiltPaperOctree::expected(const ShadingPoint& point, const Key& key,
-                                  LightIndex light) const {
+double BuiltPaperOctree::expected(const Receiver& point, const Key& key, LightIndex light) const {
     Odds odds;
     weigh(point, key, odds);
     if (!(odds.total() > 0)) return 0;

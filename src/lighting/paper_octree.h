@@ -19,9 +19,9 @@ public:
     PickAnswer<BuiltPaperOctree> at(const LightQuery& query) const {
         return {*this, query.receiver};
     }
-    void choose(const ShadingPoint&, const Key&, LightPicks&) const;
+    void choose(const Receiver&, const Key&, LightPicks&) const;
     /// Looks at the same representatives of the dim luminaires as choose() with this key.
-    double expected(const ShadingPoint&, const Key&, LightIndex) const;
+    double expected(const Receiver&, const Key&, LightIndex) const;
     std::size_t memory_bytes() const;
 
     std::size_t cells() const { return cells_.cells.size(); }
@@ -41,9 +41,9 @@ private:
     DimSet dim_set(const LightList&) const;
     /// Share of one dim luminaire in what all of them have.
     double share(const DimSet&, LightIndex) const;
-    void weigh(const ShadingPoint&, const Key&, Odds&) const;
+    void weigh(const Receiver&, const Key&, Odds&) const;
     /// What all dim luminaires together give, guessed from some of them; 0 only when all are dark.
-    double guess_dim(const ShadingPoint&, const Key&, const DimSet&) const;
+    double guess_dim(const Receiver&, const Key&, const DimSet&) const;
 
     int representatives_;
     LightCells cells_;  ///< without its lists, which are here:

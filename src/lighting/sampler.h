@@ -19,7 +19,7 @@
 /// What every strategy can do once it is built for a set of luminaires. Deterministic for a given
 /// key.
 template <class T>
-concept LightStrategy = requires(const T& built, const LightQuery& query, const ShadingPoint& point,
+concept LightStrategy = requires(const T& built, const LightQuery& query, const Receiver& point,
                                  const Key& key, LightPicks& picks) {
     { built.at(query) } -> LightAnswer;
     built.choose(point, key, picks);  // appends the picks, without directions

@@ -168,8 +168,8 @@ double solid_angle_density(double per_area, double distance, double seen) {
 
 /// The normal of the plane below which nothing counts; null: everything does, as where there is no
 /// surface.
-const Vec3* horizon_of(const ShadingPoint& point) {
-    return point.both_sides || point.normal == Vec3(0) ? nullptr : &point.normal;
+const Vec3* horizon_of(const Receiver& point) {
+    return point.horizon == Horizon::one_side ? &point.normal : nullptr;
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const Vec3* normal,
@@ -213,11 +213,11 @@ LightBounds bounds(const AreaEmitter& e, double luminance) {
     return result;
 }
 
-double unoccluded(const AreaEmitter& e, double luminance, const ShadingPoint& point) {
+double unoccluded(const AreaEmitter& e, double luminance, const Receiver& point) {
     return irradiance(glow(bounds(e, luminance)), point);
 }
 
-std::optional<LightPoint> sample(const AreaEmitter& e, const ShadingPoint& point, const Vec2& u) {
+std::optional<LightPoint> sample(const AreaEmitter& e, const Receiver& point, const Vec2& u) {
     return sample(e, point.position, horizon_of(point), u);
 }
 
@@ -225,7 +225,7 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
     return sample(e, from, nullptr, u);
 }
 
-void meet(const AreaEmitter& e, const ShadingPoint& point, const Vec3& direction,
+void meet(const AreaEmitter& e, const Receiver& point, const Vec3& direction,
           LightMeetings& found) {
     const Ray ray{point.position, direction};
     Crossings met;

@@ -241,7 +241,7 @@ LightBounds bounds(const CompositeEmitter& e, double luminance) {
     return result;
 }
 
-double unoccluded(const CompositeEmitter& e, double luminance, const ShadingPoint& point) {
+double unoccluded(const CompositeEmitter& e, double luminance, const Receiver& point) {
     return irradiance(glow(bounds(e, luminance)), point);
 }
 
@@ -275,7 +275,7 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
     return LightPoint{ray.at(*distance), ray.direction, *distance, drawn->density};
 }
 
-void meet(const CompositeEmitter& e, const ShadingPoint& point, const Vec3& direction,
+void meet(const CompositeEmitter& e, const Receiver& point, const Vec3& direction,
           LightMeetings& met) {
     const Around ball(e);
     const auto distance = meet(e, {point.position, direction}, clearance * ball.radius);

@@ -17,10 +17,10 @@ CompositeEmitter bright_composite_emitter(Handle<Composite>, std::uint32_t leaf,
                                           FunctionRef<double(const Vec3&)> luminance);
 
 LightBounds bounds(const CompositeEmitter&, double luminance);
-double unoccluded(const CompositeEmitter&, double luminance, const ShadingPoint&);
+double unoccluded(const CompositeEmitter&, double luminance, const Receiver&);
 std::optional<LightDirection> draw_direction(const CompositeEmitter&, const Vec3& from,
                                              const Vec2& u);
 double direction_density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
-void meet(const CompositeEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+void meet(const CompositeEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
 double emitting_area(const CompositeEmitter&);

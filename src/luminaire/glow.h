@@ -70,8 +70,9 @@ inline constexpr double inside_share = 1 - 2e-9;
 /// and strength (h + r)^2 r / 4 d^3 is put in the place of the exact formula where the horizon cuts
 /// it: the two meet at h = r, the second is zero only where all of the sphere is below, and never
 /// below the first. What is flatter than its sphere is cut by the horizon within its reach instead:
-/// strength (h + reach)^2 r^2 / (4 reach d^3). Inside, all directions meet the surface.
-template <bool both_sides>
+/// strength (h + reach)^2 r^2 / (4 reach d^3). Inside, all directions meet the surface. Without a
+/// horizon it is strength r / d^2, and four times that of one side from inside.
+template <Horizon horizon>
 [[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
                                                 double strength, double reach) {
     const double r2 = radius * radius;
@@ -79,6 +80,9 @@ template <bool both_sides>
     const double outside2 = d2 > r2 ? d2 : r2;
     const double distance = std::sqrt(outside2);
     const double inverse = 1 / distance;
+    if constexpr (horizon == Horizon::none)
+        return strength * radius * (d2 < r2 * inside_share ? 4 : 1) * inverse * inverse;
+    constexpr bool both_sides = horizon == Horizon::both_sides;
     const double signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
     const double height = both_sides ? std::abs(signed_height) : signed_height;
     const double cut = height < reach ? height : reach;
@@ -94,10 +98,10 @@ template <bool both_sides>
 }
 
 /// The same for a sphere.
-template <bool both_sides>
+template <Horizon horizon>
 [[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
                                                 double strength) {
-    return irradiance<both_sides>(v, n, radius, strength, radius);
+    return irradiance<horizon>(v, n, radius, strength, radius);
 }
 
 /// The factor for the direction in which a flat luminaire is seen; 1 for others.
@@ -117,12 +121,17 @@ inline double turned(const Glow& g, const Vec3& v, double radius) {
 }
 
 /// Estimate of the irradiance of one luminaire; see unoccluded().
-inline double irradiance(const Glow& g, const ShadingPoint& point) {
+inline double irradiance(const Glow& g, const Receiver& point) {
     const Vec3 v = g.centre - point.position;
     const double reach = reach_along(point.normal, g.half, g.radius);
-    const double even = point.both_sides
-                            ? irradiance<true>(v, point.normal, g.radius, g.strength, reach)
-                            : irradiance<false>(v, point.normal, g.radius, g.strength, reach);
+    const auto of_sphere = [&]<Horizon horizon>() {
+        return irradiance<horizon>(v, point.normal, g.radius, g.strength, reach);
+    };
+    const double even = point.horizon == Horizon::one_side
+                            ? of_sphere.template operator()<Horizon::one_side>()
+                        : point.horizon == Horizon::both_sides
+                            ? of_sphere.template operator()<Horizon::both_sides>()
+                            : of_sphere.template operator()<Horizon::none>();
     if (g.lean != Vec3(0)) return even * turned(g, v, g.radius);
     return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
 }

@@ -27,7 +27,7 @@ double mean_share(const Luminaire& luminaire) {
     return std::clamp(mean / luminance(luminaire.radiance), least_mean, 1.0);
 }
 
-std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const ShadingPoint& point,
+std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiver& point,
                                         const Vec2& u) {
     if (const auto* sphere = std::get_if<SphereEmitter>(&luminaire.emitter))
         return sample(*sphere, point, u);
@@ -37,14 +37,14 @@ std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Shadin
                       luminaire.emitter);
 }
 
-void meet_evenly(const Luminaire& luminaire, const ShadingPoint& point, const Vec3& direction,
+void meet_evenly(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
                  LightMeetings& met) {
     std::visit([&](const auto& e) { meet(e, point, direction, met); }, luminaire.emitter);
 }
 
 /// By the map or evenly, with the density that both have together.
 std::optional<LightPoint> sample_bright(const Luminaire& luminaire, const Brightness::View& view,
-                                        const ShadingPoint& point, const Vec2& u) {
+                                        const Receiver& point, const Vec2& u) {
     if (u.x < evenly) {
         auto drawn = sample_evenly(luminaire, point, {u.x / evenly, u.y});
         if (drawn)
@@ -91,7 +91,7 @@ LightBounds bounds(const Luminaire& luminaire) {
     return result;
 }
 
-double unoccluded(const Luminaire& luminaire, const ShadingPoint& point) {
+double unoccluded(const Luminaire& luminaire, const Receiver& point) {
     return mean_share(luminaire) *
            std::visit(
                [&](const auto& e) { return unoccluded(e, luminance(luminaire.radiance), point); },
@@ -99,12 +99,11 @@ double unoccluded(const Luminaire& luminaire, const ShadingPoint& point) {
 }
 
 std::optional<LightPoint> sample(const Luminaire& luminaire, const Vec3& from, const Vec2& u) {
-    if (luminaire.brightness) return sample(luminaire, ShadingPoint{from, Vec3(0)}, u);
+    if (luminaire.brightness) return sample(luminaire, Receiver{from, Vec3(0), Horizon::none}, u);
     return std::visit([&](const auto& e) { return sample(e, from, u); }, luminaire.emitter);
 }
 
-std::optional<LightPoint> sample(const Luminaire& luminaire, const ShadingPoint& point,
-                                 const Vec2& u) {
+std::optional<LightPoint> sample(const Luminaire& luminaire, const Receiver& point, const Vec2& u) {
     if (luminaire.brightness) {
         const Brightness::View view(*luminaire.brightness, point.position);
         if (view.any()) return sample_bright(luminaire, view, point, u);
@@ -112,7 +111,7 @@ std::optional<LightPoint> sample(const Luminaire& luminaire, const ShadingPoint&
     return sample_evenly(luminaire, point, u);
 }
 
-void meet(const Luminaire& luminaire, const ShadingPoint& point, const Vec3& direction,
+void meet(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
           LightMeetings& met) {
     const std::size_t before = met.size();
     meet_evenly(luminaire, point, direction, met);

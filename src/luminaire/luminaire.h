@@ -12,17 +12,32 @@
 #include "shape/built_shape.h"
 #include "shape/composite.h"
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
-/// The point to be lit. The normal is the geometric one, of unit length, on the side that is seen.
-struct ShadingPoint {
+/// From where light counts at a point.
+enum class Horizon : std::uint8_t {
+    one_side,    ///< above its plane, by the cosine to the normal
+    both_sides,  ///< above and below the plane, by the same
+    none         ///< from everywhere alike: the point is in the air, and its normal is 0
+};
+
+/// A point to be lit.
+struct Receiver {
     Vec3 position;
-    Vec3 normal;
-    bool both_sides = false;  ///< lit from behind as well
+    Vec3 normal;  ///< unit, on the side that is seen; 0 in the air
+    Horizon horizon = Horizon::one_side;
+
+    /// How much light from a unit direction counts: 0 to 1, and below 0 where none does.
+    double cosine(const Vec3& direction) const {
+        if (horizon == Horizon::none) return 1;
+        const double height = dot(direction, normal);
+        return horizon == Horizon::both_sides ? std::abs(height) : height;
+    }
 };
 
 /// A point on a luminaire as seen from a shading point.
@@ -114,7 +129,7 @@ LightBounds bounds(const Luminaire&);
 /// An estimate of the irradiance (times luminance) at the point as if nothing were between; exact
 /// for triangles and for spheres above the horizon. Never 0 when any part of the luminaire is above
 /// the point's tangent plane: the paper's Figure 4 shows what happens otherwise.
-double unoccluded(const Luminaire&, const ShadingPoint&);
+double unoccluded(const Luminaire&, const Receiver&);
 
 /// A point of the luminaire that may be seen from the shading point, with its density; u in
 /// [0,1)^2. Nothing when the drawn point cannot be seen (it faces away, or lies on the horizon).
@@ -122,7 +137,7 @@ std::optional<LightPoint> sample(const Luminaire&, const Vec3& from, const Vec2&
 
 /// The same where the surface's normal is known: spheres that are wholly above the horizon are
 /// sampled in proportion to the cosine, so that a diffuse surface sees no noise of it at all.
-std::optional<LightPoint> sample(const Luminaire&, const ShadingPoint&, const Vec2& u);
+std::optional<LightPoint> sample(const Luminaire&, const Receiver&, const Vec2& u);
 
 /// A direction in which a luminaire may be seen; and the density with which it is drawn, per
 /// steradian.
@@ -155,7 +170,7 @@ struct LightMeeting {
 using LightMeetings = std::vector<LightMeeting>;
 
 /// Appends the points that sample() may give in this direction from the shading point.
-void meet(const Luminaire&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+void meet(const Luminaire&, const Receiver&, const Vec3& direction, LightMeetings&);
 
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);

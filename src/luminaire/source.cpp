@@ -14,7 +14,7 @@ LightBounds bounds(const SourceEmitter& source, double luminance) {
     return result;
 }
 
-double unoccluded(const SourceEmitter& source, double luminance, const ShadingPoint& point) {
+double unoccluded(const SourceEmitter& source, double luminance, const Receiver& point) {
     const Glow g = glow(bounds(source, luminance));
     return irradiance(g, point) *
            against_square_law(source.falloff, source.centre - point.position, g.radius);
@@ -27,6 +27,6 @@ std::optional<LightPoint> sample(const SourceEmitter& source, const Vec3& from, 
     return LightPoint{source.centre, offset / distance, distance, 1};
 }
 
-void meet(const SourceEmitter&, const ShadingPoint&, const Vec3&, LightMeetings&) {}
+void meet(const SourceEmitter&, const Receiver&, const Vec3&, LightMeetings&) {}
 
 double emitting_area(const SourceEmitter&) { return 0; }

@@ -6,7 +6,7 @@
 #include "luminaire/luminaire.h"
 
 LightBounds bounds(const SourceEmitter&, double luminance);
-double unoccluded(const SourceEmitter&, double luminance, const ShadingPoint&);
+double unoccluded(const SourceEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const SourceEmitter&, const Vec3& from, const Vec2& u);
-void meet(const SourceEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+void meet(const SourceEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
 double emitting_area(const SourceEmitter&);

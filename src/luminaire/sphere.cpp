@@ -71,11 +71,12 @@ LightPoint sample_cone(const SphereEmitter& s, const SphereView& view, const Vec
 
 /// Height of the sphere's centre over the horizon, as a cosine, when all of the sphere is above
 /// (or, for surfaces that are lit from behind, all below: then it is negative); else 0.
-double clear_height(const SphereView& view, const ShadingPoint& point) {
+double clear_height(const SphereView& view, const Receiver& point) {
     // At the horizon itself the density of a direction loses its digits.
     constexpr double margin = 1.0001;
     const double height = dot(view.middle, point.normal);
-    const bool clear = height * height > margin * view.sine2 && (height > 0 || point.both_sides);
+    const bool clear = height * height > margin * view.sine2 &&
+                       (height > 0 || point.horizon == Horizon::both_sides);
     return clear ? height : 0;
 }
 
@@ -85,8 +86,8 @@ double projected_density(const SphereView& view, double height) {
     return 1 / (pi * view.sine2 * std::abs(height));
 }
 
-LightPoint sample_projected(const SphereEmitter& s, const SphereView& view,
-                            const ShadingPoint& point, double height, const Vec2& u) {
+LightPoint sample_projected(const SphereEmitter& s, const SphereView& view, const Receiver& point,
+                            double height, const Vec2& u) {
     const Vec3 normal = height > 0 ? point.normal : -point.normal;
     const double sine = std::sqrt(view.sine2), up = std::abs(height);
     const Vec3 level = view.middle - up * normal;
@@ -113,7 +114,7 @@ LightBounds bounds(const SphereEmitter& s, double luminance) {
             luminance * pi * s.radius * s.radius,          luminance};
 }
 
-double unoccluded(const SphereEmitter& s, double luminance, const ShadingPoint& point) {
+double unoccluded(const SphereEmitter& s, double luminance, const Receiver& point) {
     return irradiance(glow(bounds(s, luminance)), point);
 }
 
@@ -123,7 +124,7 @@ std::optional<LightPoint> sample(const SphereEmitter& s, const Vec3& from, const
     return sample_cone(s, SphereView(s, from), u);
 }
 
-std::optional<LightPoint> sample(const SphereEmitter& s, const ShadingPoint& point, const Vec2& u) {
+std::optional<LightPoint> sample(const SphereEmitter& s, const Receiver& point, const Vec2& u) {
     if (inside_or_on(s, length(s.centre - point.position)))
         return sample_area(s, point.position, u);
     const SphereView view(s, point.position);
@@ -133,7 +134,7 @@ std::optional<LightPoint> sample(const SphereEmitter& s, const ShadingPoint& poi
     return drawn.density > 0 ? std::optional(drawn) : std::nullopt;
 }
 
-void meet(const SphereEmitter& s, const ShadingPoint& point, const Vec3& direction,
+void meet(const SphereEmitter& s, const Receiver& point, const Vec3& direction,
           LightMeetings& met) {
     const Vec3 offset = s.centre - point.position;
     const double along = dot(offset, direction);

@@ -5,8 +5,8 @@
 #include "luminaire/luminaire.h"
 
 LightBounds bounds(const SphereEmitter&, double luminance);
-double unoccluded(const SphereEmitter&, double luminance, const ShadingPoint&);
+double unoccluded(const SphereEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const SphereEmitter&, const Vec3& from, const Vec2& u);
-std::optional<LightPoint> sample(const SphereEmitter&, const ShadingPoint&, const Vec2& u);
-void meet(const SphereEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+std::optional<LightPoint> sample(const SphereEmitter&, const Receiver&, const Vec2& u);
+void meet(const SphereEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
 double emitting_area(const SphereEmitter&);

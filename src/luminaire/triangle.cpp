@@ -170,15 +170,20 @@ LightBounds bounds(const TriangleEmitter& t, double luminance) {
             luminance};
 }
 
-double unoccluded(const TriangleEmitter& t, double luminance, const ShadingPoint& point) {
+double unoccluded(const TriangleEmitter& t, double luminance, const Receiver& point) {
     const LightBounds b = bounds(t, luminance);
     // The estimate keeps the answer above 0 where the exact one is lost in rounding.
     const double estimate = irradiance(glow(b), point);
     if (estimate == 0) return 0;
     const TriangleView view(t, point.position);
     const bool far = b.radius < small * length(b.centre - point.position);
+    if (point.horizon == Horizon::none) {
+        // Where its solid angle loses its digits, the estimate is as good.
+        const double solid_angle = far ? 0 : sampled_solid_angle(view);
+        return solid_angle > 0 ? luminance * solid_angle : estimate;
+    }
     double exact = one_side(view, point.normal, far);
-    if (point.both_sides) exact += one_side(view, -point.normal, far);
+    if (point.horizon == Horizon::both_sides) exact += one_side(view, -point.normal, far);
     return std::fmax(luminance * exact, 1e-4 * estimate);
 }
 
@@ -198,7 +203,7 @@ std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, con
     return LightPoint{from + offset, direction, distance, density};
 }
 
-void meet(const TriangleEmitter& t, const ShadingPoint& point, const Vec3& direction,
+void meet(const TriangleEmitter& t, const Receiver& point, const Vec3& direction,
           LightMeetings& met) {
     const TriangleHit hit =
         first_crossing(t.corner1, t.corner2, t.corner3, {point.position, direction}, {});

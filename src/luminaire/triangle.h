@@ -5,7 +5,7 @@
 #include "luminaire/luminaire.h"
 
 LightBounds bounds(const TriangleEmitter&, double luminance);
-double unoccluded(const TriangleEmitter&, double luminance, const ShadingPoint&);
+double unoccluded(const TriangleEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const TriangleEmitter&, const Vec3& from, const Vec2& u);
-void meet(const TriangleEmitter&, const ShadingPoint&, const Vec3& direction, LightMeetings&);
+void meet(const TriangleEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
 double emitting_area(const TriangleEmitter&);

@@ -71,7 +71,7 @@ Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) con
 Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const Vec3& before,
                                   LightLedger& ledger) {
     const Bsdf& bsdf = layer.bsdf;
-    const ShadingPoint point = receiver(bsdf.shading());
+    const Receiver point = receiver(bsdf.shading());
     const BsdfLobes lobes = bsdf.lobes();
     const auto draw = [&](Vec2 u) { return bsdf.sample(u); };
     const auto pdf = [&](const Vec3& direction) { return bsdf.pdf(direction); };
@@ -197,7 +197,7 @@ Vec3 DirectLight::from_direction(const Vec3& direction, const LightTree* meeting
 }
 
 /// Fills met_ with all luminaires on the line.
-void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const ShadingPoint& point,
+void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const Receiver& point,
                              const Vec3& direction) {
     met_.clear();
     tree.along(point.position, direction, [&](LightIndex light) {
@@ -351,7 +351,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer
 Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer, const Key& key,
                                      LightLedger& ledger) {
     const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
-    const ShadingPoint point = set.asked(receiver(layer.bsdf.shading()));
+    const Receiver point = set.asked(receiver(layer.bsdf.shading()));
     const BsdfLobes lobes = layer.bsdf.lobes();
     const auto look = [&](const Ray& ray, double tolerance) {
         return sight_past_clear(ray, tolerance);

@@ -91,7 +91,7 @@ private:
     /// Weight: by the luminaire and the density with which it says the point is drawn.
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
-    void meet_along(const LightTree&, const Vertex&, const ShadingPoint&, const Vec3& direction);
+    void meet_along(const LightTree&, const Vertex&, const Receiver&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&) const;
 

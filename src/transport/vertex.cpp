@@ -29,8 +29,9 @@ ShadingRules shading_rules(const World& world) {
             world.pattern_scene().noise_generator};
 }
 
-ShadingPoint receiver(const Shading& s) {
-    return {s.position, s.normal, s.both_sides || s.finish->diffuse_back != 0};
+Receiver receiver(const Shading& s) {
+    const bool from_behind = s.both_sides || s.finish->diffuse_back != 0;
+    return {s.position, s.normal, from_behind ? Horizon::both_sides : Horizon::one_side};
 }
 
 void for_visible_textures(const World& world, const Hit& hit, bool from_inside,

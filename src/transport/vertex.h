@@ -29,7 +29,7 @@ Shading with_layer(const World&, const Vertex&, const Layer&);
 ShadingRules shading_rules(const World&);
 
 /// Where a luminaire's light arrives.
-ShadingPoint receiver(const Shading&);
+Receiver receiver(const Shading&);
 
 /// Calls use(weight, layers) for the layers of each texture that shows at the vertex, with its
 /// share there: of the inner side when the ray comes from inside. Textures whose share is smaller

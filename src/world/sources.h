@@ -25,8 +25,8 @@ struct SourceSet {
 
     bool drawn() const { return !emitters.empty(); }
     /// The point for which the sampler is to be asked.
-    ShadingPoint asked(const ShadingPoint& point) const {
-        return parallel ? ShadingPoint{Vec3(0), point.normal, point.both_sides} : point;
+    Receiver asked(const Receiver& point) const {
+        return parallel ? Receiver{Vec3(0), point.normal, point.horizon} : point;
     }
 };
 

@@ -18,7 +18,7 @@ const std::string flakes = "examples/paper/fig6.pov", city = "examples/gallery/c
 
 /// Points of surfaces that the camera sees, in a grid.
 struct Seen {
-    ShadingPoint point;
+    Receiver point;
     double tolerance;
 };
 std::vector<Seen> seen_points(const World& world, int across) {
@@ -66,7 +66,7 @@ void choices() {
                 for (int i = 0; i < (again ? tries : std::min(tries, places)); ++i) {
                     if (i % places == 0) where = Draw(2);
                     picks.clear();
-                    const ShadingPoint point{where.point(30), where.direction(), false};
+                    const Receiver point{where.point(30), where.direction()};
                     std::visit(
                         [&](const auto& b) {
                             b.choose(point, Key{1, 2, 3, 4}, picks);

@@ -193,7 +193,7 @@ void horizon() {
             Cases& kind = cases[light % horizon_kinds];
             if (kind.lit >= wanted) continue;
             const LightBounds b = bounds(luminaires[light]);
-            ShadingPoint point{draw.point(6), draw.direction(), i % 11 == 0};
+            Receiver point{draw.point(6), draw.direction(), lit_from(i % 11 == 0)};
             if (i % 4 != 0) point.position = point_around(b.centre, b.radius, draw);
             const auto s =
                 sample(luminaires[light], point.position, {draw.number(), draw.number()});
@@ -203,8 +203,8 @@ void horizon() {
             if (!(dot(s->direction, point.normal) > 1e-12)) continue;
             ++kind.lit;
             kind.lost += !(built.expected(point, Key{}, light) > 0);
-            kind.lost_by_centre +=
-                !point.both_sides && dot(b.centre - point.position, point.normal) < 0;
+            kind.lost_by_centre += point.horizon == Horizon::one_side &&
+                                   dot(b.centre - point.position, point.normal) < 0;
         }
     }
     for (int kind = 0; kind < horizon_kinds; ++kind)
@@ -303,7 +303,7 @@ void million() {
             const double begin = cpu_seconds();
             for (int i = 0; i < choices; ++i) {
                 picks.clear();
-                const ShadingPoint point{where.point(50), where.direction(), false};
+                const Receiver point{where.point(50), where.direction()};
                 std::visit([&](const auto& b) { b.choose(point, Key{1, 2, 3, 4}, picks); }, built);
             }
             std::printf("  %.0f ns a choice, %s\n", 1e9 * (cpu_seconds() - begin) / choices,

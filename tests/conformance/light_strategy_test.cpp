@@ -39,13 +39,16 @@ struct Room {
     }
 
     /// A point to be lit, mostly on a surface.
-    ShadingPoint point(Draw& draw) const {
+    Receiver point(Draw& draw) const {
         const Box& box = surfaces[static_cast<std::size_t>(draw.number() *
                                                            static_cast<double>(surfaces.size()))];
         const Vec3 within =
             glm::mix(box.low, box.high, Vec3(draw.number(), draw.number(), draw.number()));
         const Vec3 anywhere = scale * draw.point(6);
-        return {draw.number() < 0.8 ? within : anywhere, draw.direction(), draw.number() < 0.2};
+        const Vec3 position = draw.number() < 0.8 ? within : anywhere, normal = draw.direction();
+        const double kind = draw.number();
+        if (kind < 0.1) return {position, Vec3(0), Horizon::none};
+        return {position, normal, lit_from(kind < 0.2)};
     }
 
     LightScene scene() const { return {luminaires, surfaces}; }
@@ -66,7 +69,7 @@ T settings() {
 Key key(std::uint64_t pixel, int trial) { return {pixel, static_cast<std::uint32_t>(trial), 0, 0}; }
 
 /// What each luminaire gives at the point.
-std::vector<double> irradiances(const Room& room, const ShadingPoint& point) {
+std::vector<double> irradiances(const Room& room, const Receiver& point) {
     std::vector<double> result;
     for (const Luminaire& luminaire : room.luminaires)
         result.push_back(unoccluded(luminaire, point));
@@ -82,7 +85,7 @@ TEMPLATE_LIST_TEST_CASE("picks tell their expected number, which is how often th
     Draw draw(2);
     constexpr int trials = 3000;
     for (std::uint64_t pixel = 0; pixel < 12; ++pixel) {
-        const ShadingPoint point = room.point(draw);
+        const Receiver point = room.point(draw);
         std::vector<double> counted(40), expected(40), evened(40), inverse(40);
         LightPicks picks;
         for (int trial = 0; trial < trials; ++trial) {
@@ -133,16 +136,18 @@ TEMPLATE_LIST_TEST_CASE("no luminaire that can light a point has no chance there
         for (int i = 0; i < 1000; ++i) {
             const auto light = static_cast<LightIndex>(draw.number() * 30);
             const LightBounds b = bounds(room.luminaires[light]);
-            ShadingPoint point = room.point(draw);
+            Receiver point = room.point(draw);
             if (i % 4 != 0) point.position = point_around(b.centre, b.radius, draw);
             const auto s =
                 sample(room.luminaires[light], point.position, {draw.number(), draw.number()});
             if (!s) continue;
             if (i % 2 == 0) {
                 const Vec3 level = cross(cross(s->direction, point.normal), s->direction);
-                point.normal = unit(unit(level) + std::pow(10, draw.between(-9, 0)) * s->direction);
+                if (point.horizon != Horizon::none)
+                    point.normal =
+                        unit(unit(level) + std::pow(10, draw.between(-9, 0)) * s->direction);
             }
-            if (!(dot(s->direction, point.normal) > 1e-12) && !point.both_sides) continue;
+            if (!(point.cosine(s->direction) > 1e-12)) continue;
             ++lit;
             impossible += !(built.expected(point, key(seed, i), light) > 0);
         }
@@ -158,7 +163,7 @@ TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires 
         const Room room(count, 5);
         const auto built = build(settings<TestType>(), room.scene(), 1);
         for (std::uint64_t pixel = 0; pixel < 5; ++pixel) {
-            const ShadingPoint point = room.point(draw);
+            const Receiver point = room.point(draw);
             constexpr int trials = 4000;
             const std::vector<double> each = irradiances(room, point);
             double all = 0, unlikely = 0, guessed = 0;
@@ -199,7 +204,7 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
         const auto other = build(settings<TestType>(), scaled.scene(), 1);
         Draw draw(7), again(7);
         for (int i = 0; i < 300; ++i) {
-            const ShadingPoint point = room.point(draw), there = scaled.point(again);
+            const Receiver point = room.point(draw), there = scaled.point(again);
             const auto light = static_cast<LightIndex>(draw.number() * 60);
             again.number();
             CHECK(other.expected(there, key(1, i), light) ==
@@ -233,7 +238,7 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
     const Box surface{Vec3(-1), Vec3(1)};
     const auto built = build(settings<TestType>(), LightScene{luminaires, {&surface, 1}}, 1);
     LightPicks picks;
-    const ShadingPoint point{Vec3(0), Vec3(0, 1, 0)};
+    const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     for (int i = 0; i < 500; ++i) built.choose(point, key(2, i), picks);
     CHECK(picks.size() >= 490);
     for (const LightPick& pick : picks) {
@@ -252,7 +257,7 @@ TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads tha
     CHECK(one.memory_bytes() == seven.memory_bytes());
     Draw draw(9);
     for (int i = 0; i < 200; ++i) {
-        const ShadingPoint point = room.point(draw);
+        const Receiver point = room.point(draw);
         LightPicks a, b;
         one.choose(point, key(3, i), a);
         seven.choose(point, key(3, i), b);

@@ -24,13 +24,13 @@ struct Street {
         }
     }
     LightScene scene() const { return {luminaires, ground}; }
-    ShadingPoint point(Draw& draw) const {
+    Receiver point(Draw& draw) const {
         return {Vec3(draw.between(-50, 50), 0, draw.between(-50, 50)), Vec3(0, 1, 0)};
     }
 };
 
 /// Variance over squared mean of the choice where nothing is between.
-double noise(const Street& street, const BuiltCutOctree& built, const ShadingPoint& point) {
+double noise(const Street& street, const BuiltCutOctree& built, const Receiver& point) {
     BuiltCutOctree::Weights weights;
     built.weigh_choice(point, {}, weights);
     double sum = 0, square = 0;
@@ -74,7 +74,7 @@ TEST_CASE("all chances add up to 1", "[lighting]") {
     const BuiltCutOctree built(settings, street.scene());
     Draw draw(3);
     for (int i = 0; i < 100; ++i) {
-        const ShadingPoint point = street.point(draw);
+        const Receiver point = street.point(draw);
         double sum = 0;
         for (LightIndex light = 0; light < 500; ++light) sum += built.expected(point, Key{}, light);
         CHECK(sum == Approx(1));
@@ -85,7 +85,7 @@ TEST_CASE("cells are made where they are asked for, whoever comes first", "[ligh
     const Street street(2000);
     const BuiltCutOctree one(LightOctree{}, street.scene()), many(LightOctree{}, street.scene());
     CHECK(one.cells() == 0);
-    std::vector<ShadingPoint> points;
+    std::vector<Receiver> points;
     Draw draw(4);
     for (int i = 0; i < 400; ++i) points.push_back(street.point(draw));
     std::vector<std::vector<double>> answers(2, std::vector<double>(points.size()));
@@ -132,7 +132,7 @@ TEST_CASE("points far outside of the cells are answered as well", "[lighting]") 
     const BuiltCutOctree built(LightOctree{}, street.scene());
     for (const Vec3& position : {Vec3(1e6, 0, 0), Vec3(0, -1e4, 0), Vec3(-60, 0.2, 70)}) {
         double sum = 0;
-        const ShadingPoint point{position, unit(-position), false};
+        const Receiver point{position, unit(-position)};
         for (LightIndex light = 0; light < 100; ++light) sum += built.expected(point, Key{}, light);
         CHECK(sum == Approx(1));
     }

@@ -15,7 +15,7 @@ TEST_CASE("the hierarchy's probabilities add up to 1 where everything is above t
                                      draw.between(1, 9)));
     const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
     for (int i = 0; i < 50; ++i) {
-        const ShadingPoint point{draw.point(1), Vec3(0, 1, 0)};
+        const Receiver point{draw.point(1), Vec3(0, 1, 0)};
         double sum = 0;
         for (LightIndex light = 0; light < 300; ++light) sum += built.expected(point, {}, light);
         CHECK(sum == Approx(1));
@@ -31,7 +31,7 @@ TEST_CASE("a deep hierarchy is walked without losing luminaires", "[lighting]") 
         luminaires.push_back(glowing(SphereEmitter{Vec3(0.1 * d, d, 0), d / 8}));
     }
     const BuiltLightBvh built = build(LightBvh{}, {luminaires, {}}, 1);
-    const ShadingPoint point{Vec3(0), Vec3(0, 1, 0)};
+    const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     double sum = 0;
     for (LightIndex light = 0; light < 150; ++light) {
         CHECK(built.expected(point, {}, light) > 0);

@@ -64,7 +64,7 @@ TEST_CASE("an entry of one luminaire weighs what it gives", "[lighting]") {
     const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
     REQUIRE(cut.entries() == 40);
     for (int i = 0; i < 100; ++i) {
-        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
         CutWeights weights;
         cut.weigh(point, weights);
         double sum = 0;
@@ -88,7 +88,7 @@ TEST_CASE("an entry weighs what a surface that shines answers", "[lighting]") {
     const LightCut cut(tree, luminaires, cell, {1e-9, 64}, 10);
     REQUIRE(cut.entries() == 60);
     for (int i = 0; i < 100; ++i) {
-        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
         BsdfLobes gloss{
             0.3, {Highlight{draw.direction(), 0.5, 40}, Highlight{draw.direction(), 5, 900}}, 2};
         CutWeights weights, plain;
@@ -164,7 +164,7 @@ TEST_CASE("an entry of one light source weighs what it gives", "[lighting][claim
     // Cones that miss the cell need not be told apart.
     REQUIRE(cut.entries() > 30);
     for (int i = 0; i < 100; ++i) {
-        const ShadingPoint point{draw.point(1), draw.direction(), i % 5 == 0};
+        const Receiver point{draw.point(1), draw.direction(), lit_from(i % 5 == 0)};
         CutWeights weights;
         cut.weigh(point, weights);
         double sum = 0;

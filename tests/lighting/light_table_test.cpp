@@ -39,7 +39,7 @@ TEST_CASE("a list's sum is the sum of its luminaires' estimates, and find() foll
                 some(luminaires.size(), count == 1 ? 1 : 0.9, draw);
             const LightList list = table.append(lights);
             for (int i = 0; i < 20; ++i) {
-                const ShadingPoint point{draw.point(5), draw.direction(), i % 4 == 0};
+                const Receiver point{draw.point(5), draw.direction(), lit_from(i % 4 == 0)};
                 LightTable::Sums sums;
                 table.sum(list, point, sums);
                 double total = 0;
@@ -68,7 +68,7 @@ TEST_CASE("a vectorised loop and a single estimate agree to the last bit", "[lig
     std::iota(all.begin(), all.end(), LightIndex{0});
     const LightList list = table.append(all);
     for (int i = 0; i < 200; ++i) {
-        const ShadingPoint point{draw.point(5), draw.direction(), i % 4 == 0};
+        const Receiver point{draw.point(5), draw.direction(), lit_from(i % 4 == 0)};
         LightTable::Sums sums;
         table.sum(list, point, sums);
         // So short a list has its rows as parts.
@@ -84,7 +84,7 @@ TEST_CASE("estimates for near triangles are exact", "[lighting]") {
     for (int i = 0; i < 200; ++i) {
         const std::vector<Luminaire> one = {glowing(emitter(1, Vec3(0), 1, draw))};
         const LightTable table(one);
-        const ShadingPoint point{draw.point(1), draw.direction()};
+        const Receiver point{draw.point(1), draw.direction()};
         const double exact = unoccluded(one[0], point);
         CHECK(table.estimate(0, point) == exact);
     }
@@ -100,7 +100,7 @@ TEST_CASE("targets that rounding carried past the end find the last luminaire th
         std::vector<LightIndex> lights(count);
         std::iota(lights.begin(), lights.end(), LightIndex{0});
         const LightList list = table.append(lights);
-        const ShadingPoint point{Vec3(0), Vec3(0, 0, 1)};
+        const Receiver point{Vec3(0), Vec3(0, 0, 1)};
         LightTable::Sums sums;
         table.sum(list, point, sums);
         const LightTable::Row row = table.find(list, point, sums, sums.total * (1 + 1e-12));

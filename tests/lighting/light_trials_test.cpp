@@ -24,7 +24,7 @@ TEST_CASE("entries of which nothing arrives count little, but not nothing", "[li
         }
         return {};
     };
-    std::vector<Receiver> receivers;
+    std::vector<SurveyPlace> receivers;
     for (int i = 0; i < 6; ++i)
         receivers.push_back({{Vec3(0.3 * i - 0.8, 0, 0.1), Vec3(0, 1, 0)}, 1e-9});
     const std::vector<float> shares = arriving_shares(cut, tree, luminaires, receivers, probe);

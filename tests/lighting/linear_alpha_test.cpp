@@ -24,7 +24,7 @@ TEST_CASE("linear alpha leaves no noise of choice where its estimates are exact"
     for (const int count : {1, 20, 2000}) {
         const std::vector<Luminaire> luminaires = spheres(count, draw);
         const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);
-        const ShadingPoint point{Vec3(0), Vec3(0, 1, 0)};
+        const Receiver point{Vec3(0), Vec3(0, 1, 0)};
         double all = 0;
         for (const Luminaire& luminaire : luminaires) all += unoccluded(luminaire, point);
         for (std::uint32_t sample = 0; sample < 300; ++sample) {

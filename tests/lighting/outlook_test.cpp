@@ -22,7 +22,7 @@ const auto sight = [](const Ray& ray, double tolerance) -> std::optional<LightSi
 const LightBall ball{Vec3(0), 1.2};
 
 Outlook outlook_of(const Box& cell) {
-    return Outlook(cell, ball, receivers_in(cell, {}, sight), sight);
+    return Outlook(cell, ball, survey_places_in(cell, {}, sight), sight);
 }
 
 }  // namespace
@@ -56,16 +56,16 @@ TEST_CASE("what is behind clear things is seen, as far as light passes them", "[
 
 TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]") {
     const Box cell{Vec3(2, -2, 2), Vec3(4, 0, 4)};
-    const std::vector<Receiver> found = receivers_in(cell, {}, sight);
+    const std::vector<SurveyPlace> found = survey_places_in(cell, {}, sight);
     REQUIRE(found.size() > 3);
-    for (const Receiver& each : found) {
+    for (const SurveyPlace& each : found) {
         CHECK(each.point.position.y == Approx(-1.5));
         CHECK(each.point.normal == Vec3(0, 1, 0));
         CHECK(contains(cell, each.point.position));
     }
     // Nothing there: anywhere will do.
-    for (const Receiver& each : receivers_in({Vec3(5, 5, 5), Vec3(6)}, {}, sight))
-        CHECK(each.point.both_sides);
+    for (const SurveyPlace& each : survey_places_in({Vec3(5, 5, 5), Vec3(6)}, {}, sight))
+        CHECK(each.point.horizon == Horizon::both_sides);
 }
 
 TEST_CASE("directions of an outlook have the density that is stated for them", "[lighting]") {
@@ -77,8 +77,8 @@ TEST_CASE("directions of an outlook have the density that is stated for them", "
         for (int i = 0; i < 20; ++i) {
             Vec3 position = cell.low + Vec3(draw.number(), 0, draw.number()) * cell.size();
             position.y = -1.5;
-            const ShadingPoint point{position, i % 4 ? Vec3(0, 1, 0) : draw.direction(),
-                                     i % 3 == 0};
+            const Receiver point{position, i % 4 ? Vec3(0, 1, 0) : draw.direction(),
+                                 lit_from(i % 3 == 0)};
             Outlook::Weights weights;
             outlook.weigh(point, weights);
             if (!(weights.total > 0)) continue;
@@ -104,7 +104,7 @@ TEST_CASE("an outlook draws what shines more often than chance", "[lighting]") {
     const Box cell{Vec3(3, -2, 3), Vec3(3.5, -1, 3.5)};
     const Outlook outlook = outlook_of(cell);
     CHECK(outlook.noise() < 2);
-    const ShadingPoint point{Vec3(3.2, -1.5, 3.2), Vec3(0, 1, 0)};
+    const Receiver point{Vec3(3.2, -1.5, 3.2), Vec3(0, 1, 0)};
     Outlook::Weights weights;
     outlook.weigh(point, weights);
     int met = 0;
@@ -122,7 +122,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
     const auto even = [](const Ray& ray, double) -> std::optional<LightSight> {
         return LightSight{3, -ray.direction, 1e-9, 0, 2.5};
     };
-    const Outlook all(cell, ball, receivers_in(cell, {}, even), even);
+    const Outlook all(cell, ball, survey_places_in(cell, {}, even), even);
     CHECK(all.mean_luminance() == Approx(2.5));
     CHECK(all.noise_of_scattering() == Approx(0).margin(1e-12));
     const Outlook some = outlook_of(cell);
@@ -133,7 +133,7 @@ TEST_CASE("an outlook tells what scattered rays would see", "[lighting]") {
 TEST_CASE("no direction is drawn where nothing shines", "[lighting]") {
     const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
     const Box cell{Vec3(3, -2, 3), Vec3(4, -1, 4)};
-    const Outlook outlook(cell, ball, receivers_in(cell, {}, dark), dark);
+    const Outlook outlook(cell, ball, survey_places_in(cell, {}, dark), dark);
     Outlook::Weights weights;
     outlook.weigh({Vec3(3.5, -1.5, 3.5), Vec3(0, 1, 0)}, weights);
     CHECK(weights.total == 0);

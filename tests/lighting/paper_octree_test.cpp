@@ -8,7 +8,7 @@
 
 namespace {
 
-const ShadingPoint floor_point{Vec3(0.5, 0, 0.5), Vec3(0, 1, 0)};
+const Receiver floor_point{Vec3(0.5, 0, 0.5), Vec3(0, 1, 0)};
 const std::vector<Box> floor_box = {Box{Vec3(0), Vec3(1, 0, 1)}};
 
 /// Lamps over the floor, so small and far that none is bright.
@@ -20,7 +20,7 @@ std::vector<Luminaire> dim_lamps(int count, double height) {
     return result;
 }
 
-double sum_of_expected(const BuiltPaperOctree& built, const ShadingPoint& point, std::size_t count,
+double sum_of_expected(const BuiltPaperOctree& built, const Receiver& point, std::size_t count,
                        const Key& key) {
     double sum = 0;
     for (LightIndex light = 0; light < count; ++light) sum += built.expected(point, key, light);
@@ -39,7 +39,7 @@ TEST_CASE("where all luminaires are bright the light octree chooses as linear al
     const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, room}, 1);
     const BuiltLinearAlpha linear = build(LinearAlpha{}, {luminaires, room}, 1);
     for (int i = 0; i < 100; ++i) {
-        const ShadingPoint point{draw.point(3), draw.direction()};
+        const Receiver point{draw.point(3), draw.direction()};
         REQUIRE(built.bright(point.position) == 40);
         const auto light = static_cast<LightIndex>(draw.number() * 40);
         CHECK(built.expected(point, {}, light) == Approx(linear.expected(point, {}, light)));

@@ -60,7 +60,7 @@ struct ByDirection {
     double density = 0, irradiance = 0;
 };
 
-ByDirection by_direction(const AreaEmitter& e, const ShadingPoint& point, bool solid) {
+ByDirection by_direction(const AreaEmitter& e, const Receiver& point, bool solid) {
     constexpr int steps = 160;
     // From outside, only the directions to the sphere around it are looked at; from inside, all.
     const LightBounds b = bounds(e, 1);
@@ -97,7 +97,7 @@ TEST_CASE("density and samples of area emitters tell the same story", "[luminair
                 if (!lamp.solid && length(from) < 1) continue;
                 INFO(lamp.name << " from " << from.x);
                 const AreaEmitter e{lamp.shape, map};
-                const ShadingPoint point{from, unit(Vec3(1, -2, 0.5) - from)};
+                const Receiver point{from, unit(Vec3(1, -2, 0.5) - from)};
                 const ByDirection expected = by_direction(e, point, lamp.solid);
                 constexpr int steps = 120;
                 double given = 0;

@@ -29,7 +29,7 @@ struct LampMoments {
     double mean = 0, relative_variance = 0;
 };
 /// Of the light that samples bring to a point.
-LampMoments moments(const Luminaire& luminaire, const ShadingPoint& point, int steps,
+LampMoments moments(const Luminaire& luminaire, const Receiver& point, int steps,
                     FunctionRef<double(const Vec3&)> glow = pattern) {
     double sum = 0, squares = 0;
     Draw draw(5);
@@ -71,7 +71,7 @@ TEST_CASE("a screen with few bright spots makes little noise, and the same light
           "[luminaire][claim-26]") {
     for (const Emitter& emitter : flat_emitters())
         for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5), Vec3(0.4, -3, -0.7)}) {
-            const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
+            const Receiver point{place, unit(Vec3(0.1, 0.2, 0) - place)};
             const LampMoments even = moments(lamp(emitter, false), point, 2000),
                               mapped = moments(lamp(emitter, true), point, 700);
             CAPTURE(emitter.index(), place.x, even.relative_variance, mapped.relative_variance);
@@ -94,7 +94,7 @@ TEST_CASE("a globe with few bright spots makes little noise, and the same light,
         {Vec3(0.5, 0.3, -4), 8},    {Vec3(-60, 30, 50), 8},    {Vec3(0.4, -2.4, -0.7), 2.5},
         {Vec3(0.4, -2.22, 0.1), 0}, {Vec3(0.8, 0.5, -0.7), 5}, {Vec3(1.5, 0.9, -0.8), 5}};
     for (const auto& [place, gain] : places) {
-        const ShadingPoint point{place, unit(globe.centre + Vec3(0.1, 0.2, 0) - place)};
+        const Receiver point{place, unit(globe.centre + Vec3(0.1, 0.2, 0) - place)};
         const LampMoments even = moments(glowing(globe, 100), point, 2000, glow),
                           mapped = moments(known, point, 700, glow);
         CAPTURE(place.x, place.y, even.relative_variance, mapped.relative_variance);
@@ -127,7 +127,7 @@ TEST_CASE("a curved lamp with few bright spots makes less noise, and the same li
         CHECK(std::get<CompositeEmitter>(known.emitter).unevenness > 10);
         CHECK(bounds(known).intensity < 0.1 * bounds(unknown).intensity);
         for (const Vec3& place : {Vec3(0.5, 0.3, -4), Vec3(-6, 3, 5)}) {
-            const ShadingPoint point{place, unit(Vec3(0.1, 0.2, 0) - place)};
+            const Receiver point{place, unit(Vec3(0.1, 0.2, 0) - place)};
             const LampMoments even = moments(unknown, point, 1000, glow),
                               mapped = moments(known, point, 500, glow);
             CAPTURE(shape.index(), place.x, even.relative_variance, mapped.relative_variance);
@@ -143,7 +143,7 @@ TEST_CASE("points of a screen are met again with the density that they were draw
     for (const Emitter& emitter : mapped_emitters()) {
         const Luminaire luminaire = lamp(emitter, true);
         for (int i = 0; i < 2000; ++i) {
-            const ShadingPoint point{5.0 * draw.point(), draw.direction()};
+            const Receiver point{5.0 * draw.point(), draw.direction()};
             const auto s = sample(luminaire, point, {draw.number(), draw.number()});
             if (!s) continue;
             LightMeetings met;
@@ -171,7 +171,7 @@ TEST_CASE("a screen counts by its mean, and a dark one by something", "[luminair
     Luminaire dark = glowing(screen, 8);
     dark.brightness = brightness_of(dark, 16, [](const Vec3&) { return 0.0; });
     CHECK(bounds(dark).intensity > 0);
-    const ShadingPoint point{Vec3(0.3, 0.2, 2), Vec3(0, 0, -1)};
+    const Receiver point{Vec3(0.3, 0.2, 2), Vec3(0, 0, -1)};
     CHECK(unoccluded(dark, point) > 0);
     CHECK(sample(dark, point, {0.3, 0.7})->density ==
           Approx(sample(glowing(screen, 8), point, {0.3, 0.7})->density));

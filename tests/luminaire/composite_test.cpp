@@ -19,7 +19,7 @@ CompositeEmitter alone(const BuiltShape& shape) {
 struct Drawn {
     double mean = 0, variance = 0;
 };
-Drawn drawn_irradiance(const Luminaire& light, const ShadingPoint& point, int count, Draw& draw) {
+Drawn drawn_irradiance(const Luminaire& light, const Receiver& point, int count, Draw& draw) {
     double sum = 0, squares = 0;
     for (int i = 0; i < count; ++i) {
         const auto s = sample(light, point.position, {draw.number(), draw.number()});
@@ -44,7 +44,7 @@ TEST_CASE("any shape gives the light that it would give as an emitter of its own
     REQUIRE(std::get<CompositeEmitter>(any.emitter).guide);
     Draw draw(1);
     for (int i = 0; i < 20; ++i) {
-        const ShadingPoint point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
+        const Receiver point{draw.between(1.1, 5) * draw.direction(), draw.direction()};
         const double expected = sampled_irradiance(ball, point, 100);
         CHECK(drawn_irradiance(any, point, 250'000, draw).mean ==
               Approx(expected).epsilon(0.02).margin(0.002));
@@ -93,7 +93,7 @@ TEST_CASE("a guide makes less noise and the same light", "[luminaire]") {
     Draw draw(3);
     for (int i = 0; i < 5; ++i) {
         const Vec3 position = draw.between(1.5, 4) * draw.direction();
-        const ShadingPoint point{position, unit(-position)};
+        const Receiver point{position, unit(-position)};
         const Drawn by_guide = drawn_irradiance(guided, point, 40'000, draw),
                     by_search = drawn_irradiance(searched, point, 400'000, draw);
         CHECK(by_guide.mean == Approx(by_search.mean).epsilon(0.03));

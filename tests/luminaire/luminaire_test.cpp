@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <numbers>
+
 TEST_CASE("luminance is above 0 when any channel is, and drops what is below 0", "[luminaire]") {
     CHECK(luminance(Vec3(0)) == 0);
     CHECK(luminance(Vec3(-1, -2, -3)) == 0);
@@ -24,7 +26,7 @@ TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizo
         const Vec3 place = draw.point(10);
         const double size = std::pow(10, draw.between(-3, 1));
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, place, size, draw));
-        ShadingPoint point{point_around(place, size, draw), draw.direction(), i % 11 == 0};
+        Receiver point{point_around(place, size, draw), draw.direction(), lit_from(i % 11 == 0)};
         const auto s = sample(luminaire, point.position, {draw.number(), draw.number()});
         if (!s) continue;
         // Tilted so that the sampled point is just above the horizon.
@@ -32,7 +34,7 @@ TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizo
             point.normal = unit(cross(cross(s->direction, point.normal), s->direction) +
                                 1e-3 * draw.number() * s->direction);
         const double cosine = dot(s->direction, point.normal);
-        if (!(cosine > 1e-12) && !point.both_sides) continue;
+        if (!(cosine > 1e-12) && point.horizon == Horizon::one_side) continue;
         ++lit;
         straddling += dot(point.normal, place - point.position) < 0;
         const double estimate = unoccluded(luminaire, point);
@@ -43,6 +45,26 @@ TEST_CASE("no luminaire is estimated at 0 where a part of it is above the horizo
     CHECK(straddling > 5000);
 }
 
+TEST_CASE("in the air a luminaire counts by the solid angle that it fills", "[luminaire]") {
+    Draw draw(7);
+    for (int i = 0; i < 600; ++i) {
+        const Luminaire luminaire = glowing(emitter(i % emitter_kinds, Vec3(0), 1, draw));
+        const LightBounds b = bounds(luminaire);
+        const double away = b.radius * draw.between(2, 20);
+        const Receiver point{b.centre + away * draw.direction(), Vec3(0), Horizon::none};
+        const double found = sampled_irradiance(luminaire, point, 60);
+        CAPTURE(i % emitter_kinds, away);
+        // The choice of luminaires needs no more than the order of size.
+        if (found > 0) CHECK(unoccluded(luminaire, point) > 0.2 * found);
+        CHECK(unoccluded(luminaire, point) < 5 * found + 0.5 * b.intensity / (away * away));
+    }
+    const SphereEmitter sphere{Vec3(0), 1};
+    const Receiver far{Vec3(50, 0, 0), Vec3(0), Horizon::none};
+    CHECK(unoccluded(sphere, 1, far) == Approx(std::numbers::pi / 2500).epsilon(1e-3));
+    const Receiver within{Vec3(0.3, 0, 0), Vec3(0), Horizon::none};
+    CHECK(unoccluded(sphere, 1, within) == Approx(4 * std::numbers::pi));
+}
+
 TEST_CASE("estimates are 0 where all of a luminaire is below the horizon", "[luminaire]") {
     Draw draw(2);
     for (int i = 0; i < 2000; ++i) {
@@ -50,8 +72,8 @@ TEST_CASE("estimates are 0 where all of a luminaire is below the horizon", "[lum
         const Luminaire luminaire = glowing(emitter(i % emitter_kinds, place, 1, draw));
         const LightBounds b = bounds(luminaire);
         const Vec3 normal = draw.direction();
-        const ShadingPoint point{
-            b.centre + normal * b.radius * 1.001 + cross(normal, draw.point(3)), normal};
+        const Receiver point{b.centre + normal * b.radius * 1.001 + cross(normal, draw.point(3)),
+                             normal};
         CHECK(unoccluded(luminaire, point) == 0);
     }
 }
@@ -94,7 +116,8 @@ TEST_CASE("what is drawn from a luminaire is met again with its density", "[lumi
         const double size = std::pow(10, draw.between(-2, 1));
         const int kind = i % emitter_kinds;
         const Luminaire luminaire = glowing(emitter(kind, place, size, draw));
-        const ShadingPoint point{point_around(place, size, draw), draw.direction(), i % 5 == 0};
+        const Receiver point{point_around(place, size, draw), draw.direction(),
+                             lit_from(i % 5 == 0)};
         const auto s = sample(luminaire, point, {draw.number(), draw.number()});
         if (!s) continue;
         ++drawn[kind];

@@ -11,7 +11,7 @@ TEST_CASE("a light source gives pi times its luminance, by the cosine, at any di
     for (int i = 0; i < 1000; ++i) {
         const Luminaire source = glowing(SourceEmitter{draw.point(3), 1e-7, {}}, 2);
         const Vec3 centre = std::get<SourceEmitter>(source.emitter).centre;
-        const ShadingPoint point{draw.point(10), draw.direction()};
+        const Receiver point{draw.point(10), draw.direction()};
         const double cosine = dot(unit(centre - point.position), point.normal);
         CHECK(unoccluded(source, point) ==
               Approx(2 * std::numbers::pi * std::max(cosine, 0.0)).epsilon(1e-6).margin(1e-6));

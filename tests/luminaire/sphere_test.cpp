@@ -14,7 +14,7 @@ constexpr double degree = pi / 180;
 /// angle t.
 struct Seen {
     SphereEmitter sphere{Vec3(0), 1};
-    ShadingPoint point;
+    Receiver point;
     Seen(double sigma, double t) {
         point.position = Vec3(0, 0, -1 / std::sin(sigma));
         point.normal = Vec3(std::sin(t), 0, std::cos(t));
@@ -25,7 +25,7 @@ struct SphereMoments {
     double mean, relative_variance;
 };
 
-SphereMoments moments(const SphereEmitter& sphere, const ShadingPoint& point, int steps) {
+SphereMoments moments(const SphereEmitter& sphere, const Receiver& point, int steps) {
     double sum = 0, square = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
@@ -102,9 +102,9 @@ TEST_CASE("a surface that is lit on both sides gets what both get", "[luminaire]
     Draw draw(1);
     for (int i = 0; i < 1000; ++i) {
         const SphereEmitter sphere{draw.point(), draw.between(0.01, 1)};
-        ShadingPoint front{draw.point(3), draw.direction()}, back = front, both = front;
+        Receiver front{draw.point(3), draw.direction()}, back = front, both = front;
         back.normal = -front.normal;
-        both.both_sides = true;
+        both.horizon = Horizon::both_sides;
         CHECK(unoccluded(sphere, 1, both) ==
               Approx(unoccluded(sphere, 1, front) + unoccluded(sphere, 1, back)));
     }
@@ -113,7 +113,7 @@ TEST_CASE("a surface that is lit on both sides gets what both get", "[luminaire]
 TEST_CASE("inside a glowing sphere the irradiance is pi times the radiance", "[luminaire]") {
     Draw draw(2);
     for (int i = 0; i < 20; ++i) {
-        const ShadingPoint point{0.95 * draw.number() * draw.direction(), draw.direction()};
+        const Receiver point{0.95 * draw.number() * draw.direction(), draw.direction()};
         CHECK(unoccluded(SphereEmitter{Vec3(0), 1}, 1, point) == Approx(pi));
         CHECK(sampled_irradiance(glowing(SphereEmitter{Vec3(0), 1}), point, 400) ==
               Approx(pi).epsilon(0.01));
@@ -182,8 +182,8 @@ TEST_CASE("a sphere above the horizon lights a diffuse surface without any noise
     int projected = 0;
     for (int i = 0; i < 20000; ++i) {
         const SphereEmitter sphere{draw.point(3), std::pow(10, draw.between(-4, 1))};
-        const ShadingPoint point{point_around(sphere.centre, 2 * sphere.radius, draw),
-                                 draw.direction(), i % 3 == 0};
+        const Receiver point{point_around(sphere.centre, 2 * sphere.radius, draw), draw.direction(),
+                             lit_from(i % 3 == 0)};
         const Vec3 offset = sphere.centre - point.position;
         const double sine = sphere.radius / length(offset);
         const double height = dot(unit(offset), point.normal);
@@ -207,8 +207,8 @@ TEST_CASE("points of a sphere are met again with the density that they were draw
     int drawn = 0, missed = 0;
     for (int i = 0; i < 20000; ++i) {
         const SphereEmitter sphere{draw.point(3), std::pow(10, draw.between(-3, 1))};
-        const ShadingPoint point{point_around(sphere.centre, 2 * sphere.radius, draw),
-                                 draw.direction(), i % 3 == 0};
+        const Receiver point{point_around(sphere.centre, 2 * sphere.radius, draw), draw.direction(),
+                             lit_from(i % 3 == 0)};
         const auto s = sample(sphere, point, {draw.number(), draw.number()});
         if (!s) continue;
         ++drawn;

@@ -12,7 +12,7 @@ using std::numbers::pi;
 TriangleEmitter random_triangle(Draw& draw) { return {draw.point(), draw.point(), draw.point()}; }
 
 /// Irradiance by summing over small parts of the area.
-double quadrature(const TriangleEmitter& t, const ShadingPoint& point, int steps) {
+double quadrature(const TriangleEmitter& t, const Receiver& point, int steps) {
     const Vec3 e1 = t.corner2 - t.corner1, e2 = t.corner3 - t.corner1, scaled = cross(e1, e2);
     double sum = 0;
     for (int i = 0; i < steps; ++i)
@@ -20,7 +20,7 @@ double quadrature(const TriangleEmitter& t, const ShadingPoint& point, int steps
             const double root = std::sqrt((i + 0.5) / steps), v = (j + 0.5) / steps;
             const Vec3 offset = t.corner1 + root * ((1 - v) * e1 + v * e2) - point.position;
             const double d2 = dot(offset, offset), height = dot(offset, point.normal);
-            if (height > 0 || point.both_sides)
+            if (height > 0 || point.horizon != Horizon::one_side)
                 sum += std::abs(height * dot(offset, scaled)) / (2 * d2 * d2);
         }
     return sum / (steps * steps);
@@ -37,7 +37,7 @@ TEST_CASE("a triangle's irradiance is what its parts add up to", "[luminaire]") 
     int cut = 0;
     for (int i = 0; i < 300; ++i) {
         const TriangleEmitter t = random_triangle(draw);
-        ShadingPoint point{draw.point(4), draw.direction(), i % 3 == 0};
+        Receiver point{draw.point(4), draw.direction(), lit_from(i % 3 == 0)};
         const double distance = length((t.corner1 + t.corner2 + t.corner3) / 3.0 - point.position);
         if (distance < 2) point.position = Vec3(2, 2, 2);
         const double low = std::fmin(dot(t.corner1 - point.position, point.normal),
@@ -54,7 +54,7 @@ TEST_CASE("a triangle's irradiance is what its parts add up to", "[luminaire]") 
 TEST_CASE("a far triangle's irradiance keeps its digits", "[luminaire]") {
     const TriangleEmitter t{Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     for (const double d : {1e2, 1e4, 1e6, 1e9}) {
-        const ShadingPoint point{Vec3(1.0 / 3, 1.0 / 3, -d), Vec3(0, 0, 1)};
+        const Receiver point{Vec3(1.0 / 3, 1.0 / 3, -d), Vec3(0, 0, 1)};
         CHECK(unoccluded(t, 1, point) == Approx(0.5 / (d * d)).epsilon(1e-3));
     }
 }
@@ -97,8 +97,8 @@ TEST_CASE("a triangle's samples give its irradiance", "[luminaire]") {
     Draw draw(3);
     for (int i = 0; i < 60; ++i) {
         const TriangleEmitter t = random_triangle(draw);
-        const ShadingPoint point{(i % 3 ? 3.0 : 30.0) * draw.direction(), draw.direction(),
-                                 i % 2 == 0};
+        const Receiver point{(i % 3 ? 3.0 : 30.0) * draw.direction(), draw.direction(),
+                             lit_from(i % 2 == 0)};
         const double found = sampled_irradiance(glowing(t), point, 100);
         CHECK(unoccluded(t, 1, point) == Approx(found).epsilon(0.01).margin(1e-5));
     }
@@ -139,7 +139,7 @@ TEST_CASE("triangles of any shape, from anywhere, give finite samples with their
         const Vec3 from = i % 7 == 0   ? t.corner1
                           : i % 7 == 1 ? 0.5 * (t.corner1 + t.corner3)
                                        : size * (a + far * draw.direction());
-        const ShadingPoint point{from, draw.direction(), i % 2 == 0};
+        const Receiver point{from, draw.direction(), lit_from(i % 2 == 0)};
         const double estimate = unoccluded(t, 1, point);
         CHECK(std::isfinite(estimate));
         CHECK(estimate >= 0);

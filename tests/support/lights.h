@@ -64,10 +64,14 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
 template <class Light>
 double density(const Light& light, const Vec3& from, const Vec3& direction) {
     LightMeetings met;
-    meet(light, {from, Vec3(0)}, direction, met);
+    meet(light, {from, Vec3(0), Horizon::none}, direction, met);
     double sum = 0;
     for (const LightMeeting& meeting : met) sum += meeting.density;
     return sum;
+}
+
+inline Horizon lit_from(bool both_sides) {
+    return both_sides ? Horizon::both_sides : Horizon::one_side;
 }
 
 /// A point somewhere around an emitter of that place and size: inside, on, near or far.
@@ -77,15 +81,15 @@ inline Vec3 point_around(const Vec3& place, double size, Draw& draw) {
 }
 
 /// Irradiance from the luminaire by its own samples, over a grid of steps x steps.
-inline double sampled_irradiance(const Luminaire& luminaire, const ShadingPoint& point, int steps) {
+inline double sampled_irradiance(const Luminaire& luminaire, const Receiver& point, int steps) {
     double sum = 0;
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
             const auto s =
                 sample(luminaire, point.position, {(i + 0.5) / steps, (j + 0.5) / steps});
             if (!s) continue;
-            const double cosine = dot(s->direction, point.normal);
-            if (cosine > 0 || point.both_sides) sum += std::abs(cosine) / s->density;
+            const double cosine = point.cosine(s->direction);
+            if (cosine > 0) sum += cosine / s->density;
         }
     return luminance(luminaire.radiance) * sum / (steps * steps);
 }

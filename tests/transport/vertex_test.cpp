@@ -21,7 +21,7 @@ TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
             const Shading s = with_layer(world, vertex, layers.front());
             CHECK(s.colour.rgb == Vec3(1, 0.5, 0));
             CHECK(s.opacity == Approx(0.75));
-            CHECK_FALSE(receiver(s).both_sides);
+            CHECK(receiver(s).horizon == Horizon::one_side);
         });
         CHECK(weights == Approx(1));
     }

@@ -61,7 +61,7 @@ TEST_CASE("light of one direction is chosen by direction", "[world]") {
     CHECK(found[0].parallel);
     for (const Luminaire& each : found[0].emitters)
         CHECK(length(std::get<SourceEmitter>(each.emitter).centre) == Approx(1));
-    const ShadingPoint asked = found[0].asked({Vec3(5), Vec3(0, 1, 0)});
+    const Receiver asked = found[0].asked({Vec3(5), Vec3(0, 1, 0)});
     CHECK(asked.position == Vec3(0));
     CHECK(asked.normal == Vec3(0, 1, 0));
 }
