@@ -48,7 +48,7 @@ void build_index(Geometry& geometry, const RayIndex& index, int threads) {
             return PackedKinds::Ball{geometry.spheres[item].centre, geometry.spheres[item].radius};
         },
         [&](std::uint32_t item) {
-            const TrianglePrimitive& t = geometry.triangles[item - geometry.triangles_begin()];
+            const TrianglePrimitive& t = geometry.triangle(item);
             return std::array{t.corner1, t.corner2, t.corner3};
         },
         [&](std::uint32_t item) { return geometry.bounds(item); }};
