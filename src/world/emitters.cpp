@@ -10,12 +10,12 @@
 namespace {
 
 /// So many luminaires without a formula may take some time and memory.
-constexpr int most_guides = 64;
+constexpr int max_guides = 64;
 
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
-        : world_(world), guides_left_(guided ? most_guides : 0) {}
+        : world_(world), guides_left_(guided ? max_guides : 0) {}
 
     /// Cylinders and cones whose glow is uneven get a guide to where they are bright in the place
     /// of their formula.
