@@ -70,17 +70,6 @@ void add_facts(Identity& identity, const RunFacts& facts) {
 
 }  // namespace
 
-Reader noting(Reader reader, std::vector<ReadFile>& files) {
-    const auto read = [reader, &files](const std::string& path) {
-        std::optional<std::string> text = reader(path);
-        if (!text) return text;
-        ReadFile file{path, sha256(*text)};
-        if (std::ranges::find(files, file) == files.end()) files.push_back(std::move(file));
-        return text;
-    };
-    return {read, [reader](const std::string& path) { return reader.holds(path); }};
-}
-
 Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
                      const PictureFormat& format) {
     Identity identity = {{"program", version_text().substr(0, version_text().find('\n'))}};

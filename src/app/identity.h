@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/options.h"
-#include "text/loader.h"
+#include "session/read_files.h"
 
 #include <string>
 #include <utility>
@@ -14,17 +14,6 @@
 /// Name and value. Neither has a line break or a tabulator.
 using Fact = std::pair<std::string, std::string>;
 using Identity = std::vector<Fact>;
-
-/// A file that a scene was made from.
-struct ReadFile {
-    std::string path;
-    std::string digest;  ///< SHA-256
-
-    friend bool operator==(const ReadFile&, const ReadFile&) = default;
-};
-
-/// A reader that notes what it has read, each file once as long as it stays the same.
-Reader noting(Reader, std::vector<ReadFile>&);
 
 /// The facts of a picture. Files go by their names without folders, so that the machines of a farm
 /// may keep them at different places.

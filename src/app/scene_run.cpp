@@ -15,18 +15,14 @@
 #include "app/stats.h"
 #include "app/world_report.h"
 #include "base/deep_stack.h"
-#include "bind/evaluate.h"
 #include "picture/file.h"
 #include "scene/dump.h"
+#include "session/session.h"
 #include "syntax/dump.h"
 #include "syntax/parser.h"
 #include "text/harmless.h"
 #include "text/message.h"
-#include "text/sha256.h"
-#include "world/compile.h"
-#include "world/review.h"
 
-#include <filesystem>
 #include <iostream>
 #include <iterator>
 
@@ -44,9 +40,10 @@ public:
         if (say_diagnostics()) return exit_status::usage;
         if (!destinations_work(output)) return exit_status::file;
         bound_memory();
-        const std::optional<SourceId> main = read_scene();
-        if (say_diagnostics() || !main) return exit_status::file;
-        return dispatch(*main, output);
+        open_session(output);
+        session_->read();
+        if (say_diagnostics()) return exit_status::file;
+        return dispatch(output);
     }
 
 private:
@@ -82,28 +79,18 @@ private:
         if (bytes) limit_memory(*bytes + stacks);
     }
 
-    /// What the scene may touch: what belongs to it, and what the options add.
-    Door door(const std::string& picture_folder, const std::vector<std::string>& library) const {
-        std::vector<std::string> readable = {scene_folder_, ""};
-        std::vector<std::string> writable = {picture_folder};
-        readable.insert(readable.end(), library.begin(), library.end());
-        readable.insert(readable.end(), options_.readable.begin(), options_.readable.end());
-        writable.insert(writable.end(), options_.writable.begin(), options_.writable.end());
-        Door door(readable, std::move(writable));
-        if (console_.made_files) door.knows(console_.made_files);
-        return door;
-    }
-
     bool is_check() const {
         return options_.task == Task::check || options_.task == Task::check_syntax;
     }
+
+    SourceStore& sources() { return session_ ? session_->sources() : before_; }
 
     /// Prints what is new; true when there are errors.
     bool say_diagnostics() {
         const auto& all = diagnostics_.all();
         for (; said_ < all.size(); ++said_)
             if (options_.verbose || all[said_].severity != Severity::note)
-                ::say(console_, options_, all[said_], sources_);
+                ::say(console_, options_, all[said_], sources());
         if (diagnostics_.full() && !options_.diagnostics_as_json)
             ::say(console_, Stream::fatal,
                   message("stopped after ", diagnostics_.error_count(), " errors\n"));
@@ -131,85 +118,71 @@ private:
         return !say_diagnostics();
     }
 
-    /// Pictures remember what they were made from; checks need not.
-    Reader noted(Reader reader) {
-        return options_.task == Task::render ? noting(std::move(reader), files_) : reader;
+    SessionSettings session_settings(const Output& output) const {
+        SessionSettings settings;
+        SceneSource& source = settings.source;
+        source.path = *options_.scene;
+        source.standard_library = console_.library;
+        source.library = library_folders(console_.library, options_.library_paths, diagnostics_);
+        source.readable = options_.readable;
+        source.writable = options_.writable;
+        source.writable.insert(source.writable.begin(), folder_of(output));
+        source.made_files = console_.made_files;
+        source.writes_files = options_.task == Task::render || options_.task == Task::export_mesh;
+        settings.render = options_.render;
+        settings.evaluation = {options_.declares, options_.facts, options_.limits, {}, {}};
+        if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
+        // Pictures remember what they were made from; checks need not.
+        settings.notes_files = options_.task == Task::render;
+        settings.remembers_objects = console_.linger || extras_for(options_.layers, false).surface;
+        return settings;
     }
 
-    std::optional<SourceId> read_scene() {
-        std::string path = *options_.scene;
-        if (path == "-") {
-            std::string text(std::istreambuf_iterator<char>(std::cin), {});
-            files_.push_back({path, sha256(text)});
-            return sources_.add("standard input", std::move(text));
-        }
-        const Reader read = noted(disk_reader());
-        std::optional<std::string> text = read(path);
-        if (!text && !std::filesystem::path(path).has_extension()) text = read(path += ".pov");
-        if (!text) {
-            const std::string& name = *options_.scene;
-            const std::string near = similar_file(name, {""}, disk_lister());
-            diagnostics_.add(
-                error(Fault::io, {},
-                      message("there is no scene `", harmless(name), "` that can be read"))
-                    .with_help(near.empty() ? "" : message("did you mean `", near, "`?")));
-            return std::nullopt;
-        }
-        scene_folder_ = directory_of(path);
-        return sources_.add(path, std::move(*text));
+    /// The scene may come from the standard input.
+    void open_session(const Output& output) {
+        SessionSettings settings = session_settings(output);
+        settings.source.name = "standard input";
+        if (settings.source.path == "-")
+            settings.source.text = std::string(std::istreambuf_iterator<char>(std::cin), {});
+        settings.evaluation.print = [this](std::string_view text) {
+            if (options_.diagnostics_as_json) return console_.err(debug_to_json(text));
+            ::say(console_, Stream::debug, text);
+            if (!text.empty()) line_is_open_ = !text.ends_with('\n');
+        };
+        session_.emplace(std::move(settings), diagnostics_);
     }
 
-    int dispatch(SourceId main, const Output& output) {
+    int dispatch(const Output& output) {
         if (options_.task == Task::dump_tokens)
-            return say(dump_tokens(main, sources_, names_, diagnostics_));
+            return say(dump_tokens(session_->main(), sources(), names_, diagnostics_));
         if (options_.task == Task::dump_tree || options_.task == Task::check_syntax) {
-            const Tree tree = parse(main, sources_, names_, diagnostics_);
+            const Tree tree = parse(session_->main(), sources(), names_, diagnostics_);
             return say(is_check() ? "" : dump(tree, names_));
         }
         statistics_.parse = time_now();
-        Scene scene = evaluate_scene(main, folder_of(output), 0, diagnostics_);
+        Scene scene = evaluate_scene();
         statistics_.parse = time_now() - statistics_.parse;
-        settle_settings(scene.settings, options_.render);
-        if (console_.files_read) console_.files_read(files_);
+        if (console_.files_read) console_.files_read(session_->files());
         if (options_.task == Task::dump_scene) return say(diagnostics_.failed() ? "" : dump(scene));
         if (say_diagnostics()) return exit_status::scene;
         if (options_.task == Task::export_mesh) return export_mesh(scene);
         const bool dumps = options_.task == Task::dump_world || options_.task == Task::dump_index;
-        if (!dumps) review(scene, survey(scene, diagnostics_), diagnostics_);
+        if (!dumps) session_->review(scene);
         if (say_diagnostics()) return exit_status::scene;
         if (is_check() && options_.stats_file.empty()) return say("");
         statistics_.compile = time_now();
         Output fitting = output;
         fitting.format.gamma = scene.settings.assumed_gamma;
         fitting.format.encoded = scene.gamma_handling;
-        const ShutterScenes shutter{
-            sources_, [&](double ahead) { return scene_at(ahead, main, folder_of(output)); }};
-        const World world = compile(std::move(scene), compile_options(), diagnostics_,
-                                    is_check() || dumps ? nullptr : &shutter);
+        using enum Session::Shutter;
+        const World world =
+            session_->compile(std::move(scene), is_check() || dumps ? first_sample : all_samples);
         if (say_diagnostics()) return exit_status::scene;
         statistics_.compile = time_now() - statistics_.compile;
         if (options_.task == Task::dump_index) return say(index_slice(world));
         if (dumps) return say(report(world));
         if (is_check()) return finish(world);
         return render_picture(world, fitting);
-    }
-
-    CompileOptions compile_options() const {
-        const RenderSettings& r = options_.render;
-        const bool surface = console_.linger || extras_for(options_.layers, false).surface;
-        return {r.threads, r.light_sampler, r.index, r.quality, r.width, r.height, surface};
-    }
-
-    /// The scene as the clock runs on while the camera's shutter is open.
-    std::optional<Scene> scene_at(double ahead, SourceId main, const std::string& picture_folder) {
-        Diagnostics problems;
-        Scene scene = evaluate_scene(main, picture_folder, ahead, problems);
-        settle_settings(scene.settings, options_.render);
-        // What is no error has been said of the first sample.
-        for (const Diagnostic& each : problems.all())
-            if (each.severity == Severity::error) diagnostics_.add(each);
-        if (problems.failed()) return std::nullopt;
-        return scene;
     }
 
     int export_mesh(const Scene& scene) {
@@ -232,38 +205,10 @@ private:
             ::say(console_, Stream::render, message(harmless(*options_.scene), ": no errors\n"));
     }
 
-    Scene evaluate_scene(SourceId main, const std::string& picture_folder, double clock_ahead,
-                         Diagnostics& diagnostics) {
-        const auto library =
-            library_folders(console_.library, options_.library_paths, diagnostics_);
-        const Door scene_door = door(picture_folder, library);
-        Loader loader(noted(scene_reader(scene_door)), scene_folder_, library, scene_door,
-                      disk_lister());
-        loader.set_standard_library(console_.library);
-        // Files are written once, not for each sample of an open shutter.
-        const bool makes = options_.task == Task::render || options_.task == Task::export_mesh;
-        if (!makes || clock_ahead > 0) loader.keep_off_disk();
-        bool line_is_open = false;
-        EvaluateOptions options;
-        options.limits = options_.limits;
-        options.declares = options_.declares;
-        options.facts = options_.facts;
-        options.facts.clock += clock_ahead;
-        options.only = options_.task == Task::export_mesh ? options_.mesh_object : "";
-        options.facts.image_width = options_.render.width;
-        options.facts.image_height = options_.render.height;
-        if (clock_ahead > 0)
-            options.print = {};
-        else if (options_.diagnostics_as_json)
-            options.print = [&](std::string_view text) { console_.err(debug_to_json(text)); };
-        else
-            options.print = [&](std::string_view text) {
-                ::say(console_, Stream::debug, text);
-                if (!text.empty()) line_is_open = !text.ends_with('\n');
-            };
-        Scene scene = evaluate(sources_, loader, main, options, diagnostics);
+    Scene evaluate_scene() {
+        Scene scene = session_->evaluate();
         // What comes next begins a line of its own.
-        if (line_is_open) ::say(console_, Stream::debug, "\n");
+        if (line_is_open_) ::say(console_, Stream::debug, "\n");
         return scene;
     }
 
@@ -278,16 +223,16 @@ private:
     }
 
     int render_picture(const World& world, const Output& output) {
-        Identity identity = identity_of(options_, files_, output.format);
+        Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
         if (extras_for(options_.layers, false).lights) {
-            files.lights = light_names(world, sources_);
+            files.lights = light_names(world, sources());
             note_lights(identity, files.lights);
         }
         JobPlan plan{options_, identity, output.path, shard_, {}, console_.winds_down};
         if (console_.watch)
             plan.watch = [&](const Film& film, const LightLedger& rays, double done) {
-                console_.watch({world, sources_, options_.render, film, rays, done});
+                console_.watch({world, sources(), options_.render, film, rays, done});
             };
         made_path_ = shard_ ? state_path(plan) : output.path;
         RenderJob job(plan, world, console_.interrupts, diagnostics_);
@@ -316,7 +261,7 @@ private:
                   message(options_.to_file ? harmless(made_path_) : "no file", ": ",
                           summary(statistics_), "\n"));
         if (console_.linger)
-            console_.linger({world, sources_, options_.render, job.film(), job.rays(), 1});
+            console_.linger({world, sources(), options_.render, job.film(), job.rays(), 1});
         return status;
     }
 
@@ -330,7 +275,7 @@ private:
 
     /// What light gave and cost, for those who ask.
     void show_light(const World& world, const RenderJob& job) {
-        if (options_.light_report) console_.err(light_report(world, job.rays(), sources_));
+        if (options_.light_report) console_.err(light_report(world, job.rays(), sources()));
     }
 
     JobEnd work(RenderJob& job) {
@@ -362,7 +307,7 @@ private:
         complete(statistics_, world, options_.render);
         if (is_check()) say_correct();
         if (!options_.depfile.empty() && options_.task == Task::render)
-            write_file(options_.depfile, depfile(made_path_, files_), diagnostics_);
+            write_file(options_.depfile, depfile(made_path_, session_->files()), diagnostics_);
         if (options_.stats_file == "-")
             console_.out(to_json(statistics_));
         else if (!options_.stats_file.empty())
@@ -373,12 +318,12 @@ private:
     const Options& options_;
     const Console& console_;
     Diagnostics& diagnostics_;
-    SourceStore sources_;
     Names names_;
-    std::string scene_folder_;
-    std::vector<ReadFile> files_;  ///< of the scene
-    std::optional<Shard> shard_;   ///< nothing: the whole picture
-    std::string made_path_;        ///< of the picture or the shard
+    std::optional<Session> session_;  ///< once the options are known to work
+    SourceStore before_;              ///< of messages before that: nothing
+    bool line_is_open_ = false;       ///< what the scene has said last goes on
+    std::optional<Shard> shard_;      ///< nothing: the whole picture
+    std::string made_path_;           ///< of the picture or the shard
     std::size_t said_ = 0;
     Phase start_ = time_now();
     RunStatistics statistics_;

@@ -8,8 +8,8 @@
 namespace {
 
 /// Rays of all luminaires together, and of one: pairs in opposite directions.
-constexpr std::size_t most_rays = std::size_t{1} << 18;
-constexpr std::size_t most_pairs = 4;
+constexpr std::size_t max_rays = std::size_t{1} << 18;
+constexpr std::size_t max_pairs = 4;
 /// Rays start at points that are seen from so many radii around the middle.
 constexpr double around = 3;
 /// What a flat luminaire is nearer to than this share of its radius, it is mounted on.
@@ -114,7 +114,7 @@ Vec3 bent_normal_of(const World& world, std::size_t light, const std::optional<V
 void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads) {
     const std::size_t count = world.lights.luminaires.size();
     if (count < 2) return;
-    const std::size_t pairs = std::min(most_pairs, most_rays / (2 * count));
+    const std::size_t pairs = std::min(max_pairs, max_rays / (2 * count));
     if (pairs == 0) return;
     run_parallel((count + chunk - 1) / chunk, threads, [&](std::size_t n) {
         for (std::size_t light = n * chunk; light < std::min((n + 1) * chunk, count); ++light)

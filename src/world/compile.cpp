@@ -48,7 +48,7 @@ void build_index(Geometry& geometry, const RayIndex& index, int threads) {
             return PackedKinds::Ball{geometry.spheres[item].centre, geometry.spheres[item].radius};
         },
         [&](std::uint32_t item) {
-            const TrianglePrimitive& t = geometry.triangles[item - geometry.triangles_begin()];
+            const TrianglePrimitive& t = geometry.triangle(item);
             return std::array{t.corner1, t.corner2, t.corner3};
         },
         [&](std::uint32_t item) { return geometry.bounds(item); }};
@@ -148,12 +148,12 @@ void note_luminaires(World& world) {
 /// Finds out where luminaires are bright whose glow varies, unless they are too many.
 void map_brightness(World& world) {
     // Points that are asked for their glow, and the fewest cells that tell something.
-    constexpr double most_points = 1 << 19, least_cells = 4;
+    constexpr double max_points = 1 << 19, min_cells = 4;
     double faces = 0;
     for (const Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying) faces += static_cast<double>(face_count(luminaire.emitter));
-    const double cells = std::fmin(std::sqrt(most_points / (4 * faces)), Brightness::most_cells);
-    if (!(faces > 0 && cells >= least_cells)) return;
+    const double cells = std::fmin(std::sqrt(max_points / (4 * faces)), Brightness::most_cells);
+    if (!(faces > 0 && cells >= min_cells)) return;
     for (Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying && face_count(luminaire.emitter) > 0)
             luminaire.brightness =
@@ -197,7 +197,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
     world.lights.source_sets =
         source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    world.left_to_chance() ? most_asked_among_samples : most_asked_sources);
+                    world.left_to_chance() ? max_asked_among_samples : max_asked_sources);
 }
 
 /// Gives up the scene's objects.

@@ -10,48 +10,43 @@
 namespace {
 
 /// So many luminaires without a formula may take some time and memory.
-constexpr int most_guides = 64;
+constexpr int max_guides = 64;
 
 class Emitters {
 public:
     Emitters(const World& world, bool guided)
-        : world_(world), guides_left_(guided ? most_guides : 0) {}
+        : world_(world), guides_left_(guided ? max_guides : 0) {}
 
     /// Cylinders and cones whose glow is uneven get a guide to where they are bright in the place
     /// of their formula.
-    Emitter of(const GlowingPrimitive& glow, const Luminaire& look) {
-        const Emitter plain = by_shape(glow, look);
+    Emitter of(const Luminaire& look) {
+        const Emitter plain = by_shape(look);
         if (!look.varying || guides_left_ == 0 || !std::holds_alternative<AreaEmitter>(plain) ||
             face_count(plain) > 0)
             return plain;
-        CompositeEmitter bright = alone(world_.geometry.shapes[glow.index], look);
+        CompositeEmitter bright = alone(*world_.geometry.shape(look.primitive), look);
         return bright.guide && bright.unevenness > Brightness::uneven ? Emitter(std::move(bright))
                                                                       : plain;
     }
 
 private:
-    Emitter by_shape(const GlowingPrimitive& glow, const Luminaire& look) {
-        switch (glow.kind) {
-            case PrimitiveKind::sphere: {
-                const SpherePrimitive& s = world_.geometry.spheres[glow.index];
+    Emitter by_shape(const Luminaire& look) {
+        return world_.geometry.visit_primitive(
+            look.primitive,
+            [](const SpherePrimitive& s) -> Emitter {
                 return SphereEmitter{s.centre, s.radius};
-            }
-            case PrimitiveKind::triangle: {
-                const TrianglePrimitive& t = world_.geometry.triangles[glow.index];
+            },
+            [](const TrianglePrimitive& t) -> Emitter {
                 return TriangleEmitter{t.corner1, t.corner2, t.corner3};
-            }
-            case PrimitiveKind::leaf: {
-                const PlacedComposite& placed =
-                    world_.geometry.composites[world_.geometry.composite_of[glow.index]];
-                const PrimitiveIndex leaf = world_.geometry.leaves_begin() + glow.index;
-                return composite(placed.composite, leaf - placed.first_leaf, look);
-            }
-            case PrimitiveKind::shape:
-                break;
-        }
-        const PlacedShape& placed = world_.geometry.shapes[glow.index];
-        if (surface_area(placed.shape) > 0) return AreaEmitter{placed.shape, placed.transform};
-        return alone(placed, look);
+            },
+            [&](const PlacedShape& placed) -> Emitter {
+                if (surface_area(placed.shape) > 0)
+                    return AreaEmitter{placed.shape, placed.transform};
+                return alone(placed, look);
+            },
+            [&](const PlacedComposite& placed, std::uint32_t leaf) -> Emitter {
+                return composite(placed.composite, leaf, look);
+            });
     }
 
     CompositeEmitter alone(const PlacedShape& placed, const Luminaire& look) {
@@ -96,7 +91,7 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
         Luminaire luminaire;
         luminaire.primitive = world.geometry.primitive(glow.kind, glow.index);
         set_radiance(world, luminaire);
-        luminaire.emitter = emitters.of(glow, luminaire);
+        luminaire.emitter = emitters.of(luminaire);
         if (emitting_area(luminaire.emitter) > 0) {
             world.lights.luminaires.push_back(std::move(luminaire));
             world.provenance.statement_of_luminaire.push_back(glow.statement);

@@ -101,6 +101,10 @@ struct Geometry {
     bool is_leaf(PrimitiveIndex primitive) const { return primitive >= leaves_begin(); }
     bool is_composite(std::uint32_t item) const { return item >= leaves_begin(); }
 
+    /// Precondition: it is one.
+    const TrianglePrimitive& triangle(std::uint32_t number) const {
+        return triangles[number - triangles_begin()];
+    }
     /// Null for items of other kinds.
     const PlacedShape* shape(std::uint32_t item) const {
         const bool is = item >= shapes_begin() && item < leaves_begin();

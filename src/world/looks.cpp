@@ -71,7 +71,7 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
                          Use use) const {
     const Material& look = material(primitive);
     if (look.texture2) {
-        const TrianglePrimitive& face = geometry.triangles[primitive - geometry.triangles_begin()];
+        const TrianglePrimitive& face = geometry.triangle(primitive);
         return blend({look.texture.get(), look.texture2.get(), look.texture3.get()},
                      positive(corner_weights(corners(face), point)), use);
     }

@@ -12,18 +12,18 @@
 class MeshCopies {
 public:
     /// The meshes outlive this.
-    explicit MeshCopies(std::size_t most_faces = 1 << 16) : most_faces_(most_faces) {}
+    explicit MeshCopies(std::size_t max_faces = 1 << 16) : max_faces_(max_faces) {}
 
     /// Whether the next copy is: the first one, and others while all together have at most so many
     /// faces.
     bool takes_apart(const Mesh& mesh) {
         std::size_t& faces = faces_[&mesh];
-        if (faces > 0 && faces + mesh.faces.size() > most_faces_) return false;
+        if (faces > 0 && faces + mesh.faces.size() > max_faces_) return false;
         faces += mesh.faces.size();
         return true;
     }
 
 private:
-    std::size_t most_faces_;
+    std::size_t max_faces_;
     std::unordered_map<const Mesh*, std::size_t> faces_;  ///< of the copies up to now
 };

@@ -9,7 +9,7 @@
 namespace {
 
 /// What no size is counted as, as a share of the room that the sources take.
-constexpr double least_radius = 1e-6;
+constexpr double min_radius = 1e-6;
 
 bool same_direction_everywhere(const PointLight& light) {
     return light.along_axis() && light.kept_to() != parallel_beam;
@@ -57,11 +57,11 @@ const PointLight& point_light(const Light& light) { return std::get<PointLight>(
 class Sets {
 public:
     Sets(std::span<const Light> lights, const LightSampler& sampler, const LightScene& scene,
-         std::size_t most_asked)
-        : lights_(lights), settings_(sampler), scene_(scene), most_asked_(most_asked) {}
+         std::size_t max_asked)
+        : lights_(lights), settings_(sampler), scene_(scene), max_asked_(max_asked) {}
 
     void add(std::uint32_t group, std::vector<std::uint32_t> members) {
-        if (members.size() <= most_asked_ || std::holds_alternative<EveryLight>(settings_)) {
+        if (members.size() <= max_asked_ || std::holds_alternative<EveryLight>(settings_)) {
             result.push_back({group, std::move(members)});
             return;
         }
@@ -85,7 +85,7 @@ public:
 private:
     void add_drawn(SourceSet set) {
         if (set.lights.empty()) return;
-        if (set.lights.size() > most_asked_) {
+        if (set.lights.size() > max_asked_) {
             for (const std::uint32_t i : set.lights)
                 set.emitters.push_back(emitter(point_light(lights_[i]), i));
             give_size(set.emitters);
@@ -103,7 +103,7 @@ private:
         for (const Luminaire& e : emitters)
             all = join(all, std::get<SourceEmitter>(e.emitter).centre);
         const double least =
-            least_radius * max_component(all.size()) + 1e-12 * max_abs_component(all.centre());
+            min_radius * max_component(all.size()) + 1e-12 * max_abs_component(all.centre());
         for (Luminaire& e : emitters) {
             double& radius = std::get<SourceEmitter>(e.emitter).radius;
             radius = std::max({radius, least, 1e-100});
@@ -113,7 +113,7 @@ private:
     std::span<const Light> lights_;
     const LightSampler& settings_;
     const LightScene& scene_;
-    std::size_t most_asked_;
+    std::size_t max_asked_;
 };
 
 }  // namespace
@@ -121,10 +121,10 @@ private:
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of,
                                    const LightSampler& sampler, const LightScene& scene,
-                                   std::size_t most_asked) {
+                                   std::size_t max_asked) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < lights.size(); ++i) groups[group_of[i]].push_back(i);
-    Sets sets(lights, sampler, scene, most_asked);
+    Sets sets(lights, sampler, scene, max_asked);
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
 }

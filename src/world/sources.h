@@ -10,9 +10,9 @@
 
 /// Up to so many sources that light the same objects are all asked: then they make no noise, and
 /// one sample a pixel is hardly dearer than the four that chosen ones take at least.
-inline constexpr std::size_t most_asked_sources = 128;
+inline constexpr std::size_t max_asked_sources = 128;
 /// The same where something else is left to chance, and each pixel has many samples anyway.
-inline constexpr std::size_t most_asked_among_samples = 32;
+inline constexpr std::size_t max_asked_among_samples = 32;
 
 /// Sources that light the same objects.
 struct SourceSet {
@@ -30,8 +30,8 @@ struct SourceSet {
     }
 };
 
-/// `group_of` has the group of each light; of more than `most_asked` in one, some are chosen. The
+/// `group_of` has the group of each light; of more than `max_asked` in one, some are chosen. The
 /// boxes and planes of the scene are where points to be lit are.
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of, const LightSampler&,
-                                   const LightScene&, std::size_t most_asked = most_asked_sources);
+                                   const LightScene&, std::size_t max_asked = max_asked_sources);

@@ -59,18 +59,3 @@ TEST_CASE("a picture says what it was made from, without folders") {
     }
     CHECK(text.find("/home") == std::string::npos);
 }
-
-TEST_CASE("a noting reader notes each content once") {
-    std::vector<ReadFile> files;
-    std::string content = "x";
-    const Reader read = noting(
-        [&](const std::string& path) {
-            return path == "none" ? std::nullopt : std::optional(content);
-        },
-        files);
-    read("a"), read("a"), read("none");
-    CHECK(files.size() == 1);
-    content = "y";
-    CHECK(read("a") == "y");
-    CHECK(files.size() == 2);
-}

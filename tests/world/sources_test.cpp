@@ -30,15 +30,15 @@ PointLight& light(std::vector<Light>& all, std::size_t i) { return std::get<Poin
 
 TEST_CASE("few light sources are all asked, some of many", "[world]") {
     CHECK(sets({}).empty());
-    const auto few = sets(lights(most_asked_sources));
+    const auto few = sets(lights(max_asked_sources));
     REQUIRE(few.size() == 1);
     CHECK_FALSE(few[0].drawn());
-    CHECK(few[0].lights.size() == most_asked_sources);
-    const auto many = sets(lights(most_asked_sources + 1));
+    CHECK(few[0].lights.size() == max_asked_sources);
+    const auto many = sets(lights(max_asked_sources + 1));
     REQUIRE(many.size() == 1);
     CHECK(many[0].drawn());
-    CHECK(many[0].emitters.size() == most_asked_sources + 1);
-    CHECK_FALSE(sets(lights(most_asked_sources + 1), EveryLight{})[0].drawn());
+    CHECK(many[0].emitters.size() == max_asked_sources + 1);
+    CHECK_FALSE(sets(lights(max_asked_sources + 1), EveryLight{})[0].drawn());
 }
 
 TEST_CASE("lights that take light away are all asked, those without light never", "[world]") {

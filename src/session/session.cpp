@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include "text/harmless.h"
+#include "text/message.h"
+#include "text/sha256.h"
+#include "world/compile.h"
+#include "world/review.h"
+
+#include <filesystem>
+#include <utility>
+
+Session::Session(SessionSettings settings, Diagnostics& diagnostics)
+    : settings_(std::move(settings)), diagnostics_(diagnostics) {}
+
+Reader Session::noted(Reader reader) {
+    return settings_.notes_files ? noting(std::move(reader), files_) : reader;
+}
+
+bool Session::read() {
+    const SceneSource& source = settings_.source;
+    std::string path = source.path;
+    if (source.text) {
+        files_.push_back({path, sha256(*source.text)});
+        main_ = sources_.add(source.name, *source.text);
+        return true;
+    }
+    const Reader read = noted(disk_reader());
+    std::optional<std::string> text = read(path);
+    if (!text && !std::filesystem::path(path).has_extension()) text = read(path += ".pov");
+    if (!text) {
+        const std::string near = similar_file(source.path, {""}, disk_lister());
+        diagnostics_.add(
+            error(Fault::io, {},
+                  message("there is no scene `", harmless(source.path), "` that can be read"))
+                .with_help(near.empty() ? "" : message("did you mean `", near, "`?")));
+        return false;
+    }
+    folder_ = directory_of(path);
+    main_ = sources_.add(path, std::move(*text));
+    return true;
+}
+
+/// What the scene may touch: what belongs to it, and what it is allowed besides.
+Door Session::door() const {
+    const SceneSource& source = settings_.source;
+    std::vector<std::string> readable = {folder_, ""};
+    readable.insert(readable.end(), source.library.begin(), source.library.end());
+    readable.insert(readable.end(), source.readable.begin(), source.readable.end());
+    Door door(readable, source.writable);
+    if (source.made_files) door.knows(source.made_files);
+    return door;
+}
+
+Scene Session::evaluate() { return evaluate(0, diagnostics_); }
+
+Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
+    const SceneSource& source = settings_.source;
+    const Door scene_door = door();
+    Loader loader(noted(scene_reader(scene_door)), folder_, source.library, scene_door,
+                  disk_lister());
+    loader.set_standard_library(source.standard_library);
+    // Files are written once, not for each sample of an open shutter.
+    if (!source.writes_files || clock_ahead > 0) loader.keep_off_disk();
+    EvaluateOptions options = settings_.evaluation;
+    options.facts.clock += clock_ahead;
+    options.facts.image_width = settings_.render.width;
+    options.facts.image_height = settings_.render.height;
+    if (clock_ahead > 0) options.print = {};
+    Scene scene = ::evaluate(sources_, loader, main_, options, diagnostics);
+    settle_settings(scene.settings, settings_.render);
+    return scene;
+}
+
+/// Of what is wrong, what is no error has been said of the first sample.
+std::optional<Scene> Session::scene_at(double clock_ahead) {
+    Diagnostics problems;
+    Scene scene = evaluate(clock_ahead, problems);
+    for (const Diagnostic& each : problems.all())
+        if (each.severity == Severity::error) diagnostics_.add(each);
+    if (problems.failed()) return std::nullopt;
+    return scene;
+}
+
+void Session::review(const Scene& scene) {
+    ::review(scene, survey(scene, diagnostics_), diagnostics_);
+}
+
+const World Session::compile(Scene&& scene, Shutter shutter) {
+    const RenderSettings& r = settings_.render;
+    const CompileOptions options{r.threads,
+                                 r.light_sampler,
+                                 r.index,
+                                 r.quality,
+                                 r.width,
+                                 r.height,
+                                 settings_.remembers_objects};
+    const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
+    return ::compile(std::move(scene), options, diagnostics_,
+                     shutter == Shutter::all_samples ? &later : nullptr);
+}
