@@ -4,8 +4,22 @@
 #include "bind/colour_maps.h"
 #include "bind/textures.h"
 #include "bind/transforms.h"
+#include "vocabulary/schema.h"
 
 namespace {
+
+struct BackgroundColour {
+    Colour colour;
+
+    static const ItemInfo vocabulary;
+};
+
+const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
+    return schema<BackgroundColour>(
+        "background", "What rays see that meet nothing.",
+        Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
+                                "the colour in all directions"});
+});
 
 /// The pigments of a sky, one over the other.
 class SkyPigments : public SimpleReader {
@@ -111,4 +125,13 @@ bool read_rainbow(Binder& binder, const Element& element, Rainbow& rainbow) {
     if (!block.broken && !wrong.empty())
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
     return !block.broken;
+}
+
+void read_background(Binder& binder, const Element& element, Background& background) {
+    OpenBlock block(binder, "background", element.word_span);
+    block.item = &BackgroundColour::vocabulary;
+    BackgroundColour made;
+    ItemReader fields(block, *block.item, &made);
+    block.read(element.body, fields);
+    if (!block.broken) background.colour = made.colour;
 }

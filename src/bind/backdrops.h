@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sky_sphere, fog and rainbow blocks. Called by the reader of scenes and of #declare.
+// background, sky_sphere, fog and rainbow blocks. Called by the reader of scenes and of #declare.
 #pragma once
 
 #include "bind/binder.h"
@@ -9,3 +9,6 @@
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
 bool read_fog(Binder&, const Element& block, Fog&);
 bool read_rainbow(Binder&, const Element& block, Rainbow&);
+
+/// The same, but a wrong block changes nothing.
+void read_background(Binder&, const Element& block, Background&);

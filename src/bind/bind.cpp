@@ -237,7 +237,7 @@ bool ItemReader::take_word(const Element& element) {
         const bool reserved = block_.binder.evaluator.names().reserved(element.word);
         if (field < 0 && !reserved && word_ != alone_) return false;
         if (field < 0 && reserved && word_ != alone_ &&
-            !OpenBlock::available(block_.spelling(element.word)))
+            !known_in_blocks(block_.spelling(element.word)))
             word_ = -1;
         else
             missing_value();

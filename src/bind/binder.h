@@ -9,6 +9,7 @@
 #include "bind/memo.h"
 #include "bind/shape_plans.h"
 #include "bind/texture_store.h"
+#include "bind/value_kinds.h"
 #include "interpret/evaluator.h"
 #include "picture/read.h"
 #include "scene/scene.h"

@@ -2,14 +2,16 @@
 // One block while it is read. Several readers share its elements: one that waits for a value is
 // asked first, then each in turn; what none of them takes is reported here, once, and whatever
 // belongs to it is passed over. A reader has
-//     bool waiting() const;               the next element may be for it, before all others
-//     bool wants() const;                 it misses something: a name nobody knows would have been
-//     that bool take(const Element&);          true: the element was its own, and has been dealt
-//     with void finish();                      the block has ended void add_words(WordList&) const;
-//     the words that it takes, for "did you mean"
+//
+//     bool waiting() const;             the next element may be for it, before all others
+//     bool wants() const;               it misses something: an unknown name would have been that
+//     bool take(const Element&);        true: the element was its own, and has been dealt with
+//     void finish();                    the block has ended
+//     void add_words(WordList&) const;  the words that it takes, for "did you mean"
 #pragma once
 
 #include "bind/binder.h"
+#include "bind/misplaced.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include <string_view>
 #include <vector>
 
-using WordList = std::vector<std::string_view>;
 using ElementList = std::vector<Element>;
 
 class OpenBlock {
@@ -25,6 +26,8 @@ public:
     /// `name` is the word in front of the brace, and lives as long as this.
     OpenBlock(Binder& binder, std::string_view name, Span span)
         : binder(binder), name(name), span(span) {}
+    OpenBlock(const OpenBlock&) = delete;
+    OpenBlock& operator=(const OpenBlock&) = delete;
 
     Binder& binder;
     std::string_view name;
@@ -53,7 +56,7 @@ public:
     void read(const ElementList&, Readers&...);
 
     /// What has been passed over has ended: an element came that belongs here.
-    void resume() { passing_over_ = false; }
+    void resume() { misplaced_.resume(); }
     /// For an element outside of all readers.
     void refuse(const Element&, const WordList& words);
 
@@ -62,33 +65,13 @@ public:
     /// The help line that shows how the block is written.
     std::string help() const;
     std::string quoted() const;
-    /// Whether the language here knows the word at all: other reserved words are POV-Ray's, and not
-    /// available.
-    static bool available(std::string_view word);
     std::string_view spelling(NameId word) const { return binder.evaluator.spelling(word); }
 
 private:
     /// `walk` calls what it is given with each element.
     template <class Walk, class... Readers>
     void read_each(Walk walk, Readers&...);
-    /// Whether the element belongs to something that has been reported.
-    bool passes_over(const Element&);
-    /// Says why the element has no place here. True: it may have been meant as a value, so its
-    /// place is a hole.
-    bool reject(const Element&, const WordList& words, bool wanted);
-    bool reject_word(const Element&, const WordList& words, bool wanted);
-    bool in_comment(const Element&);
-    std::string_view in_other_case(std::string_view word) const;
-    void reject_reserved(const Element&, std::string_view word);
-    void reject_value(const Element&);
-    /// `wanted`: a value is missing, which it may be meant as.
-    void reject_form(const Element&, std::string_view what, bool wanted = false);
-
-    bool passing_over_ = false;  ///< values until the next word
-    bool reported_unavailable_ = false;
-    Body comment_ = {};               ///< from its next word on
-    std::string_view unbraced_ = {};  ///< whose braces are missing: what follows belongs to it
-    std::string_view rejected_ = {};  ///< the word before, if nobody knows it
+    Misplaced misplaced_{*this};
 };
 
 /// What has no words and never waits: a start for readers that need little.
@@ -145,7 +128,7 @@ void OpenBlock::read_each(Walk walk, Readers&... readers) {
                (readers.take(element) || ...);
     };
     walk([&](const Element& element) {
-        if (passes_over(element)) return;
+        if (misplaced_.passes_over(element)) return;
         if (offer(element)) {
             ++taken;
             return;
@@ -154,7 +137,7 @@ void OpenBlock::read_each(Walk walk, Readers&... readers) {
         const auto refused = [&]() __attribute__((noinline)) {
             WordList words;
             (readers.add_words(words), ...);
-            if (!reject(element, words, (readers.wants() || ...))) return;
+            if (!misplaced_.reject(element, words, (readers.wants() || ...))) return;
             Element hole = element;
             hole.kind = Element::Kind::value;
             hole.value = Absence::broken;

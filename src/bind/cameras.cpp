@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/cameras.h"
 
+#include "bind/blocks.h"
 #include "bind/normals.h"
 #include "bind/objects.h"
 #include "bind/transforms.h"

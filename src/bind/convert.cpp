@@ -185,7 +185,7 @@ std::optional<Colour> plain_colour(OpenBlock& block, const Element& element) {
                       {[] { return std::string("this"); }, [&] { return block.help(); }});
         return value ? std::optional(std::get<Colour>(*value)) : std::nullopt;
     }
-    const std::string_view kind = kind_name(element.value);
+    const std::string kind = kind_name(element.value);
     block.report(error(Fault::wrong_type, element.span,
                        message("a colour must be said to be one, but this is ", kind))
                      .with_help(numbers->is_scalar()

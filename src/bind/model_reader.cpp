@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/model_reader.h"
 
+#include "bind/blocks.h"
 #include "bind/objects.h"
 #include "modelling/object_mesh.h"
 #include "shape/tessellation.h"

@@ -11,11 +11,13 @@ Value inside_object(FunctionCall& call) {
     const Handle<Object> object = call.object(0);
     const Vec3 point = call.vector(1);
     if (call.failed()) return Absence::broken;
-    if (!call.world.objects->solid(object))
+    std::uint64_t counted = 0;  // by the call already
+    const std::optional<bool> answer = call.world.objects->inside(object, point, counted);
+    if (!answer)
         return call.fail(Fault::domain, 0,
                          "this object has no inside: it is, or holds, a triangle, polygon, patch, "
                          "or a mesh without inside_vector");
-    return call.world.objects->inside(object, point) ? 1.0 : 0.0;
+    return *answer ? 1.0 : 0.0;
 }
 
 Value first_hit(FunctionCall& call) {
@@ -23,7 +25,8 @@ Value first_hit(FunctionCall& call) {
     const Vec3 from = call.vector(1), direction = call.vector(2);
     if (call.failed()) return Absence::broken;
     if (direction == Vec3(0)) return call.fail(Fault::domain, 2, "the zero vector is no direction");
-    const auto hit = call.world.objects->trace(object, from, direction);
+    std::uint64_t counted = 0;  // by the call already
+    const auto hit = call.world.objects->first_hit(object, from, direction, counted);
     if (call.count() == 4) {
         call.numbers(3);
         call.give(Numbers::vector(hit ? hit->normal : Vec3(0)));

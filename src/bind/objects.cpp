@@ -3,6 +3,7 @@
 
 #include "bind/appearance.h"
 #include "bind/assets.h"
+#include "bind/blocks.h"
 #include "bind/clipping.h"
 #include "bind/cutaway.h"
 #include "bind/lights.h"
@@ -13,6 +14,20 @@
 #include "bind/transforms.h"
 #include "solid/solid.h"
 #include "text/message.h"
+
+// A scene may have a million spheres, so an object is made in one of three ways, the dearest first:
+//
+//   1. It is read. ObjectReader hands the elements of its block to readers, which say all that is
+//      wrong. Every other way gives the same object as this one, or leaves the block to it.
+//   2. It is made again. A block of constants only (constants.h) that is met again gives the object
+//      that it gave before (memo.h: the same block over the same base); so do the blocks in it.
+//   3. It is made by a plan. The first objects of a block in a loop are read, and a plan is kept of
+//      which numbers vary and what they do (shape_plans.h); from then on these numbers are computed
+//      and put into a copy of a model (variation.h). A sphere that differs from the one before it
+//      in its place only does not become an object: it joins the row at the end of the list
+//      (RowEnd), which is one object for all of them.
+//
+// read_object_into() tries them from the last to the first.
 
 namespace {
 

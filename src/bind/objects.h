@@ -5,33 +5,8 @@
 
 #include "bind/bind.h"
 
-#include <algorithm>
-#include <array>
-
-/// Whether a block with this word makes one object of several.
-inline bool combines_objects(NameId word) {
-    return word == "union"_word || word == "intersection"_word || word == "difference"_word ||
-           word == "merge"_word || word == "light_group"_word || word == "composite"_word;
-}
-
-/// Whether a block with this word makes an object.
-inline bool makes_object(NameId word) {
-    return Kinds<Shape>::find(word) != Kinds<Shape>::count || combines_objects(word) ||
-           word == "object"_word || word == "light_source"_word;
-}
-
-/// Whether the word is nothing without what follows in braces.
-inline bool takes_braces(NameId word) {
-    constexpr auto others = std::array{
-        "texture"_word,        "pigment"_word,    "normal"_word,           "finish"_word,
-        "interior"_word,       "material"_word,   "interior_texture"_word, "camera"_word,
-        "color_map"_word,      "colour_map"_word, "light_source"_word,     "background"_word,
-        "global_settings"_word};
-    return makes_object(word) || std::ranges::find(others, word) != others.end();
-}
-
-/// The object of such a block, as a part: without a texture when the text gives none. Null after a
-/// report.
+/// The object of a block that makes one, as a part: without a texture when the text gives none.
+/// Null after a report.
 ObjectHandle read_object(Binder&, const Element& block);
 
 /// The same for one of several objects in a row: a sphere that is like the one before it is put to

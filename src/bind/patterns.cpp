@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/patterns.h"
 
+#include "bind/blocks.h"
 #include "bind/objects.h"
 #include "bind/pictures.h"
 #include "bind/textures.h"

@@ -11,19 +11,6 @@
 
 namespace {
 
-struct BackgroundColour {
-    Colour colour;
-
-    static const ItemInfo vocabulary;
-};
-
-const ItemInfo BackgroundColour::vocabulary = described<BackgroundColour>([] {
-    return schema<BackgroundColour>(
-        "background", "What rays see that meet nothing.",
-        Field<BackgroundColour>{"colour", &BackgroundColour::colour, positional,
-                                "the colour in all directions"});
-});
-
 std::string sampler_form() {
     std::string names;
     for (const ItemInfo* sampler : Kinds<LightSampler>::infos)
@@ -201,13 +188,4 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     before.gamma = true;
     binder.working_gamma = settings.assumed_gamma;
     binder.evaluator.set_working_gamma(settings.assumed_gamma);
-}
-
-void read_background(Binder& binder, const Element& element, Background& background) {
-    OpenBlock block(binder, "background", element.word_span);
-    block.item = &BackgroundColour::vocabulary;
-    BackgroundColour made;
-    ItemReader fields(block, *block.item, &made);
-    block.read(element.body, fields);
-    if (!block.broken) background.colour = made.colour;
 }

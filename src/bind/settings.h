@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// global_settings and background blocks. Called for the elements of a scene.
+// global_settings blocks. Called for the elements of a scene.
 #pragma once
 
 #include "bind/bind.h"
@@ -12,4 +12,3 @@ struct GivenSettings {
 
 /// What the block says is added to the settings.
 void read_global_settings(Binder&, const Element& block, GlobalSettings&, GivenSettings& before);
-void read_background(Binder&, const Element& block, Background&);

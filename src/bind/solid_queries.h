@@ -7,20 +7,27 @@
 
 class SolidQueries final : public ObjectQueries {
 public:
-    std::optional<Hit> trace(const ObjectHandle& object, const Vec3& from,
-                             const Vec3& direction) override {
-        const auto hit = solids_.trace(object, from, direction);
-        return hit ? std::optional(Hit{hit->position, hit->normal}) : std::nullopt;
+    std::optional<SurfaceHit> first_hit(const ObjectHandle& object, const Vec3& from,
+                                        const Vec3& direction, std::uint64_t& work) override {
+        work += cost(*object);
+        return solids_.trace(object, from, direction);
     }
-    bool solid(const ObjectHandle& object) override { return solids_.solid(object); }
-    bool inside(const ObjectHandle& object, const Vec3& point) override {
+    std::optional<bool> inside(const ObjectHandle& object, const Vec3& point,
+                               std::uint64_t& work) override {
+        if (!solids_.solid(object)) return std::nullopt;
+        work += cost(*object);
         return solids_.inside(object, point);
     }
     const Composite& composite(const ObjectHandle& object) override {
         return solids_.composite(object);
     }
-    std::uint64_t parts(const Object& object) const override { return object.parts; }
 
 private:
+    /// Most parts are passed by.
+    static std::uint64_t cost(const Object& object) {
+        constexpr std::uint64_t asking = 500;
+        return asking + object.parts / 4;
+    }
+
     Solids solids_;
 };

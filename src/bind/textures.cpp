@@ -360,3 +360,18 @@ Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& belo
     }
     return make_handle<Texture>(stacked(*above, below));
 }
+
+Handle<Texture> read_layers(Binder& binder, std::span<const Element> elements) {
+    OpenBlock block(binder, "texture", elements.front().word_span);
+    TextureDraft result(binder.default_texture);
+    for (const Element& element : elements) {
+        TextureDraft draft(binder.default_texture);
+        if (!read_texture(binder, element, draft)) return nullptr;
+        Handle<Texture> made = draft.shared(binder.textures);
+        if (&element == &elements.front())
+            result.replace(std::move(made));
+        else
+            result.replace(layered(block, element.word_span, result.handle(), std::move(made)));
+    }
+    return block.broken ? nullptr : result.shared(binder.textures);
+}

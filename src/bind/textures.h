@@ -53,6 +53,9 @@ bool read_texture_map(Binder&, const Element& block, TextureMap&);
 /// What the block makes of the default texture; null: it was wrong, and has been reported.
 Handle<Texture> read_whole_texture(Binder&, const Element& block);
 
+/// Blocks of textures in a row: layers, the last on top. Null after a report.
+Handle<Texture> read_layers(Binder&, std::span<const Element> blocks);
+
 /// A texture over another; the one above alone, after a report, where there are too many layers or
 /// the one below is chosen by a pattern.
 Handle<Texture> layered(OpenBlock&, Span, const Handle<Texture>& below, Handle<Texture> above);

@@ -253,12 +253,7 @@ Operands Evaluator::State::Compiler::prefixed(const node::Prefixed& node) {
     return result;
 }
 
-namespace {
-
-/// What trace() and inside() count as, beside the parts of the object.
-constexpr std::uint64_t asking_object = 500;
-
-}  // namespace
+namespace {}  // namespace
 
 Operands Evaluator::State::Compiler::call(const node::Call& node) {
     if (!state.names.reserved(node.name)) {
@@ -341,13 +336,13 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
     }
     if (id != no_node) return never();
     const auto inside = [&state = state, object = object->name](const double* in, double* out) {
-        ObjectQueries& objects = *state.world.objects;
         const Value* value = state.scope.find(object);
         const Handle<Object> content = value ? value->handle<Object>() : nullptr;
-        if (!content || !objects.solid(content)) return false;
-        state.work += asking_object + objects.parts(*content) / 4;
-        out[0] = objects.inside(content, Vec3(in[0], in[1], in[2]));
-        return true;
+        if (!content) return false;
+        const Vec3 point(in[0], in[1], in[2]);
+        const std::optional<bool> answer = state.world.objects->inside(content, point, state.work);
+        if (answer) out[0] = *answer;
+        return answer.has_value();
     };
     return native(1, inside, vectors);
 }
@@ -355,15 +350,13 @@ Operands Evaluator::State::Compiler::of_object(std::string_view name, NodeId arg
 Operands Evaluator::State::Compiler::trace(NameId object, NameId normal,
                                            std::span<const Operand> ray) {
     const auto first_hit = [&state = state, object, normal](const double* in, double* out) {
-        ObjectQueries& objects = *state.world.objects;
         const Value* value = state.scope.find(object);
         const Handle<Object> content = value ? value->handle<Object>() : nullptr;
         const Vec3 from(in[0], in[1], in[2]), direction(in[3], in[4], in[5]);
         Numbers* const target =
             normal == no_name ? nullptr : state.scope.overwritable(normal, false);
         if (!content || direction == Vec3(0) || (normal != no_name && !target)) return false;
-        state.work += asking_object + objects.parts(*content) / 4;
-        const auto hit = objects.trace(content, from, direction);
+        const auto hit = state.world.objects->first_hit(content, from, direction, state.work);
         if (target) *target = Numbers::vector(hit ? hit->normal : Vec3(0));
         for (int i = 0; i < 3; ++i) out[i] = hit ? hit->position[i] : 0;
         return true;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/handle.h"
-#include "base/vector.h"
+#include "base/surface_hit.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,25 +15,19 @@ struct Object;
 
 class ObjectQueries {
 public:
-    struct Hit {
-        Vec3 position;
-        Vec3 normal;  ///< unit; not turned to where the ray comes from
-    };
-
     ObjectQueries() = default;
     ObjectQueries(const ObjectQueries&) = delete;
     ObjectQueries& operator=(const ObjectQueries&) = delete;
     virtual ~ObjectQueries() = default;
 
+    // Their cost is added to `work`, in the steps that Evaluator::spend() counts.
     /// The first hit of the ray; the direction is not 0.
-    virtual std::optional<Hit> trace(const Handle<Object>&, const Vec3& from,
-                                     const Vec3& direction) = 0;
-    /// Whether the object has an inside at all.
-    virtual bool solid(const Handle<Object>&) = 0;
-    /// Precondition: solid().
-    virtual bool inside(const Handle<Object>&, const Vec3& point) = 0;
+    virtual std::optional<SurfaceHit> first_hit(const Handle<Object>&, const Vec3& from,
+                                                const Vec3& direction, std::uint64_t& work) = 0;
+    /// Whether the point is inside; nothing when the object has no inside at all.
+    virtual std::optional<bool> inside(const Handle<Object>&, const Vec3& point,
+                                       std::uint64_t& work) = 0;
+
     /// The object as rays ask it; it lives as long as this.
     virtual const Composite& composite(const Handle<Object>&) = 0;
-    /// How many objects it consists of.
-    virtual std::uint64_t parts(const Object&) const = 0;
 };

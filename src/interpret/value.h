@@ -9,37 +9,22 @@
 #include "base/vector.h"
 #include "text/span.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <vector>
+#include <utility>
 
 class ArrayData;
 class Formula;
-struct Bump;
-struct ColourStop;
-struct DataFile;
-struct DeclaredCamera;
-struct DeclaredMaterial;
-struct Finish;
-struct Fog;
-struct Rainbow;
-struct Interior;
-struct MacroData;
-struct NormalStop;
-struct Object;
-struct Pigment;
-struct PigmentStop;
-struct PlacedLight;
-struct SkySphere;
-struct SlopeStop;
 class Spline;
-struct Texture;
-struct TextureStop;
 class Transform;
+struct DataFile;
+struct MacroData;
+struct Object;
 
 /// One to five numbers: a float, a vector, or with five a colour (red, green, blue, filter,
 /// transmit).
@@ -69,23 +54,48 @@ enum class Absence : std::uint8_t {
     broken,         ///< has been reported: say no more
 };
 
-/// What values share: its order is that of the names in value.cpp.
-template <class... T>
-struct SharedKinds {
-    static constexpr std::size_t count = sizeof...(T);
-
-    template <class Wanted>
-    static consteval std::size_t position() {
-        std::size_t at = 0;
-        static_cast<void>(((std::is_same_v<Wanted, T> ? true : (++at, false)) || ...));
-        return at;
-    }
+/// A kind of what values share. Its address tells it from others.
+struct ValueKind {
+    std::string (*name)();  ///< for messages: "a string"
 };
-using ValueKinds =
-    SharedKinds<std::string, ArrayData, Formula, Object, Texture, Pigment, Finish, Interior,
-                Transform, DeclaredCamera, PlacedLight, std::vector<ColourStop>, DataFile,
-                std::vector<PigmentStop>, Bump, std::vector<NormalStop>, std::vector<SlopeStop>,
-                Spline, std::vector<TextureStop>, DeclaredMaterial, SkySphere, Fog, Rainbow>;
+
+/// "an open file" for "open_file".
+std::string with_article(std::string_view word);
+
+/// What values of a type are called in messages. A type that is an item is called by the name in
+/// its vocabulary; others say their names here, or where they are defined.
+template <class T>
+struct KindName {
+    static std::string text() { return with_article(T::vocabulary.name); }
+};
+
+/// A name that is said where the type is.
+template <std::size_t size>
+struct KindText {
+    consteval KindText(const char (&written)[size]) { std::copy_n(written, size, text); }
+    char text[size]{};
+};
+template <KindText name>
+struct Named {
+    static std::string text() { return name.text; }
+};
+template <>
+struct KindName<std::string> : Named<"a string"> {};
+template <>
+struct KindName<ArrayData> : Named<"an array"> {};
+template <>
+struct KindName<Formula> : Named<"a function"> {};
+template <>
+struct KindName<Object> : Named<"an object"> {};
+template <>
+struct KindName<Transform> : Named<"a transform"> {};
+template <>
+struct KindName<DataFile> : Named<"an open file"> {};
+template <>
+struct KindName<Spline> : Named<"a spline"> {};
+
+template <class T>
+inline constexpr ValueKind value_kind{&KindName<T>::text};
 
 /// A variant by hand: numbers are most of what is copied and moved, and must not cost a dispatch.
 class Value {
@@ -93,22 +103,22 @@ public:
     Value(Absence why) : kind_(absence_kind), absence_(why) {}
     Value(double number) : kind_(numbers_kind), numbers_(Numbers::scalar(number)) {}
     Value(const Numbers& numbers) : kind_(numbers_kind), numbers_(numbers) {}
-    Value(std::string text)
-        : kind_(kind_of<std::string>), shared_(make_handle<std::string>(std::move(text))) {}
+    Value(std::string text) : Value(make_handle<std::string>(std::move(text))) {}
     template <class T>
-    Value(Handle<T> handle) : kind_(kind_of<T>), shared_(std::move(handle)) {}
+    Value(Handle<T> handle)
+        : kind_(shared_kind), shared_{AnyHandle(std::move(handle)), &value_kind<T>} {}
     /// Macros live as long as the evaluation.
     Value(const MacroData* macro) : kind_(macro_kind), macro_(macro) {}
 
     Value(const Value& other) : kind_(other.kind_) {
-        if (kind_ >= first_shared)
-            new (&shared_) AnyHandle(other.shared_);
+        if (kind_ == shared_kind)
+            new (&shared_) Shared(other.shared_);
         else
             take_plain(other);
     }
     Value(Value&& other) noexcept : kind_(other.kind_) {
-        if (kind_ >= first_shared)
-            new (&shared_) AnyHandle(std::move(other.shared_));
+        if (kind_ == shared_kind)
+            new (&shared_) Shared(std::move(other.shared_));
         else
             take_plain(other);
     }
@@ -122,7 +132,7 @@ public:
         return *new (this) Value(std::move(other));
     }
     ~Value() {
-        if (kind_ >= first_shared) shared_.~AnyHandle();
+        if (kind_ == shared_kind) shared_.~Shared();
     }
 
     explicit operator bool() const = delete;
@@ -138,16 +148,18 @@ public:
     /// first. Precondition: array().
     ArrayData& edit_array();
     /// Whether no other value has the same array. Precondition: array().
-    bool alone() const { return shared_.alone(); }
+    bool alone() const { return shared_.handle.alone(); }
     const MacroData* macro() const { return kind_ == macro_kind ? macro_ : nullptr; }
     const Formula* formula() const { return shared<Formula>(); }
     /// Where what is shared lies, to tell whether it is still the same; null for what is not
     /// shared.
-    const void* shared_place() const { return kind_ >= first_shared ? shared_.get() : nullptr; }
+    const void* shared_place() const {
+        return kind_ == shared_kind ? shared_.handle.get() : nullptr;
+    }
     /// The shared part of a scene, or null when the value is something else.
     template <class T>
     Handle<T> handle() const {
-        return kind_ == kind_of<T> ? shared_.as<T>() : Handle<T>();
+        return holds<T>() ? shared_.handle.as<T>() : Handle<T>();
     }
     bool absent() const { return kind_ == absence_kind; }
     /// Has been reported: nobody needs to hear of it again.
@@ -156,26 +168,32 @@ public:
     /// Whether both are the same thing: equal numbers, or one shared part.
     bool identical(const Value& other) const {
         if (kind_ != other.kind_) return false;
-        if (kind_ >= first_shared) return shared_.get() == other.shared_.get();
+        if (kind_ == shared_kind)
+            return shared_.kind == other.shared_.kind &&
+                   shared_.handle.get() == other.shared_.handle.get();
         if (kind_ == numbers_kind) return numbers_ == other.numbers_;
         return kind_ == macro_kind ? macro_ == other.macro_ : absence_ == other.absence_;
     }
     /// Whether both are of the same kind; all numbers are one kind.
-    bool same_kind(const Value& other) const { return kind_ == other.kind_; }
+    bool same_kind(const Value& other) const {
+        return kind_ == other.kind_ && (kind_ != shared_kind || shared_.kind == other.shared_.kind);
+    }
 
 private:
     static constexpr std::uint8_t absence_kind = 0, numbers_kind = 1, macro_kind = 2,
-                                  first_shared = 3;
-    template <class T>
-    static constexpr std::uint8_t kind_of = [] {
-        constexpr std::size_t position = ValueKinds::position<T>();
-        static_assert(position < ValueKinds::count, "values do not share this type");
-        return static_cast<std::uint8_t>(first_shared + position);
-    }();
+                                  shared_kind = 3;
+    struct Shared {
+        AnyHandle handle;
+        const ValueKind* kind;
+    };
 
     template <class T>
+    bool holds() const {
+        return kind_ == shared_kind && shared_.kind == &value_kind<T>;
+    }
+    template <class T>
     const T* shared() const {
-        return kind_ == kind_of<T> ? static_cast<const T*>(shared_.get()) : nullptr;
+        return holds<T>() ? static_cast<const T*>(shared_.handle.get()) : nullptr;
     }
     void take_plain(const Value& other) {
         if (kind_ == numbers_kind)
@@ -191,13 +209,13 @@ private:
         Absence absence_;
         Numbers numbers_;
         const MacroData* macro_;
-        AnyHandle shared_;
+        Shared shared_;
     };
 
-    friend std::string_view kind_name(const Value&);
+    friend std::string kind_name(const Value&);
 };
 static_assert(sizeof(Value) <= 56);
 
 /// What a value is, for messages: "a number", "a vector of 3", "a colour", "a string", "a pigment",
 /// ...
-std::string_view kind_name(const Value&);
+std::string kind_name(const Value&);

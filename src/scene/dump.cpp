@@ -5,7 +5,7 @@
 #include "text/message.h"
 #include "vocabulary/written.h"
 
-#include <span>
+#include <array>
 #include <unordered_map>
 
 namespace {
@@ -79,6 +79,42 @@ std::string light_text(PlacedLight placed) {
     return text + " }\n";
 }
 
+std::string lights_text(const Scene& scene) {
+    std::string text;
+    for (const PlacedLight& light : scene.lights) text += light_text(light);
+    return text;
+}
+
+std::string background_text(const Scene& scene) {
+    const Colour& colour = scene.background.colour;
+    if (colour == no_background) return {};
+    return message("background { ", colour_text(colour), " }\n");
+}
+
+std::string sky_text(const Scene& scene) { return scene.sky ? dump(*scene.sky) : std::string(); }
+
+std::string fogs_text(const Scene& scene) {
+    std::string text;
+    for (const Fog& fog : scene.fogs) text += block_text(fog) + "\n";
+    return text;
+}
+
+std::string rainbows_text(const Scene& scene) {
+    std::string text;
+    for (const Rainbow& rainbow : scene.rainbows) text += dump(rainbow);
+    return text;
+}
+
+constexpr auto blocks_of_scenes = std::to_array<SceneText>({
+    {"global_settings", settings_text},
+    {"background", background_text},
+    {"sky_sphere", sky_text},
+    {"fog", fogs_text},
+    {"rainbow", rainbows_text},
+    {"camera", camera_text},
+    {"light_source", lights_text},
+});
+
 std::string clipping_text(std::string_view word, const std::vector<ObjectHandle>& objects) {
     std::string text = message(word, " { ");
     for (const ObjectHandle& each : objects) text += in_one_line(*each) + " ";
@@ -130,6 +166,12 @@ std::span<const ObjectHandle> children(const Object& object) {
     const auto* together = std::get_if<Union>(&object.form);
     return together ? std::span<const ObjectHandle>(together->children)
                     : std::span<const ObjectHandle>();
+}
+
+/// What is left of a light in a union, whose lights are written by themselves.
+bool is_only_light(const Object& object) {
+    const auto* together = std::get_if<Union>(&object.form);
+    return together && together->lamp && together->children.empty();
 }
 
 bool is_row(const Object& object) { return std::holds_alternative<SphereRow>(object.form); }
@@ -201,14 +243,8 @@ public:
     }
 
     std::string text(const Scene& scene) {
-        out_ = message("#version ", scene.language_version, ";\n", settings_text(scene));
-        if (!(scene.background.colour == no_background))
-            out_ += message("background { ", colour_text(scene.background.colour), " }\n");
-        if (scene.sky) out_ += dump(*scene.sky);
-        for (const Fog& fog : scene.fogs) out_ += block_text(fog) + "\n";
-        for (const Rainbow& rainbow : scene.rainbows) out_ += dump(rainbow);
-        out_ += camera_text(scene);
-        for (const PlacedLight& light : scene.lights) out_ += light_text(light);
+        out_ = message("#version ", scene.language_version, ";\n");
+        for (const SceneText& each : scene_texts()) out_ += each.text(scene);
         declare_shared(scene.objects);
         for (const ObjectHandle& object : scene.objects) refer(*object, 0);
         return std::move(out_);
@@ -223,7 +259,7 @@ private:
                 height = std::max(height, heights[&essence(*child)] + 1);
             const bool apart = references[object] > 1 || height >= deepest;
             heights[object] = apart ? 0 : height;
-            if (!apart) continue;
+            if (!apart || is_only_light(*object)) continue;
             std::string name = message("Object_", names_.size() + 1);
             out_ += message("#declare ", name, " = ");
             if (is_row(*object)) out_ += "union {\n";
@@ -253,7 +289,8 @@ private:
         const Union& group = std::get<Union>(object.form);
         out_ += message(group.light_group ? "light_group" : keyword(group.csg), " {\n");
         if (group.light_group) write_lights(group, depth + 1);
-        for (const ObjectHandle& child : children(object)) refer(*child, depth + 1);
+        for (const ObjectHandle& child : children(object))
+            if (!is_only_light(*child)) refer(*child, depth + 1);
         for (const std::string& each : modifiers_of(object))
             out_ += std::string(4 * depth + 4, ' ') + each + "\n";
         out_ += std::string(4 * depth, ' ') + "}\n";
@@ -285,5 +322,7 @@ namespace {
 std::string in_one_line(const Object& object) { return Dumper().line(object); }
 
 }  // namespace
+
+std::span<const SceneText> scene_texts() { return blocks_of_scenes; }
 
 std::string dump(const Scene& scene) { return Dumper().text(scene); }

@@ -6,8 +6,19 @@
 
 #include "scene/scene.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 
 /// What has its default value is left out. Objects that occur more than once, or lie deep, are
 /// declared first as Object_1, ...
 std::string dump(const Scene&);
+
+/// A block of a scene that makes no object, as text: its line, or several; empty when the scene has
+/// the default.
+struct SceneText {
+    std::string_view word;
+    std::string (*text)(const Scene&);
+};
+/// In the order of the text.
+std::span<const SceneText> scene_texts();

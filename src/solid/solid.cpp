@@ -25,13 +25,13 @@ const Solids::Known& Solids::known(const ObjectHandle& object) {
 
 const Composite& Solids::composite(const ObjectHandle& object) { return known(object).composite; }
 
-std::optional<Solids::Hit> Solids::trace(const ObjectHandle& object, const Vec3& from,
-                                         const Vec3& direction) {
+std::optional<SurfaceHit> Solids::trace(const ObjectHandle& object, const Vec3& from,
+                                        const Vec3& direction) {
     const Ray ray{from, direction / length(direction)};
     const Composite& whole = composite(object);
     const auto met = whole.first(ray, seen, [](std::uint32_t) { return true; });
     if (!met) return std::nullopt;
-    return Hit{ray.at(met->t), traced_normal(whole.leaf(met->leaf), ray, *met)};
+    return SurfaceHit{ray.at(met->t), traced_normal(whole.leaf(met->leaf), ray, *met)};
 }
 
 bool Solids::inside(const ObjectHandle& object, const Vec3& point) {

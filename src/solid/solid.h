@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/surface_hit.h"
 #include "scene/scene.h"
 #include "shape/composite.h"
 #include "solid/shape_store.h"
@@ -13,13 +14,8 @@
 
 class Solids {
 public:
-    struct Hit {
-        Vec3 position;
-        Vec3 normal;  ///< unit; not turned to where the ray comes from
-    };
-
     /// The first hit of the ray further away than 1e-4, as in POV-Ray; the direction is not 0.
-    std::optional<Hit> trace(const ObjectHandle&, const Vec3& from, const Vec3& direction);
+    std::optional<SurfaceHit> trace(const ObjectHandle&, const Vec3& from, const Vec3& direction);
 
     bool inside(const ObjectHandle&, const Vec3& point);
     /// has_inside(), known after the first question.

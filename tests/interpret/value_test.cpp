@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/value.h"
 
+#include "bind/binder.h"
+
 #include "interpret/array_data.h"
 #include "interpret/macro.h"
 

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/blocks.h"
+
+#include "bind/backdrops.h"
+#include "bind/cameras.h"
+#include "bind/colour_maps.h"
+#include "bind/finishes.h"
+#include "bind/lights.h"
+#include "bind/materials.h"
+#include "bind/normals.h"
+#include "bind/objects.h"
+#include "bind/scene_content.h"
+#include "bind/settings.h"
+#include "bind/textures.h"
+#include "bind/transforms.h"
+#include "surface/normal_map.h"
+#include "surface/pigment_map.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace {
+
+template <class T>
+Value shared_value(std::optional<T> made) {
+    return made ? Value(make_handle<T>(std::move(*made))) : Value(Absence::broken);
+}
+
+// ---- readers of several blocks
+
+/// Changes the last argument to what the block makes of it; false after a report.
+template <class T>
+using ReadPart = bool (*)(Binder&, const Element&, T&);
+
+template <class T, ReadPart<T> read>
+Value part(Binder& binder, const Element& element) {
+    T made{};
+    return read(binder, element, made) ? Value(make_handle<T>(std::move(made)))
+                                       : Value(Absence::broken);
+}
+
+/// A part of a texture, which begins as that of the default texture.
+template <class T, T Texture::*member, ReadPart<T> read>
+Value texture_part(Binder& binder, const Element& element) {
+    T made = binder.default_texture.get()->*member;
+    return read(binder, element, made) ? Value(make_handle<T>(std::move(made)))
+                                       : Value(Absence::broken);
+}
+template <class T, T Texture::*member, ReadPart<T> read>
+void default_texture_part(Binder& binder, const Element& element) {
+    TextureDraft draft(binder.default_texture);
+    if (read(binder, element, draft.edit().*member))
+        binder.default_texture = draft.shared(binder.textures);
+}
+
+template <class T>
+void keep(std::optional<T>& place, T made) {
+    place = std::move(made);
+}
+template <class T>
+void keep(std::vector<T>& place, T made) {
+    place.push_back(std::move(made));
+}
+/// A part of the scene, which holds the last one or all of them.
+template <class T, auto member, ReadPart<T> read>
+void scene_part(SceneContent& content, const Element& element) {
+    T made{};
+    if (read(content.binder, element, made)) keep(content.scene.*member, std::move(made));
+}
+
+// ---- readers of one block
+
+void object_in_scene(SceneContent& content, const Element& element) {
+    auto object = read_object_into(content.scene.objects, content.binder.default_texture,
+                                   content.binder, element);
+    if (object && *object) content.add(std::move(*object));
+}
+
+Value object_value(Binder& binder, const Element& element) {
+    ObjectHandle object = read_object(binder, element);
+    return object ? Value(std::move(object)) : Value(Absence::broken);
+}
+
+void light_in_scene(SceneContent& content, const Element& element) {
+    if (is_lamp(content.binder, element)) return object_in_scene(content, element);
+    if (const auto light = read_light(content.binder, element)) content.add(*light);
+}
+
+Value light_value(Binder& binder, const Element& element) {
+    return is_lamp(binder, element) ? object_value(binder, element)
+                                    : shared_value(read_light(binder, element));
+}
+
+void camera_in_scene(SceneContent& content, const Element& element) {
+    DeclaredCamera camera = content.binder.default_camera;
+    if (read_camera(content.binder, element, camera)) content.add(camera, element);
+}
+
+Value camera_value(Binder& binder, const Element& element) {
+    DeclaredCamera camera = binder.default_camera;
+    return read_camera(binder, element, camera) ? Value(make_handle<DeclaredCamera>(camera))
+                                                : Value(Absence::broken);
+}
+
+void default_camera(Binder& binder, const Element& element) {
+    read_camera(binder, element, binder.default_camera);
+}
+
+void background_in_scene(SceneContent& content, const Element& element) {
+    read_background(content.binder, element, content.scene.background);
+}
+
+void settings_in_scene(SceneContent& content, const Element& element) {
+    read_global_settings(content.binder, element, content.scene.settings, content.given);
+}
+
+Value texture_value(Binder& binder, const Element& element) {
+    const Handle<Texture> made = read_layers(binder, {&element, 1});
+    return made ? Value(made) : Value(Absence::broken);
+}
+
+void default_texture(Binder& binder, const Element& element) {
+    TextureDraft draft(binder.default_texture);
+    if (read_texture(binder, element, draft))
+        binder.default_texture = draft.shared(binder.textures);
+}
+
+Value transform_value(Binder& binder, const Element& element) {
+    return shared_value(read_transform(binder, element));
+}
+
+using BlockForm = BlockRow::Form;
+
+constexpr auto table_of_blocks = std::to_array<BlockRow>({
+    {"union", "", BlockForm::combination, object_in_scene, object_value},
+    {"intersection", "", BlockForm::combination, object_in_scene, object_value},
+    {"difference", "", BlockForm::combination, object_in_scene, object_value},
+    {"merge", "", BlockForm::combination, object_in_scene, object_value},
+    {"composite", "", BlockForm::combination, object_in_scene, object_value},
+    {"light_group", "", BlockForm::combination, object_in_scene, object_value},
+    {"object", "", BlockForm::object, object_in_scene, object_value},
+    {"light_source", "", BlockForm::object, light_in_scene, light_value},
+    {"camera", "", BlockForm::block, camera_in_scene, camera_value, default_camera},
+    {"background", "", BlockForm::block, background_in_scene},
+    {"sky_sphere", "", BlockForm::block, scene_part<SkySphere, &Scene::sky, read_sky_sphere>,
+     part<SkySphere, read_sky_sphere>},
+    {"fog", "", BlockForm::block, scene_part<Fog, &Scene::fogs, read_fog>, part<Fog, read_fog>},
+    {"rainbow", "", BlockForm::block, scene_part<Rainbow, &Scene::rainbows, read_rainbow>,
+     part<Rainbow, read_rainbow>},
+    {"global_settings", "", BlockForm::block, settings_in_scene},
+
+    {"texture", "object", BlockForm::block, nullptr, texture_value, default_texture},
+    {"interior_texture", "object", BlockForm::block},
+    {"material", "object", BlockForm::block, nullptr, part<DeclaredMaterial, read_material>},
+    {"interior", "object", BlockForm::block, nullptr, part<Interior, read_interior>},
+    {"cutaway_textures", "intersection difference"},
+    {"clipped_by", "object"},
+    {"bounded_by", "object"},
+    {"no_shadow", "object"},
+    {"no_image", "object"},
+    {"no_reflection", "object"},
+    {"hollow", "object"},
+    {"double_illuminate", "object"},
+    {"inverse", "object"},
+    {"uv_mapping", "object"},
+    {"transform", "object", BlockForm::word, nullptr, transform_value},
+    {"translate", "object"},
+    {"rotate", "object"},
+    {"scale", "object"},
+    {"matrix", "object"},
+
+    {"pigment", "texture", BlockForm::block, nullptr,
+     texture_part<Pigment, &Texture::pigment, read_pigment>,
+     default_texture_part<Pigment, &Texture::pigment, read_pigment>},
+    {"normal", "texture", BlockForm::block, nullptr,
+     texture_part<Bump, &Texture::normal, read_normal>,
+     default_texture_part<Bump, &Texture::normal, read_normal>},
+    {"finish", "texture", BlockForm::block, nullptr,
+     texture_part<Finish, &Texture::finish, read_finish>,
+     default_texture_part<Finish, &Texture::finish, read_finish>},
+    {"texture_map", "texture", BlockForm::word, nullptr, part<TextureMap, read_texture_map>},
+    {"tiles", "texture"},
+    {"tile2", "tiles"},
+    {"color_map", "pigment", BlockForm::block, nullptr, part<ColourMap, read_colour_map>},
+    {"colour_map", "pigment", BlockForm::block, nullptr, part<ColourMap, read_colour_map>},
+    {"pigment_map", "pigment", BlockForm::word, nullptr, part<PigmentMap, read_pigment_map>},
+    {"warp", "pigment"},
+    {"normal_map", "normal", BlockForm::word, nullptr, part<NormalMap, read_normal_map>},
+    {"slope_map", "normal", BlockForm::word, nullptr, part<SlopeMap, read_slope_map>},
+    {"irid", "finish"},
+    {"albedo", "finish"},
+    {"reflection", "finish"},
+    {"reflection_exponent", "finish"},
+    {"mesh_camera", "camera"},
+    {"looks_like", "light_source"},
+    {"projected_through", "light_source"},
+});
+
+constexpr BlockRow shape_row{"shape", "", BlockForm::object, object_in_scene, object_value};
+
+/// The row of each reserved word, by its number.
+std::vector<const BlockRow*> rows_by_number() {
+    const std::span<const Word> words = reserved_words();
+    std::vector<const BlockRow*> result(words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool shape = Kinds<Shape>::find(words[i].spelling) != Kinds<Shape>::count;
+        const auto row = std::ranges::find(table_of_blocks, words[i].spelling, &BlockRow::word);
+        result[i] = shape ? &shape_row : row == table_of_blocks.end() ? nullptr : &*row;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::span<const BlockRow> block_rows() { return table_of_blocks; }
+
+const BlockRow* block_row(NameId word) {
+    static const std::vector<const BlockRow*> by_number = rows_by_number();
+    const auto number = static_cast<std::size_t>(word);
+    return number < by_number.size() ? by_number[number] : nullptr;
+}

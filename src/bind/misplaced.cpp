@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/misplaced.h"
+
+#include "bind/block.h"
+#include "bind/blocks.h"
+#include "bind/unbracketed_vector.h"
+#include "interpret/previous.h"
+#include "scene/catalogue.h"
+#include "syntax/foreign.h"
+#include "text/ascii.h"
+#include "text/message.h"
+#include "text/nearest.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Words that follow a word without effect, and need not be spoken of.
+constexpr std::string_view values_of_charset = "utf8 ascii sys";
+
+bool contains(std::string_view list, std::string_view word) {
+    for (std::size_t at = list.find(word); at != std::string_view::npos;
+         at = list.find(word, at + 1)) {
+        const bool starts = at == 0 || list[at - 1] == ' ';
+        const std::size_t last = at + word.size();
+        if (starts && (last == list.size() || list[last] == ' ')) return true;
+    }
+    return false;
+}
+
+/// Blocks that the word belongs in; none for a word that is a block of a scene.
+std::vector<std::string_view> homes(std::string_view word) {
+    std::vector<std::string_view> result;
+    const auto add = [&](std::string_view home) {
+        if (!home.empty() && std::ranges::find(result, home) == result.end())
+            result.push_back(home);
+    };
+    for (const BlockRow& row : block_rows())
+        if (row.word == word)
+            for (std::string_view rest = row.homes; !rest.empty();) add(take_until(rest, " "));
+    for (const ItemGroup& group : catalogue())
+        for (const ItemInfo* item : group.items) {
+            const std::string_view home = group.block.empty() ? item->name : group.block;
+            const auto is_word = [&](const FieldInfo& field) {
+                return field.is_word() && field.name == word;
+            };
+            if (std::ranges::any_of(item->fields, is_word)) add(home);
+            if (item->name == word) add(group.block);
+        }
+    return result;
+}
+
+bool has_word(const WordList& words, std::string_view word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+/// `look_at` for `look_`; or nothing.
+std::string_view beginning_with(const WordList& words, std::string_view beginning) {
+    const auto found = std::ranges::find_if(
+        words, [&](std::string_view word) { return word.starts_with(beginning); });
+    return found == words.end() ? std::string_view() : *found;
+}
+
+/// The word of the block that other programs call by this one; or nothing.
+std::string_view foreign_here(std::string_view word, const WordList& words) {
+    for (const std::string_view meant : foreign_word(word))
+        if (has_word(words, meant)) return meant;
+    return {};
+}
+
+/// The name that stands right behind a word, or dots.
+std::string_view named_behind(const Element& word, const Names& names) {
+    const auto& [tree, node] = word.origin;
+    const NodeId next = tree && node != no_node ? (*tree)[node].next : no_node;
+    const auto* name = next == no_node ? nullptr : tree->get_if<node::Name>(next);
+    return name ? names.spelling(name->name) : "...";
+}
+
+/// "a texture" without its article.
+std::string bare_kind(const Value& value) {
+    const std::string kind = kind_name(value);
+    return kind.substr(kind.find(' ') + 1);
+}
+
+bool is_item(std::string_view word) {
+    return std::ranges::any_of(catalogue(), [&](const ItemGroup& group) {
+        return std::ranges::any_of(group.items,
+                                   [&](const ItemInfo* item) { return item->name == word; });
+    });
+}
+
+}  // namespace
+
+bool known_in_blocks(std::string_view word) {
+    const auto rows = block_rows();
+    return std::ranges::find(rows, word, &BlockRow::word) != rows.end() || is_item(word) ||
+           !homes(word).empty();
+}
+
+bool Misplaced::passes_over(const Element& element) {
+    const bool value = element.kind == Element::Kind::value || element.kind == Element::Kind::list;
+    passing_over_ =
+        (value && passing_over_) ||
+        (block_.name.empty() && follows_report(element, block_.binder.evaluator.diagnostics()));
+    return passing_over_;
+}
+
+bool Misplaced::reject(const Element& element, const WordList& words, bool wanted) {
+    switch (element.kind) {
+        case Element::Kind::value:
+            reject_value(element);
+            return false;
+        case Element::Kind::word:
+        case Element::Kind::block:
+            return reject_word(element, words, wanted);
+        case Element::Kind::entry:
+            reject_form(element, "an entry in brackets has", wanted);
+            return false;
+        case Element::Kind::braces:
+            reject_form(element, "braces without a word before them have");
+            return false;
+        case Element::Kind::list:
+            reject_form(element, "a list of numbers has");
+            return false;
+        case Element::Kind::joined:
+            reject_form(element, "an operator without an expression before it has");
+            return false;
+    }
+    return false;
+}
+
+void Misplaced::reject_form(const Element& element, std::string_view what, bool wanted) {
+    if (!block_.broken)
+        block_.report(
+            error(Fault::misplaced, element.span, message(what, " no place in ", block_.quoted()))
+                .with_help(wanted ? "a vector is written between `<` and `>`: <1, 2, 3>"
+                                  : block_.help()));
+}
+
+bool Misplaced::reject_word(const Element& element, const WordList& words, bool wanted) {
+    const std::string_view word = block_.spelling(element.word);
+    passing_over_ = true;
+    // A word without effect is warned of only, and what stands behind it may be wrong.
+    if (!contains(block_.ignored, word)) block_.binder.evaluator.note_reported(element.origin);
+    if (element.kind == Element::Kind::word && takes_braces(element.word) &&
+        has_word(words, word)) {
+        if (!reported_unavailable_)
+            block_.report(error(Fault::missing, element.word_span,
+                                message("what belongs to `", word, "` stands in braces"))
+                              .with_help(message(
+                                  "write `", word, " { ",
+                                  named_behind(element, block_.binder.evaluator.names()), " }`")));
+        reported_unavailable_ = !block_.name.empty();
+        unbraced_ = word;
+        return false;
+    }
+    if (in_comment(element)) return false;
+    const std::string_view meant = foreign_here(word, words);
+    if (block_.binder.evaluator.names().reserved(element.word) && meant.empty()) {
+        reject_reserved(element, word);
+        return false;
+    }
+    const std::string_view before = std::exchange(rejected_, word);
+    if (!before.empty() && has_word(words, message(before, '_', word))) return false;
+    std::string near = nearest(word, words);
+    if (near.empty()) near = beginning_with(words, message(word, '_'));
+    if (!meant.empty()) near = meant;
+    if (!near.empty()) {
+        block_.report(error(Fault::unknown_word, element.word_span,
+                            message(block_.quoted(), " has no word `", word, "`"))
+                          .with_help(message("did you mean `", near, "`?")));
+        return false;
+    }
+    const bool block = element.kind == Element::Kind::block;
+    // Words of the language have small letters.
+    const bool capital = word.front() >= 'A' && word.front() <= 'Z';
+    if (block ||
+        (!wanted && !capital && nearest(word, block_.binder.evaluator.declared_names()).empty())) {
+        Diagnostic unknown = error(Fault::unknown_word, element.word_span,
+                                   message(block_.quoted(), " has no word `", word, "`"));
+        const Value* declared = block ? block_.binder.evaluator.find(element.word) : nullptr;
+        const std::string bare = declared ? bare_kind(*declared) : std::string();
+        const std::string_view way_out = foreign_name(word);
+        block_.report(std::move(unknown.with_help(
+            known_in_blocks(bare) ? message("write `", bare, " { ", word, " ... }`")
+            : way_out.empty()     ? block_.help()
+                                  : std::string(way_out))));
+        return false;
+    }
+    // As in an expression: the evaluator knows what the library would have declared.
+    block_.binder.evaluator.value_of(element);
+    block_.broken = true;
+    passing_over_ = false;
+    return true;
+}
+
+/// Words side by side that nothing is declared as, three or more: a comment, as other languages
+/// begin one. It is spoken of at its first word.
+bool Misplaced::in_comment(const Element& element) {
+    const auto& [tree, node] = element.origin;
+    if (!tree || node == no_node || !block_.name.empty()) return false;
+    const Body next{tree, (*tree)[node].next};
+    if (tree == comment_.tree && node == comment_.first) {
+        comment_ = next;
+        return true;
+    }
+    if (!begins_comment(element, block_.binder.evaluator)) return false;
+    block_.report(error(Fault::unknown_name, element.word_span,
+                        message("nothing is declared as `", block_.spelling(element.word), "`"))
+                      .with_help("a comment begins with `//`"));
+    comment_ = next;
+    return true;
+}
+
+/// A declared name that differs from the word in the case of letters only, or nothing.
+std::string_view Misplaced::in_other_case(std::string_view word) const {
+    for (const std::string_view name : block_.binder.evaluator.declared_names())
+        if (same_letters(name, word)) return name;
+    return {};
+}
+
+void Misplaced::reject_reserved(const Element& element, std::string_view word) {
+    const WordClass kind = block_.binder.evaluator.names().word_class(element.word);
+    if (kind == WordClass::colour_prefix || kind == WordClass::channel) {
+        const bool channel = kind == WordClass::channel;
+        block_.report(
+            error(
+                Fault::missing, element.word_span,
+                message('`', word, "` needs ", channel ? "" : "a vector or ", "a number behind it"))
+                .with_help(channel ? "colors.inc declares the colours Red, Green, Blue" : ""));
+        block_.broken = true;
+        return;
+    }
+    if (contains(block_.ignored, word)) {
+        if (!contains(values_of_charset, word) && block_.binder.warned.emplace(word).second)
+            block_.report(warning(Fault::no_effect, element.word_span,
+                                  message('`', word, "` has no effect in this version")));
+        return;
+    }
+    if (const std::string_view declared = in_other_case(word); !declared.empty()) {
+        block_.report(
+            error(Fault::unknown_name, element.word_span,
+                  message('`', word, "` is a word of the language, and has no place here"))
+                .with_help(message("did you mean `", declared, "`, which is declared?")));
+        block_.broken = true;
+        return;
+    }
+    if (known_in_blocks(word)) {
+        // It may belong to what is not available, or has no braces.
+        const std::vector<std::string_view> places = homes(word);
+        if (reported_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;
+        const bool block = element.kind == Element::Kind::block;
+        if (block && std::ranges::find(places, block_.name) != places.end()) {
+            block_.report(error(Fault::misplaced, element.word_span,
+                                message('`', word, "` takes what is behind it, without braces"))
+                              .with_help(block_.help()));
+            return;
+        }
+        Diagnostic misplaced = error(Fault::misplaced, element.word_span,
+                                     message('`', word, "` has no place in ", block_.quoted()));
+        std::string list;
+        // What a scene may hold as well is at home in many blocks.
+        if (!makes_object(element.word))
+            for (const std::string_view home : places)
+                list += message(list.empty() ? "" : ", ", '`', home, '`');
+        if (!list.empty()) misplaced.with_note(message("it belongs in ", list));
+        block_.report(std::move(misplaced.with_help(block_.help())));
+        return;
+    }
+    if (!reported_unavailable_)
+        block_.report(error(Fault::not_implemented, element.word_span,
+                            message('`', word, "` is not available in this version")));
+    reported_unavailable_ = !block_.name.empty();
+    block_.broken = true;
+}
+
+void Misplaced::reject_value(const Element& element) {
+    if (element.value.broken()) block_.broken = passing_over_ = true;
+    if (element.value.absent() || block_.broken) return;
+    if (const auto bare = unbracketed_vector(element, block_.binder.evaluator.names()))
+        return block_.report(*bare);
+    if (const std::string meant = moved_without_times(element, block_.binder.evaluator.names());
+        !meant.empty()) {
+        block_.report(error(Fault::misplaced, element.span, "this value belongs to nothing")
+                          .with_help(message("write `", meant, "`")));
+        return;
+    }
+    if (const auto& [tree, node] = element.origin;
+        tree && tree->get_if<node::Colour>(node) && contains(block_.ignored, "color"))
+        return block_.report(warning(Fault::no_effect, element.span,
+                                     message("`color` has no effect in ", block_.quoted()))
+                                 .with_help("an object gets its colour from a pigment: "
+                                            "pigment { color rgb <1, 0, 0> }"));
+    // In a scene each of several would be spoken of.
+    passing_over_ = block_.name.empty();
+    const std::string kind = kind_name(element.value);
+    const Numbers* numbers = element.value.numbers();
+    const bool looks =
+        block_.name == "texture" || makes_object(block_.binder.evaluator.names().find(block_.name));
+    const bool number = numbers && !(numbers->is_colour() && looks);
+    if (numbers && !number) {
+        block_.report(
+            error(Fault::misplaced, element.span,
+                  message(kind, " has no place in ", block_.quoted()))
+                .with_help("an object gets its colour from a pigment: pigment { rgb <1, 0, 0> }"));
+        return;
+    }
+    if (number && block_.item && !block_.item->fields.empty() &&
+        block_.item->fields.front().place == Placement::positional) {
+        if (const auto bare = unbracketed_vectors(element, *block_.item))
+            return block_.report(*bare);
+        const auto most = std::ranges::count_if(block_.item->fields, [](const FieldInfo& f) {
+            return f.place == Placement::positional;
+        });
+        block_.report(error(Fault::wrong_count, element.span,
+                            message(block_.quoted(), " takes ", most,
+                                    most == 1 ? " value" : " values", ", but here is one more"))
+                          .with_help(block_.help()));
+        return;
+    }
+    Diagnostic stray =
+        error(Fault::misplaced, element.span, message(kind, " has no place in ", block_.quoted()));
+    const std::string bare = bare_kind(element.value);
+    if (block_.name.empty() && element.value.text())
+        stray.with_help(follows_message(element) ? "strings are joined by concat(a, b)"
+                                                 : "#debug \"...\\n\" prints a string");
+    else if (!number && element.word != no_name && known_in_blocks(bare) && bare != block_.name)
+        stray.with_help(
+            message("did you mean `", bare, " { ", block_.spelling(element.word), " }`?"));
+    else
+        stray.with_help(block_.help());
+    block_.report(std::move(stray));
+}
