@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/compiler.h"
+
 #include "base/transform.h"
 #include "interpret/splines.h"
 

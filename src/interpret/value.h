@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 class ArrayData;
@@ -106,18 +107,18 @@ public:
     Value(std::string text) : Value(make_handle<std::string>(std::move(text))) {}
     template <class T>
     Value(Handle<T> handle)
-        : kind_(shared_kind), shared_{AnyHandle(std::move(handle)), &value_kind<T>} {}
+        : kind_(byte_of<T>), shared_{AnyHandle(std::move(handle)), &value_kind<T>} {}
     /// Macros live as long as the evaluation.
     Value(const MacroData* macro) : kind_(macro_kind), macro_(macro) {}
 
     Value(const Value& other) : kind_(other.kind_) {
-        if (kind_ == shared_kind)
+        if (is_shared())
             new (&shared_) Shared(other.shared_);
         else
             take_plain(other);
     }
     Value(Value&& other) noexcept : kind_(other.kind_) {
-        if (kind_ == shared_kind)
+        if (is_shared())
             new (&shared_) Shared(std::move(other.shared_));
         else
             take_plain(other);
@@ -132,7 +133,7 @@ public:
         return *new (this) Value(std::move(other));
     }
     ~Value() {
-        if (kind_ == shared_kind) shared_.~Shared();
+        if (is_shared()) shared_.~Shared();
     }
 
     explicit operator bool() const = delete;
@@ -153,9 +154,7 @@ public:
     const Formula* formula() const { return shared<Formula>(); }
     /// Where what is shared lies, to tell whether it is still the same; null for what is not
     /// shared.
-    const void* shared_place() const {
-        return kind_ == shared_kind ? shared_.handle.get() : nullptr;
-    }
+    const void* shared_place() const { return is_shared() ? shared_.handle.get() : nullptr; }
     /// The shared part of a scene, or null when the value is something else.
     template <class T>
     Handle<T> handle() const {
@@ -168,7 +167,7 @@ public:
     /// Whether both are the same thing: equal numbers, or one shared part.
     bool identical(const Value& other) const {
         if (kind_ != other.kind_) return false;
-        if (kind_ == shared_kind)
+        if (is_shared())
             return shared_.kind == other.shared_.kind &&
                    shared_.handle.get() == other.shared_.handle.get();
         if (kind_ == numbers_kind) return numbers_ == other.numbers_;
@@ -176,12 +175,19 @@ public:
     }
     /// Whether both are of the same kind; all numbers are one kind.
     bool same_kind(const Value& other) const {
-        return kind_ == other.kind_ && (kind_ != shared_kind || shared_.kind == other.shared_.kind);
+        return kind_ == other.kind_ && (!is_shared() || shared_.kind == other.shared_.kind);
     }
 
 private:
     static constexpr std::uint8_t absence_kind = 0, numbers_kind = 1, macro_kind = 2,
-                                  shared_kind = 3;
+                                  shared_kind = 3, array_kind = 4, object_kind = 5;
+    /// Shared values have greater bytes than others. Those that loops ask for most have bytes of
+    /// their own, so that one comparison tells.
+    template <class T>
+    static constexpr std::uint8_t byte_of = std::is_same_v<T, ArrayData> ? array_kind
+                                            : std::is_same_v<T, Object>  ? object_kind
+                                                                         : shared_kind;
+    bool is_shared() const { return kind_ >= shared_kind; }
     struct Shared {
         AnyHandle handle;
         const ValueKind* kind;
@@ -189,7 +195,7 @@ private:
 
     template <class T>
     bool holds() const {
-        return kind_ == shared_kind && shared_.kind == &value_kind<T>;
+        return kind_ == byte_of<T> && (byte_of<T> != shared_kind || shared_.kind == &value_kind<T>);
     }
     template <class T>
     const T* shared() const {
