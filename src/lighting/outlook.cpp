@@ -194,7 +194,8 @@ std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<V
     std::vector<SurveyPlace> anywhere;
     for (std::uint32_t i = 0; i < enough; ++i) {
         const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
-        anywhere.push_back({{cell.low + place * cell.size(), Vec3(0, 1, 0), true}, 0});
+        const Vec3 position = cell.low + place * cell.size();
+        anywhere.push_back({{position, Vec3(0, 1, 0), Horizon::both_sides}, 0});
     }
     return anywhere;
 }

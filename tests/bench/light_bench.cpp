@@ -187,7 +187,7 @@ void horizon() {
         const Box surface{Vec3(-4), Vec3(4)};
         LightOctree settings;
         settings.cut = 6;
-        const auto built = build(settings, LightScene{luminaires, {&surface, 1}}, 1);
+        const BuiltCutOctree built(settings, LightScene{luminaires, {&surface, 1}});
         for (int i = 0; i < 300000; ++i) {
             const auto light = static_cast<LightIndex>(draw.number() * luminaires.size());
             Cases& kind = cases[light % horizon_kinds];

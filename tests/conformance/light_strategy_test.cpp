@@ -54,6 +54,17 @@ struct Room {
     LightScene scene() const { return {luminaires, surfaces}; }
 };
 
+/// The strategy itself, of which the settings of the light octree name two.
+template <class Settings>
+auto built_with(const Settings& settings, const LightScene& scene, int threads) {
+    if constexpr (std::is_same_v<Settings, PaperOctree>)
+        return BuiltPaperOctree(settings, scene, threads);
+    else if constexpr (std::is_same_v<Settings, LightOctree>)
+        return BuiltCutOctree(settings, scene);
+    else
+        return build(settings, scene, threads);
+}
+
 /// Settings with which a small room uses all that the strategy can do.
 template <class T>
 T settings() {
@@ -81,7 +92,7 @@ std::vector<double> irradiances(const Room& room, const Receiver& point) {
 TEMPLATE_LIST_TEST_CASE("picks tell their expected number, which is how often they come",
                         "[lighting]", Strategies) {
     const Room room(40, 1);
-    const auto built = build(settings<TestType>(), room.scene(), 1);
+    const auto built = built_with(settings<TestType>(), room.scene(), 1);
     Draw draw(2);
     constexpr int trials = 3000;
     for (std::uint64_t pixel = 0; pixel < 12; ++pixel) {
@@ -132,7 +143,7 @@ TEMPLATE_LIST_TEST_CASE("no luminaire that can light a point has no chance there
     int lit = 0, impossible = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
         const Room room(30, 100 + seed);
-        const auto built = build(settings<TestType>(), room.scene(), 1);
+        const auto built = built_with(settings<TestType>(), room.scene(), 1);
         for (int i = 0; i < 1000; ++i) {
             const auto light = static_cast<LightIndex>(draw.number() * 30);
             const LightBounds b = bounds(room.luminaires[light]);
@@ -161,7 +172,7 @@ TEMPLATE_LIST_TEST_CASE("the light that a strategy finds is what all luminaires 
     Draw draw(4);
     for (const int count : {1, 5, 300}) {
         const Room room(count, 5);
-        const auto built = build(settings<TestType>(), room.scene(), 1);
+        const auto built = built_with(settings<TestType>(), room.scene(), 1);
         for (std::uint64_t pixel = 0; pixel < 5; ++pixel) {
             const Receiver point = room.point(draw);
             constexpr int trials = 4000;
@@ -198,10 +209,10 @@ TEMPLATE_LIST_TEST_CASE("the scale of a scene changes no choice", "[lighting]", 
     const bool single_precision = std::is_same_v<TestType, LightOctree>;
     const double rounding = single_precision ? 1e-4 : 1e-9;
     const Room room(60, 6);
-    const auto built = build(settings<TestType>(), room.scene(), 1);
+    const auto built = built_with(settings<TestType>(), room.scene(), 1);
     for (const double scale : {1e-3, 1e3}) {
         const Room scaled(60, 6, scale);
-        const auto other = build(settings<TestType>(), scaled.scene(), 1);
+        const auto other = built_with(settings<TestType>(), scaled.scene(), 1);
         Draw draw(7), again(7);
         for (int i = 0; i < 300; ++i) {
             const Receiver point = room.point(draw), there = scaled.point(again);
@@ -219,13 +230,14 @@ TEMPLATE_LIST_TEST_CASE(
     "[lighting]", Strategies) {
     LightPicks picks;
     const Box surface{Vec3(-1), Vec3(1)};
-    build(settings<TestType>(), LightScene{{}, {&surface, 1}}, 1)
+    built_with(settings<TestType>(), LightScene{{}, {&surface, 1}}, 1)
         .choose({Vec3(0), Vec3(0, 1, 0)}, key(1, 1), picks);
-    build(settings<TestType>(), LightScene{}, 1).choose({Vec3(0), Vec3(0, 1, 0)}, key(1, 1), picks);
+    built_with(settings<TestType>(), LightScene{}, 1)
+        .choose({Vec3(0), Vec3(0, 1, 0)}, key(1, 1), picks);
     CHECK(picks.empty());
 
     const std::vector<Luminaire> below(20, glowing(SphereEmitter{Vec3(0, -5, 0), 1}));
-    const auto built = build(settings<TestType>(), LightScene{below, {&surface, 1}}, 1);
+    const auto built = built_with(settings<TestType>(), LightScene{below, {&surface, 1}}, 1);
     for (int i = 0; i < 100; ++i) built.choose({Vec3(0), Vec3(0, 1, 0)}, key(1, i), picks);
     for (const LightPick& pick : picks) CHECK(pick.expected > 0);
 }
@@ -236,7 +248,7 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
     for (const double radiance : {1.0, 1.0, 0.0, -3.0, 1e-300, 1e-12, 1e12, 1e300})
         luminaires.push_back(glowing(SphereEmitter{Vec3(0, 3, 0), 1}, radiance));
     const Box surface{Vec3(-1), Vec3(1)};
-    const auto built = build(settings<TestType>(), LightScene{luminaires, {&surface, 1}}, 1);
+    const auto built = built_with(settings<TestType>(), LightScene{luminaires, {&surface, 1}}, 1);
     LightPicks picks;
     const Receiver point{Vec3(0), Vec3(0, 1, 0)};
     for (int i = 0; i < 500; ++i) built.choose(point, key(2, i), picks);
@@ -252,8 +264,8 @@ TEMPLATE_LIST_TEST_CASE("coincident, dark, faint and glaring luminaires are all 
 TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads that built it",
                         "[lighting]", Strategies) {
     const Room room(200, 8);
-    const auto one = build(settings<TestType>(), room.scene(), 1),
-               seven = build(settings<TestType>(), room.scene(), 7);
+    const auto one = built_with(settings<TestType>(), room.scene(), 1),
+               seven = built_with(settings<TestType>(), room.scene(), 7);
     CHECK(one.memory_bytes() == seven.memory_bytes());
     Draw draw(9);
     for (int i = 0; i < 200; ++i) {
