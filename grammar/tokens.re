@@ -3,6 +3,8 @@
 // text is in syntax/lexer.cpp.
 #include "syntax/lexer.h"
 
+namespace candelabra {
+
 Token Lexer::scan() {
     using enum TokenKind;
     for (;;) {
@@ -81,3 +83,5 @@ Token Lexer::scan() {
         */
     }
 }
+
+}  // namespace candelabra

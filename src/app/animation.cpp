@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <filesystem>
 
+namespace candelabra {
+
 namespace {
 
 /// Of frames, so that their numbers can be counted on.
-constexpr double most_step = 1e9;
+constexpr double max_step = 1e9;
 
 }  // namespace
 
@@ -31,14 +33,14 @@ const ItemInfo AnimationSettings::vocabulary = described<AnimationSettings>([] {
         F{"subset_end_frame", &A::subset_end_frame, item,
           "last frame that is rendered; below 1 a fraction of all", at_least(0)},
         F{"frame_step", &A::frame_step, item, "renders every so many frames only",
-          between(1, most_step)},
+          between(1, max_step)},
         F{"cyclic_animation", &A::cyclic, flag, "the first frame follows the last one"},
         F{"skip_existing", &A::skip_existing, flag, "leaves out frames whose file is there"});
 });
 
 namespace {
 
-constexpr int most_frames = 1'000'000;
+constexpr int max_frames = 1'000'000;
 
 /// The number of a frame of a subset. Precondition: it is not negative.
 int subset_frame(double given, int first, int count) {
@@ -64,8 +66,8 @@ std::optional<Animation> plan(const AnimationSettings& settings, Diagnostics& di
     const int last = static_cast<int>(settings.final_frame.value_or(first));
     if (last < first)
         return refuse(message("the last frame, ", last, ", comes before the first, ", first));
-    if (last - first >= most_frames)
-        return refuse(message("an animation has at most ", most_frames, " frames"));
+    if (last - first >= max_frames)
+        return refuse(message("an animation has at most ", max_frames, " frames"));
 
     Animation result;
     const int count = last - first + 1;
@@ -102,3 +104,5 @@ std::string numbered(const std::string& path, int frame, int digits) {
         message(whole.stem().string(), frame < 0 ? "-" : "", number, whole.extension().string());
     return (whole.parent_path() / name).string();
 }
+
+}  // namespace candelabra

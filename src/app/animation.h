@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// What the command line says about frames. There is an animation when the first or the last frame
 /// is given.
 struct AnimationSettings {
@@ -46,3 +48,5 @@ std::optional<Animation> plan(const AnimationSettings&, Diagnostics&);
 
 /// The name with the frame's number before its ending: "out.png" to "out07.png".
 std::string numbered(const std::string& path, int frame, int digits);
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 #include <memory>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,7 +184,7 @@ private:
         if (files_.size() <= at) files_.push_back(options.output);
         if (is_there(options.output)) return nullptr;
         options.prepared_ahead = !unfinished.empty();
-        options.at_once = most_at_once;
+        options.at_once = max_at_once;
         Console console = console_;
         console.interrupts = interrupts_.for_one();
         return std::make_unique<FrameRun>(std::move(options), console, problems_of_frame(),
@@ -204,7 +206,7 @@ private:
     Diagnostics& diagnostics_;
     Output output_;
     /// One frame is completed and written, one rendered, one prepared.
-    static constexpr unsigned most_at_once = 3;
+    static constexpr unsigned max_at_once = 3;
 
     std::vector<std::size_t> mine_;  ///< the frames of this run
     std::vector<std::string> files_;
@@ -230,3 +232,5 @@ int run_animation(const Options& options, const Animation& animation, const Cons
                   Diagnostics& diagnostics) {
     return AnimationRun(options, animation, console, diagnostics).execute();
 }
+
+}  // namespace candelabra

@@ -7,8 +7,12 @@
 #include "app/console.h"
 #include "app/options.h"
 
+namespace candelabra {
+
 /// What the scene is told in that frame.
 void set_frame(RunFacts&, const AnimationSettings&, const Animation&, const AnimationFrame&);
 
 /// Says what is wrong; gives the exit status.
 int run_animation(const Options&, const Animation&, const Console&, Diagnostics&);
+
+}  // namespace candelabra

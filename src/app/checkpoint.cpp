@@ -3,14 +3,16 @@
 
 #include "base/random.h"
 #include "picture/layers.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <functional>
 #include <sstream>
+
+namespace candelabra {
 
 namespace {
 
@@ -54,7 +56,7 @@ StatePart extra_part(std::size_t which, int word) {
             }};
 }
 
-std::vector<StatePart> parts(std::size_t extras) {
+std::vector<StatePart> parts(std::size_t aovs) {
     std::vector<StatePart> all;
     const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
         all.push_back(own_part(
@@ -76,7 +78,7 @@ std::vector<StatePart> parts(std::size_t extras) {
                 half_of(&PixelSum::display_squared, c, i, message("squares.", channels[c], i)));
         }
     }
-    for (std::size_t which = 0; which < extras; ++which)
+    for (std::size_t which = 0; which < aovs; ++which)
         for (int word = 0; word < 4; ++word) all.push_back(extra_part(which, word));
     return all;
 }
@@ -108,7 +110,7 @@ std::string share_text(const Checkpoint& checkpoint) {
 }
 
 /// Of samples in one pixel: more have no room in the sums.
-constexpr std::uint32_t most_in_pixel = std::uint32_t{1} << 31;
+constexpr std::uint32_t max_in_pixel = std::uint32_t{1} << 31;
 
 /// Whether the pixels have what samples can add up to.
 bool are_possible(const Film& film) {
@@ -121,7 +123,7 @@ bool are_possible(const Film& film) {
         };
         // Beyond 2^24 samples the squares may come round at 2^64.
         const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
-        return shown && n <= most_in_pixel && pixel.target <= most_in_pixel;
+        return shown && n <= max_in_pixel && pixel.target <= max_in_pixel;
     });
 }
 
@@ -136,13 +138,13 @@ bool read_texts(const LayeredPicture& picture, Checkpoint& checkpoint, std::uint
         share.first_sample >> checkpoint.samples >> checkpoint.all_samples;
     second >> checkpoint.state.rounds >> checkpoint.finished >> sum;
     const bool tiles = share.first_tile >= 0 && share.first_tile < share.tile_step &&
-                       share.tile_step <= most_shards;
+                       share.tile_step <= max_shards;
     const bool samples = checkpoint.samples <= checkpoint.all_samples &&
                          share.first_sample <= checkpoint.all_samples - checkpoint.samples;
     const bool region = r.left >= 0 && r.top >= 0 && r.left <= r.right && r.top <= r.bottom &&
                         r.right <= picture.width && r.bottom <= picture.height;
     const bool counts =
-        checkpoint.all_samples <= most_in_pixel && checkpoint.state.rounds <= most_in_pixel;
+        checkpoint.all_samples <= max_in_pixel && checkpoint.state.rounds <= max_in_pixel;
     return first && second && !checkpoint.identity.empty() && tiles && samples && region && counts;
 }
 
@@ -157,7 +159,7 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
             plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(pixel.mean()[c])));
         picture.planes.push_back(std::move(plane));
     }
-    for (const StatePart& part : parts(film.extras())) {
+    for (const StatePart& part : parts(film.aovs())) {
         ChannelPlane plane{part.name, true, {}};
         plane.bits.reserve(film.pixels().size());
         for (std::size_t i = 0; i < film.pixels().size(); ++i)
@@ -176,7 +178,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
     const auto picture = read_layers(path, texts, diagnostics);
     if (!picture) return std::nullopt;
     const auto fail = [&](std::string_view why) {
-        diagnostics.add(error(Fault::io, {}, message("`", harmless(path), "` ", why)));
+        diagnostics.add(error(Fault::io, {}, message("`", printable(path), "` ", why)));
         return std::nullopt;
     };
     Checkpoint checkpoint;
@@ -185,10 +187,12 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
     if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");
     Film& film = checkpoint.state.film;
     film = Film(picture->width, picture->height, extras_in(*picture));
-    for (const StatePart& part : parts(film.extras())) {
+    for (const StatePart& part : parts(film.aovs())) {
         const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
         for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
     }
     if (!are_possible(film)) return fail("is damaged: no samples add up to its sums");
     return checkpoint;
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// What names of states end in.
 inline constexpr std::string_view state_ending = ".state.exr";
 
@@ -29,3 +31,5 @@ std::optional<std::string> encode(const Checkpoint&, Diagnostics&);
 
 /// The state in a file; nothing, with a diagnostic, when it is damaged or something else.
 std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics&);
+
+}  // namespace candelabra

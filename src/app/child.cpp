@@ -11,6 +11,8 @@
 #include <unistd.h>
 #include <csignal>
 
+namespace candelabra {
+
 std::string shell_quoted(std::string_view text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -61,3 +63,5 @@ int run_program(const std::vector<std::string>& words) {
     if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
     return WEXITSTATUS(status);
 }
+
+}  // namespace candelabra

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/choice_options.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 #include <cmath>
+
+namespace candelabra {
 
 namespace {
 
@@ -25,7 +27,7 @@ void choose(std::optional<Variant>& chosen, std::string_view noun, const Given& 
     for (const std::string_view name : names)
         help += message(name == names.front() ? " " : ", ", name);
     const std::string meant = nearest(*given.value, names);
-    refuse(given, diagnostics, message("there is no ", noun, " `", harmless(*given.value), "`"),
+    refuse(given, diagnostics, message("there is no ", noun, " `", printable(*given.value), "`"),
            meant.empty() ? help : message("did you mean `", meant, "`? ", help));
 }
 
@@ -53,3 +55,5 @@ void store::integrator(Options& options, const Given& given, Diagnostics& diagno
 void store::index(Options& options, const Given& given, Diagnostics& diagnostics) {
     choose(options.render.index, "index", given, diagnostics);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "app/option_store.h"
 
+namespace candelabra {
+
 namespace store {
 
 void sampler(Options&, const Given&, Diagnostics&);
@@ -13,3 +15,5 @@ void index(Options&, const Given&, Diagnostics&);
 void luminaires(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <filesystem>
 
+namespace candelabra {
+
 namespace {
 
 class Words {
@@ -131,3 +133,5 @@ std::string command_line(const Options& options) {
     if (!options.layers.empty()) words.add_long("layers", layer_list(options.layers));
     return words.take();
 }
+
+}  // namespace candelabra

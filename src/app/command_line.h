@@ -7,6 +7,10 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// One line of the shell, with the scene's name without its folder. What does not change the
 /// pixels is left out: threads, names of outputs, limits, parts of a farm.
 std::string command_line(const Options&);
+
+}  // namespace candelabra

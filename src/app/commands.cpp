@@ -14,14 +14,16 @@
 #include "app/sandbox.h"
 #include "app/scene_run.h"
 #include "picture/file.h"
-#include "text/harmless.h"
 #include "text/loader.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <array>
 
 #include <unistd.h>
+
+namespace candelabra {
 
 namespace {
 
@@ -135,7 +137,7 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     if (options.task == Task::export_mesh && !mesh_format(options.mesh_file))
         diagnostics.add(error(Fault::option, {},
                               message("a mesh is written as PLY or OBJ, which `",
-                                      harmless(options.mesh_file), "` is not by its ending"))
+                                      printable(options.mesh_file), "` is not by its ending"))
                             .with_help("--export-mesh mesh.ply, or mesh.obj"));
     if (diagnostics.failed()) return end_with_errors(exit_status::usage);
     if (options.task == Task::help || options.task == Task::version ||
@@ -152,8 +154,8 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     leave_out_commands(options, diagnostics);
     Streams streams(options.streams, console.err);
     if (!streams.problem().empty()) {
-        diagnostics.add(error(Fault::io, {},
-                              message("`", harmless(streams.problem()), "` cannot be written to")));
+        diagnostics.add(error(
+            Fault::io, {}, message("`", printable(streams.problem()), "` cannot be written to")));
         return end_with_errors(exit_status::file);
     }
     Console sorted = console;
@@ -164,3 +166,5 @@ int run(std::span<const std::string_view> arguments, const Console& console) {
     if (!confined(options, console, diagnostics)) return end_with_errors(exit_status::usage);
     return run_task(options, animation, sorted, diagnostics);
 }
+
+}  // namespace candelabra

@@ -8,5 +8,9 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 /// Does what the program's arguments (without its name) ask for; gives the exit status.
 int run(std::span<const std::string_view> arguments, const Console&);
+
+}  // namespace candelabra

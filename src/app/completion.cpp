@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 /// One way to write an option.
@@ -147,3 +149,5 @@ std::optional<std::string> completion(std::string_view shell) {
     if (shell == "fish") return for_fish();
     return std::nullopt;
 }
+
+}  // namespace candelabra

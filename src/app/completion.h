@@ -6,5 +6,9 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// The script for bash, zsh or fish; nothing for another shell.
 std::optional<std::string> completion(std::string_view shell);
+
+}  // namespace candelabra

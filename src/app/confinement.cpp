@@ -2,15 +2,17 @@
 #include "app/confinement.h"
 
 #include "app/memory_limit.h"
-#include "text/harmless.h"
 #include "text/loader.h"
 #include "text/message.h"
 #include "text/opened_file.h"
+#include "text/printable.h"
 #include "text/written_name.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+
+namespace candelabra {
 
 namespace {
 
@@ -58,7 +60,7 @@ Confinement::Confinement(const std::string& ini_file, const Options& outside)
 
 std::string Confinement::folder_rule() const {
     return message("it leads out of ",
-                   folder_ == "." ? "the current directory" : message("`", harmless(folder_), "`"),
+                   folder_ == "." ? "the current directory" : message("`", printable(folder_), "`"),
                    ", the folder of this INI file, which may have come with a scene");
 }
 
@@ -67,7 +69,7 @@ BrokenRule Confinement::of_file(const std::string& path) const {
     if (!real || !below_one(readable_, *real))
         return {folder_rule(),
                 message("name it on the command line, or permit it there: --allow-read ",
-                        harmless(directory_of(path)))};
+                        printable(directory_of(path)))};
     std::error_code none;
     if (fs::is_other(*real, none)) return {"it is no regular file", {}};
     return {};
@@ -85,7 +87,7 @@ BrokenRule Confinement::of_written(const std::string& path, bool ini) const {
     if (!part)
         return {folder_rule(), message("name it on the command line, or permit it there: "
                                        "--allow-write ",
-                                       harmless(directory_of(path)))};
+                                       printable(directory_of(path)))};
     std::error_code none;
     const bool there = fs::exists(*real, none);
     if (fs::is_directory(*real, none)) return {};
@@ -128,3 +130,5 @@ std::string Confinement::limit_rule() {
     return message("limits are not raised by a file that may have come with a scene, but ",
                    own_settings);
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// The rule that an option breaks, and the way out. No rule: it breaks none.
 struct BrokenRule {
     std::string rule, help;
@@ -37,3 +39,5 @@ private:
     Limits limits_;
     std::uint64_t memory_bytes_;
 };
+
+}  // namespace candelabra

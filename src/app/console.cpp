@@ -4,6 +4,8 @@
 #include "app/diagnostics_json.h"
 #include "text/excerpt.h"
 
+namespace candelabra {
+
 void say(const Console& console, Stream stream, std::string_view text, std::string_view plain) {
     if (console.sorted)
         console.sorted(stream, text, plain);
@@ -26,3 +28,5 @@ void say(const Console& console, const Options& options, const Diagnostic& said,
 void say_errors(const Console& console, const Options& options, const Diagnostics& diagnostics) {
     for (const Diagnostic& each : diagnostics.all()) say(console, options, each, SourceStore());
 }
+
+}  // namespace candelabra

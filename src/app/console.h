@@ -14,6 +14,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class Film;
 class World;
 struct SandboxRules;
@@ -77,3 +79,5 @@ void say(const Console&, const Options&, const Diagnostic&, const SourceStore&);
 
 /// Writes all diagnostics to the console in the form that the options ask for.
 void say_errors(const Console&, const Options&, const Diagnostics&);
+
+}  // namespace candelabra

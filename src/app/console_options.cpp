@@ -3,6 +3,8 @@
 
 #include <cctype>
 
+namespace candelabra {
+
 void store::stream_file(StreamSettings::One& stream, const Given& given) {
     const std::optional<bool> on = truth(*given.value);
     // POV-Ray writes no file for `off`, and has a name of its own for `on`.
@@ -38,3 +40,5 @@ void store::command_return(CommandSettings::One& one, const Given& given,
 void store::allow_commands(Options& options, const Given&, Diagnostics&) {
     options.commands.allowed = true;
 }
+
+}  // namespace candelabra

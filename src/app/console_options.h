@@ -5,6 +5,8 @@
 
 #include "app/option_store.h"
 
+namespace candelabra {
+
 namespace store {
 
 /// +GD and its relatives: the stream on or off, and perhaps into a file.
@@ -40,3 +42,5 @@ void command_return(Options& options, const Given& given, Diagnostics& diagnosti
 void allow_commands(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 std::string escaped(const std::string& path) {
@@ -25,3 +27,5 @@ std::string depfile(const std::string& picture, const std::vector<ReadFile>& fil
             text += " \\\n  " + escaped(file.path);
     return text + "\n";
 }
+
+}  // namespace candelabra

@@ -8,5 +8,9 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// "picture.png: scene.pov part.inc", each name as make wants it.
 std::string depfile(const std::string& picture, const std::vector<ReadFile>&);
+
+}  // namespace candelabra

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/diagnostics_json.h"
 
-#include "text/harmless.h"
+#include "text/printable.h"
 
 #include <nlohmann/json.hpp>
+
+namespace candelabra {
 
 namespace {
 
@@ -13,7 +15,7 @@ OrderedJson place(Span span, const SourceStore& sources) {
     if (!span.known() || span.source >= sources.count()) return nullptr;
     const Place from = sources.place(span.source, span.first);
     const Place to = sources.place(span.source, span.last);
-    return {{"file", harmless(sources.name(span.source))},
+    return {{"file", printable(sources.name(span.source))},
             {"line", from.line},
             {"column", from.column},
             {"end_line", to.line},
@@ -76,3 +78,5 @@ std::string to_json(const Diagnostic& diagnostic, const SourceStore& sources) {
 std::string debug_to_json(std::string_view text) {
     return line({{"severity", "debug"}, {"message", text}});
 }
+
+}  // namespace candelabra

@@ -9,9 +9,13 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// The object, with a line end. Places have file, line, column, end_line, end_column (from 1, in
 /// characters; the end is the first that is not meant) and first, last (bytes from 0).
 std::string to_json(const Diagnostic&, const SourceStore&);
 
 /// What the scene says by #debug and its relatives, in the same form.
 std::string debug_to_json(std::string_view text);
+
+}  // namespace candelabra

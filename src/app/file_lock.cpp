@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 /// Whether the open file still is the one at the path: its last owner may have taken it away.
@@ -43,3 +45,5 @@ FileLock::~FileLock() {
     ::unlink(path_.c_str());
     ::close(file_);
 }
+
+}  // namespace candelabra

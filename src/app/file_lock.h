@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 class FileLock {
 public:
     /// For the file at that path; none for an empty one.
@@ -21,3 +23,5 @@ private:
     int file_ = -1;
     bool taken_ = false;
 };
+
+}  // namespace candelabra

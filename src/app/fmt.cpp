@@ -5,14 +5,16 @@
 #include "picture/file.h"
 #include "syntax/parser.h"
 #include "text/excerpt.h"
-#include "text/harmless.h"
 #include "text/loader.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <vector>
+
+namespace candelabra {
 
 namespace {
 
@@ -23,11 +25,11 @@ public:
     void file(const std::string& path) {
         const std::optional<std::string> text = disk_reader()(path);
         if (!text)
-            return say(error(Fault::io, {}, message("`", harmless(path), "` cannot be read")));
+            return say(error(Fault::io, {}, message("`", printable(path), "` cannot be read")));
         const std::optional<std::string> better = laid_out_if_correct(path, *text);
         if (!better || *better == *text) return;
         if (checks_) {
-            console_.out(message(harmless(path), "\n"));
+            console_.out(message(printable(path), "\n"));
             status = std::max(status, exit_status::scene);
             return;
         }
@@ -87,7 +89,7 @@ int fmt(std::span<const std::string_view> arguments, const Console& console) {
             checks = true;
         } else {
             console.err(format(
-                error(Fault::option, {}, message("fmt has no option `", harmless(argument), "`"))
+                error(Fault::option, {}, message("fmt has no option `", printable(argument), "`"))
                     .with_help("candelabra fmt [--check] [file ...]"),
                 SourceStore(), console.coloured));
             return exit_status::usage;
@@ -103,3 +105,5 @@ int fmt(std::span<const std::string_view> arguments, const Console& console) {
     }
     return formatter.status;
 }
+
+}  // namespace candelabra

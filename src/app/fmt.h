@@ -7,7 +7,11 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 /// Lays out the files in place, or standard input to standard output when there are none; with
 /// --check only names those that would change, and the status is that of an error in the scene.
 /// Files with mistakes of syntax are left as they are.
 int fmt(std::span<const std::string_view> arguments, const Console&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+namespace candelabra {
+
 CommandFacts command_facts(const Options& options) {
     Diagnostics said_elsewhere;
     return {output_of(options, said_elsewhere).path,
@@ -19,3 +21,5 @@ Outcome with_frame_commands(const Options& options, const std::function<int()>& 
     return with_commands(options.commands, Moment::pre_frame, Moment::post_frame,
                          command_facts(options), [&]() -> Outcome { return {work()}; });
 }
+
+}  // namespace candelabra

@@ -6,7 +6,11 @@
 
 #include <functional>
 
+namespace candelabra {
+
 CommandFacts command_facts(const Options&);
 
 /// The work's exit status, and whether more pictures follow.
 Outcome with_frame_commands(const Options&, const std::function<int()>& work);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <new>
 
+namespace candelabra {
+
 FrameRun::FrameRun(Options options, Console console, Diagnostics problems, std::string unfinished)
     : options_(std::move(options)),
       outer_(std::move(console)),
@@ -121,3 +123,5 @@ int FrameRun::finish() {
     if (thread_.joinable()) thread_.join();
     return status_;
 }
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+namespace candelabra {
+
 class FrameRun {
 public:
     /// Begins to prepare the frame. `unfinished`: a picture that another frame is still making; a
@@ -58,3 +60,5 @@ private:
     int status_ = exit_status::done;
     std::thread thread_;
 };
+
+}  // namespace candelabra

@@ -6,15 +6,17 @@
 #include "editor/textmate.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 #include "vocabulary/glossary.h"
 #include "vocabulary/words.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+
+namespace candelabra {
 
 ManualEntry manual_entry(const OptionRow& row) {
     using enum Takes;
@@ -309,7 +311,7 @@ std::string help_text(std::string_view topic, const std::string& library,
     if (text.empty()) {
         const std::string meant = nearest(topic, topics(guide));
         diagnostics.add(
-            error(Fault::option, {}, message("there is no help on `", harmless(topic), "`"))
+            error(Fault::option, {}, message("there is no help on `", printable(topic), "`"))
                 .with_help(meant.empty() ? "--help lists the options"
                                          : message("did you mean `", meant, "`?")));
     }
@@ -330,7 +332,7 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     if (!part.empty()) {
         diagnostics.add(
             error(Fault::option, {},
-                  message("there is nothing called `", harmless(part), "` to describe"))
+                  message("there is nothing called `", printable(part), "` to describe"))
                 .with_help("items, functions, glossary, library, options, compatibility, words, "
                            "warnings or textmate"));
         return {};
@@ -344,3 +346,5 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     all["groups"] = OrderedJson::parse(manual(catalogue(), form));
     return all.dump(2) + "\n";
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 std::string version_text();
 
 /// A few lines: what the program does and how it is called.
@@ -25,3 +27,5 @@ std::string help_text(std::string_view topic, const std::string& library, Diagno
 /// compatibility, words, warnings, textmate (a grammar), or nothing for items (in JSON: for all).
 std::string description(std::string_view part, ManualForm, const std::string& library,
                         Diagnostics&);
+
+}  // namespace candelabra

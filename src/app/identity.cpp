@@ -4,8 +4,8 @@
 #include "app/command_line.h"
 #include "app/help.h"
 #include "app/region.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 #include "text/sha256.h"
 #include "vocabulary/written.h"
 
@@ -13,6 +13,8 @@
 #include <array>
 #include <filesystem>
 #include <utility>
+
+namespace candelabra {
 
 namespace {
 
@@ -166,7 +168,7 @@ std::string difference(const Identity& before, const Identity& now) {
             if (name == command_mark) continue;  // the other facts say what it means
             // The same name may stand for several files.
             if (std::ranges::find(others, Fact{name, value}) != others.end()) continue;
-            const std::string called = harmless(name);
+            const std::string called = printable(name);
             if (name.starts_with(file_prefix)) {
                 const bool known = !fact(others, name).empty();
                 const std::string file = called.substr(file_prefix.size());
@@ -176,7 +178,7 @@ std::string difference(const Identity& before, const Identity& now) {
             }
             const auto shown = [&name = name](const Identity& identity) {
                 const std::string text = fact(identity, name);
-                return text.empty() ? std::string("not given") : harmless(text);
+                return text.empty() ? std::string("not given") : printable(text);
             };
             return message(called, " was ", shown(before), " and is ", shown(now));
         }
@@ -185,3 +187,5 @@ std::string difference(const Identity& before, const Identity& now) {
     const std::string found = look(now, before);
     return found.empty() ? look(before, now) : found;
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 /// Name and value. Neither has a line break or a tabulator.
 using Fact = std::pair<std::string, std::string>;
 using Identity = std::vector<Fact>;
@@ -39,3 +41,5 @@ std::string fact(const Identity&, const std::string& name);
 /// What differs, as a sentence; empty when the facts are the same. That all pixels shall have the
 /// same number of samples now is no difference to a state where they need not.
 std::string difference(const Identity& before, const Identity& now);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 constexpr double longer_side = 1000;  ///< of the drawing
@@ -110,3 +112,5 @@ std::string index_slice(const World& world) {
     return message("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 ", slice.size(), "'>\n",
                    cells, nodes, "</svg>\n");
 }
+
+}  // namespace candelabra

@@ -7,7 +7,11 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// A drawing in SVG. The plane is square to the axis that the camera looks along most nearly, and
 /// the drawing as upright as the camera. Cells are the darker, the more items they have; those that
 /// make up a node have a line around them, the finer, the deeper it lies.
 std::string index_slice(const World&);
+
+}  // namespace candelabra

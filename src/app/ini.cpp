@@ -4,6 +4,8 @@
 #include "app/option_store.h"
 #include "text/ascii.h"
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -106,3 +108,5 @@ std::optional<IniName> ini_name(std::string_view argument) {
     name.file = argument;
     return name;
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// An argument of the command line: "Width=640".
 struct IniLine {
     int number = 0;  ///< counted from 1
@@ -27,3 +29,5 @@ struct IniName {
 
 /// Nothing when the argument is no name of an INI file, by its ending.
 std::optional<IniName> ini_name(std::string_view argument);
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <array>
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 std::size_t pixel_count(const Film& film) { return film.pixels().size(); }
@@ -174,3 +176,5 @@ std::string what_is_under(const Exhibit& shown, int x, int y) {
     if (const Texture* texture = texture_at(shown.world, seen)) text += dump(*texture) + "\n";
     return text + lights_of(shown, at);
 }
+
+}  // namespace candelabra

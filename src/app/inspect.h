@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// What can be looked at: "picture", and the layers that need no light of their own.
 std::vector<std::string_view> views();
 
@@ -21,3 +23,5 @@ std::optional<Image> view(const Exhibit&, std::string_view name);
 /// Colour, place, object and texture under a pixel, and the statements that light it with their
 /// shares, each on a line; empty outside of the picture.
 std::string what_is_under(const Exhibit&, int x, int y);
+
+}  // namespace candelabra

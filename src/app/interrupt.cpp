@@ -3,6 +3,8 @@
 
 #include <memory>
 
+namespace candelabra {
+
 Interrupts SharedInterrupts::for_one() {
     Interrupts one;
     if (asked_.take)
@@ -27,3 +29,5 @@ void SharedInterrupts::listen(bool on) {
     listeners_ += on ? 1 : -1;
     asked_.listening(listeners_ > 0);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <utility>
 
+namespace candelabra {
+
 enum class Interrupt {
     none,
     save,  ///< write the state and go on
@@ -40,3 +42,5 @@ private:
     std::mutex mutex_;
     int listeners_ = 0;
 };
+
+}  // namespace candelabra

@@ -17,6 +17,8 @@
 #include <limits>
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto infos = std::to_array<LayerInfo>({
@@ -68,7 +70,7 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
 class LayerWriter {
 public:
     LayerWriter(const Film& film, const FilmFiles& files)
-        : film_(film), files_(files), extras_(extras_for(files.layers, files.alpha)) {}
+        : film_(film), files_(files), extras_(aovs_for(files.layers, files.alpha)) {}
 
     LayeredPicture picture() {
         made_.width = film_.width();
@@ -196,14 +198,14 @@ std::string layer_list(std::span<const PictureLayer> layers) {
     return text;
 }
 
-Aovs extras_for(std::span<const PictureLayer> layers, bool alpha) {
-    Aovs extras;
-    extras.alpha = alpha;
+Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha) {
+    Aovs aovs;
+    aovs.alpha = alpha;
     for (const PictureLayer layer : layers) {
-        extras.surface |= layer <= PictureLayer::object;
-        extras.lights |= layer == PictureLayer::lights;
+        aovs.surface |= layer <= PictureLayer::object;
+        aovs.lights |= layer == PictureLayer::lights;
     }
-    return extras;
+    return aovs;
 }
 
 std::vector<std::string> light_names(const World& world, const SourceStore& sources) {
@@ -235,3 +237,5 @@ bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnosti
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
     return bytes && write_file(layers, *bytes, diagnostics);
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 class Film;
 class SourceStore;
 class World;
@@ -32,7 +34,7 @@ std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
 std::string layer_list(std::span<const PictureLayer>);
 
 /// What the film has to gather for these layers.
-Aovs extras_for(std::span<const PictureLayer>, bool alpha);
+Aovs aovs_for(std::span<const PictureLayer>, bool alpha);
 
 /// Names of the layers of light, one for each of Provenance::light_statements: of the declared name
 /// or the macro that a statement shows, or of its first word; a number tells equal ones apart.
@@ -52,3 +54,5 @@ std::string layers_path(const FilmFiles&);
 
 /// Writes picture and layers. False, with a diagnostic, when that fails.
 bool write_film(const Film&, const FilmFiles&, Diagnostics&);
+
+}  // namespace candelabra

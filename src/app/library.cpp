@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/library.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <filesystem>
 
@@ -14,6 +14,8 @@
 #ifndef CANDELABRA_SOURCE_STDLIB
 #define CANDELABRA_SOURCE_STDLIB "../stdlib"
 #endif
+
+namespace candelabra {
 
 namespace fs = std::filesystem;
 
@@ -55,12 +57,14 @@ std::vector<std::string> library_folders(const std::string& standard,
         while (path.size() > 1 && path.ends_with('/')) path.pop_back();
         std::error_code none;
         if (!fs::is_directory(path, none))
-            diagnostics.add(
-                warning(Fault::option, {},
-                        message("there is no folder `", harmless(path), "` to look for files in")));
+            diagnostics.add(warning(
+                Fault::option, {},
+                message("there is no folder `", printable(path), "` to look for files in")));
         paths.push_back(std::move(path));
     }
     // Pictures of the library stand in for others of their names only.
     if (!standard.empty()) paths.push_back(standard + "/pictures");
     return paths;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// The program's own file, as the system knows it; empty when it does not.
 std::string own_path();
 
@@ -26,3 +28,5 @@ std::optional<std::string> standard_library(const std::string& program, const ch
 /// that the options give, and the pictures of the library. Warns of a folder that is not there.
 std::vector<std::string> library_folders(const std::string& standard,
                                          const std::vector<std::string>& given, Diagnostics&);
+
+}  // namespace candelabra

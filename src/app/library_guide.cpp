@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,3 +169,5 @@ LibraryGuide library_guide(const std::string& folder) {
     std::ranges::sort(guide, {}, &LibraryFile::name);
     return guide;
 }
+
+}  // namespace candelabra

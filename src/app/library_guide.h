@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 struct LibraryMacro {
     std::string name;
     std::string form;  ///< Light_Ring(Lamp, Count, Radius)
@@ -26,3 +28,5 @@ LibraryGuide library_guide(const std::string& folder);
 
 /// One of them by its text. Macros whose names end in `_` are its own affair and left out.
 LibraryFile library_file(std::string name, std::string_view text);
+
+}  // namespace candelabra

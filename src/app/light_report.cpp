@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/light_report.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <numeric>
+
+namespace candelabra {
 
 namespace {
 
@@ -39,7 +41,7 @@ std::string statement_text(const Span& span, const SourceStore& sources) {
     line.erase(0, before == line.npos ? 0 : before + 1);
     line.erase(0, line.find_first_not_of(" \t"));
     if (line.size() > longest) line = line.substr(0, longest) + "...";
-    return message(harmless(sources.name(span.source)), ":", place.line, ": ", harmless(line));
+    return message(printable(sources.name(span.source)), ":", place.line, ": ", printable(line));
 }
 
 std::string light_report(const World& world, const LightLedger& counted,
@@ -70,3 +72,5 @@ std::string light_report(const World& world, const LightLedger& counted,
     line(lights.back(), "", "rays that met no light");
     return text;
 }
+
+}  // namespace candelabra

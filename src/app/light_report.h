@@ -9,6 +9,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// The place of a statement, and how it begins: "scene.pov:6: object { Lamp ...".
 std::string statement_text(const Span&, const SourceStore&);
 
@@ -16,3 +18,5 @@ std::string statement_text(const Span&, const SourceStore&);
 /// first: its share of all light that came to hits from lights, its share of the shadow rays, how
 /// many lights it made, and its place. Rays that met no luminaire have the last line.
 std::string light_report(const World&, const LightLedger&, const SourceStore&);
+
+}  // namespace candelabra

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 constexpr double most = 1e12;
 /// For what is inside each other, and takes room on a stack that is set aside.
-constexpr double most_deep = 1e8;
+constexpr double max_deep = 1e8;
 
 /// A whole number, which may be written 1e9. What it counts in megabytes fits into 64 bits, too.
 std::optional<std::uint64_t> whole(const Given& given, Diagnostics& diagnostics, double greatest) {
@@ -37,12 +39,12 @@ void store::limit_steps(Options& options, const Given& given, Diagnostics& diagn
 }
 
 void store::limit_depth(Options& options, const Given& given, Diagnostics& diagnostics) {
-    take(options.limits.call_depth, given, diagnostics, 1, most_deep);
+    take(options.limits.call_depth, given, diagnostics, 1, max_deep);
     options.limits.make_room();
 }
 
 void store::limit_nesting(Options& options, const Given& given, Diagnostics& diagnostics) {
-    take(options.limits.nesting, given, diagnostics, 1, most_deep);
+    take(options.limits.nesting, given, diagnostics, 1, max_deep);
     options.limits.make_room();
 }
 
@@ -55,9 +57,9 @@ void store::limit_includes(Options& options, const Given& given, Diagnostics& di
 }
 
 void store::limit_elements(Options& options, const Given& given, Diagnostics& diagnostics) {
-    constexpr std::size_t most_counted = 2'000'000'000;  // the language counts them with 32 bits
+    constexpr std::size_t max_counted = 2'000'000'000;  // the language counts them with 32 bits
     take(options.limits.array_elements, given, diagnostics);
-    options.limits.array_elements = std::min(options.limits.array_elements, most_counted);
+    options.limits.array_elements = std::min(options.limits.array_elements, max_counted);
 }
 
 void store::limit_memory(Options& options, const Given& given, Diagnostics& diagnostics) {
@@ -87,3 +89,5 @@ void store::limit_function(Options& options, const Given& given, Diagnostics& di
 void store::limit_work(Options& options, const Given& given, Diagnostics& diagnostics) {
     take(options.limits.work, given, diagnostics, million);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "app/option_store.h"
 
+namespace candelabra {
+
 namespace store {
 
 void limit_steps(Options&, const Given&, Diagnostics&);
@@ -22,3 +24,5 @@ void limit_function(Options&, const Given&, Diagnostics&);
 void limit_work(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,3 +82,5 @@ int run_lsp(int descriptor, const Console& console) {
                         "\nhelp: the editor starts `candelabra lsp` again\n"));
     return exit_status::scene;
 }
+
+}  // namespace candelabra

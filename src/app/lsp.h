@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 /// Messages of the Language Server Protocol as they come through a file descriptor.
 class MessageReader {
 public:
@@ -29,3 +31,5 @@ private:
 /// Serves until the editor says goodbye, closes its end, or sends what cannot be told apart into
 /// messages; gives the exit status.
 int run_lsp(int descriptor, const Console&);
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+using namespace candelabra;
+
 namespace {
 
 /// As https://no-color.org has it.

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string_view>
 
+namespace candelabra {
+
 std::optional<std::uint64_t> physical_memory() {
     const long pages = sysconf(_SC_PHYS_PAGES);
     const long size = sysconf(_SC_PAGESIZE);
@@ -100,3 +102,5 @@ void limit_memory(std::uint64_t bytes) {
     limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_cur);
     setrlimit(RLIMIT_DATA, &limit);
 }
+
+}  // namespace candelabra

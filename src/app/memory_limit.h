@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 /// The memory of this machine, or nothing if it does not tell.
 std::optional<std::uint64_t> physical_memory();
 
@@ -25,3 +27,5 @@ bool may_double(std::uint64_t in_use, std::optional<std::uint64_t> limit);
 /// From now on an allocation beyond this many bytes throws std::bad_alloc. Does nothing where the
 /// system has a lower limit already.
 void limit_memory(std::uint64_t bytes);
+
+}  // namespace candelabra

@@ -6,13 +6,15 @@
 #include "app/option_store.h"
 #include "app/output.h"
 #include "picture/file.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 #include "transport/aovs.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
+
+namespace candelabra {
 
 namespace {
 
@@ -35,7 +37,7 @@ public:
         else
             compare(name, state);
         if (!state.finished)
-            missing(message("`", harmless(name), "` is not finished"), Gaps::around);
+            missing(message("`", printable(name), "` is not finished"), Gaps::around);
         if (!diagnostics_.failed()) sum_up(state);
     }
 
@@ -87,13 +89,13 @@ private:
         sum_.all_samples = first.all_samples;
         sum_.finished = true;
         sum_.state.share = first.state.share;
-        sum_.state.film = Film(film.width(), film.height(), film.extras());
+        sum_.state.film = Film(film.width(), film.height(), film.aovs());
     }
 
     void compare(const std::string& name, const Checkpoint& one) {
         const auto mixed = [&](const std::string& why) {
-            refuse(message("`", harmless(name), "` does not belong to `",
-                           harmless(parts_.front().name), "`: ", why));
+            refuse(message("`", printable(name), "` does not belong to `",
+                           printable(parts_.front().name), "`: ", why));
         };
         std::string different = difference(sum_.identity, one.identity);
         if (different.empty()) different = difference(one.identity, sum_.identity);
@@ -105,7 +107,7 @@ private:
         const Film& other = sum_.state.film;
         const Share& its = one.state.share;
         if (film.width() != other.width() || film.height() != other.height() ||
-            film.extras() != other.extras() || its.tile_step != share().tile_step ||
+            film.aovs() != other.aovs() || its.tile_step != share().tile_step ||
             its.region != share().region)
             mixed("the picture was cut in another way");
     }
@@ -130,7 +132,7 @@ private:
         for (const Part& part : parts_)
             if (const int number = part.share.first_tile; !found.insert(number).second)
                 refuse(message("shard ", number + 1, " of ", count, " is there twice: `",
-                               harmless(part.name), "`"));
+                               printable(part.name), "`"));
         for (int i = 0; i < count; ++i)
             if (!found.count(i))
                 missing(message("shard ", i + 1, " of ", count, " is missing"), Gaps::anywhere);
@@ -147,7 +149,7 @@ private:
         for (const Part& part : parts_) {
             const std::uint32_t begin = part.share.first_sample;
             if (begin < end && part.samples > 0)
-                refuse(message("`", harmless(part.name), "` has samples from ", begin,
+                refuse(message("`", printable(part.name), "` has samples from ", begin,
                                " on, of which another shard has some, too"));
             gap(end, begin, &part == &parts_.front() ? Gaps::around : Gaps::anywhere);
             end = std::max(end, begin + part.samples);
@@ -191,12 +193,12 @@ Request read_request(std::span<const std::string_view> arguments, Diagnostics& d
     for (const std::string& given : request.options.given)
         if (!matters(given))
             diagnostics.add(warning(Fault::option, {},
-                                    message("`", harmless(given),
+                                    message("`", printable(given),
                                             "` is ignored: how the picture is made, its states "
                                             "say")));
     if (request.options.scene)
         diagnostics.add(error(Fault::option, {},
-                              message("`", harmless(*request.options.scene),
+                              message("`", printable(*request.options.scene),
                                       "` is no state of a picture; those end in ", state_ending)));
     if (request.options.task != Task::render)
         diagnostics.add(
@@ -229,10 +231,10 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
     tell_layers(result.identity, files);
     options.alpha = files.alpha;
     options.layers = files.layers;
-    const std::size_t needed = extras_for(files.layers, files.alpha).count(files.lights.size());
-    if (result.state.film.extras() < needed)
+    const std::size_t needed = aovs_for(files.layers, files.alpha).count(files.lights.size());
+    if (result.state.film.aovs() < needed)
         diagnostics.add(error(Fault::io, {},
-                              message("the states have ", result.state.film.extras(),
+                              message("the states have ", result.state.film.aovs(),
                                       " further sums of each pixel; their layers need ", needed)));
     Output output = output_of(options, diagnostics);
     if (diagnostics.failed()) return false;
@@ -269,3 +271,5 @@ int merge(std::span<const std::string_view> arguments, const Console& console) {
     if (!result) return end(exit_status::usage);
     return end(write_result(request, *result, diagnostics) ? exit_status::done : exit_status::file);
 }
+
+}  // namespace candelabra

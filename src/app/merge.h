@@ -9,5 +9,9 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 /// The arguments behind the word `merge`; gives the exit status.
 int merge(std::span<const std::string_view> arguments, const Console&);
+
+}  // namespace candelabra

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mesh_export.h"
 
-#include "modelling/obj.h"
-#include "modelling/object_mesh.h"
-#include "modelling/ply.h"
+#include "meshing/obj.h"
+#include "meshing/object_mesh.h"
+#include "meshing/ply.h"
 #include "text/ascii.h"
 #include "text/message.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -16,7 +18,7 @@ namespace {
 constexpr int cells = 32;
 
 /// What a file's indices, and the memory of most machines, have room for.
-constexpr std::size_t most_faces = 100'000'000;
+constexpr std::size_t max_faces = 100'000'000;
 
 }  // namespace
 
@@ -41,9 +43,9 @@ std::string exported_mesh(const Scene& scene, MeshFormat format, Diagnostics& di
         all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
         for (const Face& face : part.faces)
             all.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
-        if (all.faces.size() > most_faces) {
+        if (all.faces.size() > max_faces) {
             diagnostics.add(error(Fault::out_of_range, object->span,
-                                  message("the mesh would have more than ", most_faces,
+                                  message("the mesh would have more than ", max_faces,
                                           " faces from this object on")));
             return {};
         }
@@ -52,3 +54,5 @@ std::string exported_mesh(const Scene& scene, MeshFormat format, Diagnostics& di
     diagnostics.add(error(Fault::degenerate, {}, "there is no surface to write"));
     return {};
 }
+
+}  // namespace candelabra

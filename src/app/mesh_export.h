@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 enum class MeshFormat { ply, obj };
 
 /// By the ending of the file's name, in any case of letters; nothing for others.
@@ -17,3 +19,5 @@ std::optional<MeshFormat> mesh_format(std::string_view file);
 /// The file of all surfaces of the scene. Objects without any that have an end are warnings; if no
 /// surface is left, the text is empty and there is an error.
 std::string exported_mesh(const Scene&, MeshFormat, Diagnostics&);
+
+}  // namespace candelabra

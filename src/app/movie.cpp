@@ -3,10 +3,12 @@
 
 #include "app/child.h"
 #include "picture/file.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <filesystem>
+
+namespace candelabra {
 
 namespace {
 
@@ -89,7 +91,7 @@ bool can_make_movie(double frame_rate, const std::string& film, Diagnostics& dia
     std::error_code none;
     fs::remove(frame, none);
     fs::remove(draft, none);
-    return made || fail(message("ffmpeg makes no film `", harmless(film), "`"), diagnostics);
+    return made || fail(message("ffmpeg makes no film `", printable(film), "`"), diagnostics);
 }
 
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
@@ -100,5 +102,7 @@ bool make_movie(const std::vector<std::string>& frames, double frame_rate, const
         fs::rename(draft, film, problem);
         if (!problem) return true;
     }
-    return fail(message("ffmpeg could not make `", harmless(film), "`"), diagnostics);
+    return fail(message("ffmpeg could not make `", printable(film), "`"), diagnostics);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// Whether ffmpeg is there and makes films of this name: it makes one of a black picture. False
 /// after a report. To be asked before long work.
 bool can_make_movie(double frame_rate, const std::string& film, Diagnostics&);
@@ -22,3 +24,5 @@ std::string movie_list(const std::vector<std::string>& frames, double frame_rate
 /// ffmpeg is not there or fails; the frames stay. At least one frame.
 bool make_movie(const std::vector<std::string>& frames, double frame_rate, const std::string& film,
                 Diagnostics&);
+
+}  // namespace candelabra

@@ -3,9 +3,9 @@
 
 #include "app/completion.h"
 #include "text/ascii.h"
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 #include "vocabulary/words.h"
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+
+namespace candelabra {
 
 namespace {
 
@@ -53,8 +55,8 @@ std::optional<bool> truth(std::string_view text) {
 
 std::string shown(const Given& given) {
     const std::string place =
-        given.where.empty() ? "" : message(harmless(std::string(given.where)), ": ");
-    return message(place, "`", harmless(given.argument), "`");
+        given.where.empty() ? "" : message(printable(std::string(given.where)), ": ");
+    return message(place, "`", printable(given.argument), "`");
 }
 
 void refuse(const Given& given, Diagnostics& diagnostics, const std::string& rule,
@@ -91,12 +93,12 @@ void store::field(std::string_view name, Options& options, const Given& given,
     // Programs write computed sizes into INI files.
     if (counts != given_number && in_file)
         diagnostics.add(warning(Fault::option, {}, message(shown(given), " counts as ", counts)));
-    constexpr double most_whole = std::numeric_limits<int>::max();
-    const bool has_place = !integer || std::abs(counts) <= most_whole;
+    constexpr double max_whole = std::numeric_limits<int>::max();
+    const bool has_place = !integer || std::abs(counts) <= max_whole;
     if (value && (counts == given_number || in_file) && info.range.contains(counts) && has_place)
         return setting.item->set(item, setting.field, counts);
     const std::string got = given.value && !given.value->empty()
-                                ? message(", but it is `", harmless(*given.value), "`")
+                                ? message(", but it is `", printable(*given.value), "`")
                                 : "";
     refuse(given, diagnostics, message(info.name, " must be a ", takes(info), got));
 }
@@ -130,7 +132,7 @@ void store::type(Options& options, const Given& given, Diagnostics& diagnostics)
     const auto found = std::ranges::find(letters, letter, &Letter::letter);
     if (found == letters.end())
         return refuse(
-            given, diagnostics, message("`", harmless(text), "` is no picture format"),
+            given, diagnostics, message("`", printable(text), "` is no picture format"),
             "N png, E OpenEXR, H Radiance HDR, P ppm, T tga, C compressed tga, J jpeg, B bmp");
     options.type = found->type;
     options.compressed = found->compressed;
@@ -234,7 +236,7 @@ void store::warn(Options&, const Given& given, Diagnostics& diagnostics) {
         if (std::ranges::find(names, wanted) == names.end()) {
             const std::string meant = nearest(wanted, names);
             return refuse(given, diagnostics,
-                          message("there is no warning `", harmless(wanted), "`"),
+                          message("there is no warning `", printable(wanted), "`"),
                           meant.empty() ? "--help warn names all"
                                         : message("did you mean `", on ? "" : "no-", meant, "`?"));
         }
@@ -268,7 +270,7 @@ void store::dump(Options& options, const Given& given, Diagnostics& diagnostics)
             options.task = task;
             return;
         }
-    refuse(given, diagnostics, message("there is no stage `", harmless(*given.value), "`"),
+    refuse(given, diagnostics, message("there is no stage `", printable(*given.value), "`"),
            "tokens, tree, scene, world or index");
 }
 
@@ -289,7 +291,7 @@ void store::help(Options& options, const Given& given, Diagnostics&) {
 void store::completion(Options& options, const Given& given, Diagnostics& diagnostics) {
     options.task = Task::completion;
     options.topic = *given.value;
-    if (!::completion(options.topic))
+    if (!candelabra::completion(options.topic))
         refuse(given, diagnostics, "there is none for this shell", "bash, zsh or fish");
 }
 
@@ -339,3 +341,5 @@ void store::stats(Options& options, const Given& given, Diagnostics&) {
 }
 
 void store::version(Options& options, const Given&, Diagnostics&) { options.task = Task::version; }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// An option as it was met on the command line.
 struct Given {
     std::string_view argument;  ///< as it was written, for messages
@@ -76,3 +78,5 @@ void warning_level(Options&, const Given&, Diagnostics&);
 void gamma(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 using enum Takes;
@@ -383,3 +385,5 @@ void apply(const OptionRow& row, Options& options, const Given& given, Diagnosti
     else
         store::field(row.field, options, given, diagnostics);
 }
+
+}  // namespace candelabra

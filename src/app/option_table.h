@@ -9,6 +9,8 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 /// What follows an option.
 enum class Takes {
     nothing,
@@ -54,3 +56,5 @@ std::span<const OptionRow> option_table();
 
 /// Puts the value where it belongs, or says what is wrong with it.
 void apply(const OptionRow&, Options&, const Given&, Diagnostics&);
+
+}  // namespace candelabra

@@ -5,12 +5,14 @@
 #include "app/ini.h"
 #include "app/option_table.h"
 #include "text/ascii.h"
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <utility>
+
+namespace candelabra {
 
 namespace {
 
@@ -68,7 +70,7 @@ std::string meant(std::string_view argument) {
     return found.empty() ? "" : message("did you mean `", found, "`?");
 }
 
-constexpr int most_ini_files = 10;
+constexpr int max_ini_files = 10;
 
 class OptionReader {
 public:
@@ -122,7 +124,7 @@ private:
         if (bare_scene_)
             return fail(argument,
                         message("only one scene can be rendered at a time, and there is already `",
-                                harmless(*options_.scene), "`"));
+                                printable(*options_.scene), "`"));
         bare_scene_ = true;
         options_.scene = argument;
         options_.given.push_back(message("Input_File_Name=", argument));
@@ -177,9 +179,9 @@ private:
     void read_ini(std::string_view argument, const IniName& ini) {
         const std::optional<std::string> text = read_ ? read_(ini.file) : std::nullopt;
         if (!text) return fail(argument, "there is no such file that can be read");
-        if (depth_ >= most_ini_files)
+        if (depth_ >= max_ini_files)
             return fail(argument,
-                        message("INI files name each other more than ", most_ini_files, " deep"));
+                        message("INI files name each other more than ", max_ini_files, " deep"));
         const auto lines = ini_lines(*text, ini.section);
         if (!lines) return fail(argument, message("the file has no section [", ini.section, "]"));
         const std::string outer = std::exchange(where_, {});
@@ -249,7 +251,7 @@ private:
             const std::string near = meant(argument);
             return fail(
                 argument, "there is no such keyword",
-                near.empty() ? message("if it is a file: `./", harmless(argument), "`") : near);
+                near.empty() ? message("if it is a file: `./", printable(argument), "`") : near);
         }
         const std::string text(argument.substr(equals + 1));
         if (row->takes == Takes::value) {
@@ -266,7 +268,7 @@ private:
         if (where_.empty()) return fail(argument, "needs a value");
         diagnostics_.add(
             warning(Fault::option, {},
-                    message(where_, ": `", harmless(argument), "` has no value and is ignored")));
+                    message(where_, ": `", printable(argument), "` has no value and is ignored")));
     }
 
     void read_long(std::string_view argument) {
@@ -326,3 +328,5 @@ Options read_options(std::span<const std::string_view> arguments, Diagnostics& d
                      const Reader& read, const std::string& settings) {
     return OptionReader(arguments, diagnostics, read).read(settings);
 }
+
+}  // namespace candelabra

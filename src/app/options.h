@@ -26,6 +26,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 enum class Task {
     render,
     check,
@@ -112,3 +114,5 @@ inline bool talks(const Options& options) {
 /// whatever its ending. Empty: there is none.
 Options read_options(std::span<const std::string_view> arguments, Diagnostics&, const Reader& = {},
                      const std::string& settings = {});
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "app/output.h"
 
 #include "picture/file.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <filesystem>
+
+namespace candelabra {
 
 namespace {
 
@@ -76,10 +78,12 @@ std::string problem_with_output(const Options& options, const std::string& path)
     if (path.empty()) return {};
     std::error_code none;
     if (options.scene && fs::equivalent(path, *options.scene, none))
-        return message("`", harmless(path), "` is the scene itself");
+        return message("`", printable(path), "` is the scene itself");
     if (options.strange_names && fs::is_symlink(path, none))
-        return message("`", harmless(path),
+        return message("`", printable(path),
                        "` is a link, and names in an INI file that may have come with the scene "
                        "are not to lead elsewhere");
     return problem_with_destination(path);
 }
+
+}  // namespace candelabra

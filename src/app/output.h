@@ -4,6 +4,8 @@
 
 #include "app/options.h"
 
+namespace candelabra {
+
 struct Output {
     std::string path;  ///< "-": standard output
     PictureFormat format;
@@ -24,3 +26,5 @@ std::string problem_with_output(const Options&, const std::string& path);
 /// Whether a path is standard output (`-`), a device or a pipe: each frame goes there under the
 /// same name.
 bool is_stream(const std::string& path);
+
+}  // namespace candelabra

@@ -6,7 +6,7 @@
 #include "app/light_report.h"
 #include "app/option_store.h"
 #include "app/preview_page.h"
-#include "app/questions.h"
+#include "app/render_queries.h"
 #include "app/scene_run.h"
 #include "app/stats.h"
 #include "editor/knobs.h"
@@ -26,6 +26,8 @@
 #include <map>
 #include <mutex>
 #include <thread>
+
+namespace candelabra {
 
 namespace {
 
@@ -304,3 +306,5 @@ int run_preview(const Options& options, const std::optional<Animation>& animatio
                 const Console& console, Diagnostics& diagnostics) {
     return Preview(options, animation, console, diagnostics).run();
 }
+
+}  // namespace candelabra

@@ -6,6 +6,10 @@
 #include "app/console.h"
 #include "app/options.h"
 
+namespace candelabra {
+
 /// Serves until a signal ends it; gives the exit status. Of an animation one frame is shown, the
 /// first at first; the page chooses.
 int run_preview(const Options&, const std::optional<Animation>&, const Console&, Diagnostics&);
+
+}  // namespace candelabra

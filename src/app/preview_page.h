@@ -8,6 +8,8 @@
 
 #include <string_view>
 
+namespace candelabra {
+
 /// Is replaced by the token that the page needs to turn knobs (web/request.h).
 inline constexpr std::string_view token_place = "TOKEN-OF-THIS-RUN";
 
@@ -157,3 +159,5 @@ async function ask() {
 place();
 ask();
 )page";
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "app/production_options.h"
 
 #include "app/progress.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <array>
+
+namespace candelabra {
 
 namespace {
 
@@ -94,7 +96,7 @@ void store::shard_by(Options& options, const Given& given, Diagnostics& diagnost
         if (*given.value == name) options.shard_by = kind;
     if (!options.shard_by)
         refuse(given, diagnostics,
-               message("there are no parts called `", harmless(*given.value), "`"),
+               message("there are no parts called `", printable(*given.value), "`"),
                "samples, tiles or frames");
 }
 
@@ -113,7 +115,7 @@ void store::progress(Options& options, const Given& given, Diagnostics& diagnost
     options.progress = *given.value;
     if (options.progress != "auto" && !progress_style(options.progress))
         refuse(given, diagnostics,
-               message("there is no such form of progress as `", harmless(*given.value), "`"),
+               message("there is no such form of progress as `", printable(*given.value), "`"),
                "auto, plain, json, alf, openjd or none");
 }
 
@@ -129,8 +131,10 @@ void store::memory(Options& options, const Given& given, Diagnostics& diagnostic
 void store::sandbox(Options& options, const Given& given, Diagnostics& diagnostics) {
     if (*given.value != "on" && *given.value != "off")
         refuse(given, diagnostics,
-               message("a sandbox is `on` or `off`, not `", harmless(*given.value), "`"),
+               message("a sandbox is `on` or `off`, not `", printable(*given.value), "`"),
                "--sandbox off");
     else
         options.sandbox = *given.value == "on";
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "app/option_store.h"
 
+namespace candelabra {
+
 namespace store {
 
 void layers(Options&, const Given&, Diagnostics&);
@@ -27,3 +29,5 @@ void memory(Options&, const Given&, Diagnostics&);
 void sandbox(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
@@ -107,3 +109,5 @@ std::string duration(double seconds) {
     if (whole < 3600) return message(whole / 60, " min ", two_digits(whole % 60), " s");
     return message(whole / 3600, " h ", two_digits(whole / 60 % 60), " min");
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class Progress {
 public:
     /// The last three are for programs: a JSON object on a line, and what RenderMan's queues and
@@ -60,3 +62,5 @@ std::string progress_text(double fraction, double elapsed);
 
 /// A time as people say it: "8.3 s", "42 s", "3 min 20 s", "1 h 02 min".
 std::string duration(double seconds);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// How many rows or columns lie before the start.
@@ -27,3 +29,5 @@ Region region_of(const Options& options) {
     return {before(options.start_column, width), before(options.start_row, height),
             up_to(options.end_column, width), up_to(options.end_row, height)};
 }
+
+}  // namespace candelabra

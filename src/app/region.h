@@ -5,6 +5,10 @@
 #include "app/options.h"
 #include "film/share.h"
 
+namespace candelabra {
+
 /// Rows and columns count from 1, the last ones included; what is below 1 is a fraction of the
 /// picture. Clipped to the picture; may be empty.
 Region region_of(const Options&);
+
+}  // namespace candelabra

@@ -3,12 +3,14 @@
 
 #include "app/region.h"
 #include "picture/file.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <atomic>
 #include <filesystem>
 #include <limits>
+
+namespace candelabra {
 
 namespace {
 
@@ -17,16 +19,16 @@ namespace fs = std::filesystem;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// With --time alone there are as many samples as the time allows.
-constexpr int most_samples_in_time = 1'000'000;
+constexpr int max_samples_in_time = 1'000'000;
 
 RenderSettings timed(const Options& options) {
     RenderSettings settings = options.render;
     if (options.time && settings.samples == 0 && settings.noise == 0)
-        settings.samples = most_samples_in_time;
+        settings.samples = max_samples_in_time;
     return settings;
 }
 
-std::uint32_t most_samples(const RenderState& state) {
+std::uint32_t max_samples(const RenderState& state) {
     std::uint32_t most = 0;
     for (const PixelSum& pixel : state.film.pixels()) most = std::max(most, pixel.samples);
     return most;
@@ -44,7 +46,7 @@ std::string state_path(const JobPlan& plan) { return state_path(plan.picture, pl
 RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
-      extras_(extras_for(plan_.options.layers, plan_.options.alpha)),
+      extras_(aovs_for(plan_.options.layers, plan_.options.alpha)),
       rendering_(plan_of(world, timed(plan_.options))),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}
@@ -79,7 +81,7 @@ void RenderJob::begin() {
 }
 
 bool RenderJob::fits(const Checkpoint& old) {
-    const std::string path = harmless(state_path(plan_));
+    const std::string path = printable(state_path(plan_));
     const auto refuse = [&](const std::string& why) {
         diagnostics_.add(error(Fault::option, {}, message("cannot go on from `", path, "`: ", why))
                              .with_help("without +C the picture is begun anew"));
@@ -90,10 +92,10 @@ bool RenderJob::fits(const Checkpoint& old) {
     if (!(old.state.share == checkpoint_.state.share) ||
         old.state.film.width() != rendering_.settings.width ||
         old.state.film.height() != rendering_.settings.height ||
-        old.state.film.extras() != checkpoint_.state.film.extras())
+        old.state.film.aovs() != checkpoint_.state.film.aovs())
         return refuse("it is of another part of the picture");
-    if (rendering_.is_even() && most_samples(old.state) > checkpoint_.samples)
-        return refuse(message("it has up to ", most_samples(old.state),
+    if (rendering_.is_even() && max_samples(old.state) > checkpoint_.samples)
+        return refuse(message("it has up to ", max_samples(old.state),
                               " samples in a pixel already, and ", checkpoint_.samples,
                               " are asked for"));
     return true;
@@ -120,7 +122,7 @@ bool RenderJob::prepare() {
     if (!fs::exists(path, none)) return true;
     if (!plan_.options.go_on) {
         diagnostics_.add(note(Fault::option, {},
-                              message("`", harmless(path),
+                              message("`", printable(path),
                                       "` is left of an earlier run; +C would "
                                       "have gone on from it")));
         return true;
@@ -129,8 +131,7 @@ bool RenderJob::prepare() {
     if (!old || !fits(*old)) return false;
     checkpoint_.state = std::move(old->state);
     // The state may say more than any run would have wanted.
-    const std::uint32_t most =
-        most_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
+    const std::uint32_t most = max_wanted(rendering_.settings, rendering_.samples, rendering_.rule);
     for (PixelSum& pixel : checkpoint_.state.film.pixels())
         pixel.target = std::min(pixel.target, most);
     return true;
@@ -164,7 +165,7 @@ Interrupt RenderJob::work(Progress& progress, const std::function<double()>& clo
     std::atomic<Interrupt> asked = Interrupt::none;
     RenderHooks hooks;
     hooks.counts_lights = plan_.options.light_report;
-    hooks.extras = extras_;
+    hooks.aovs = extras_;
     if (!plan_.options.time) hooks.winds_down = plan_.winds_down;
     hooks.progress = [&](double done) {
         const double spent = plan_.options.time ? (clock() - begun_) / *plan_.options.time : 0;
@@ -192,8 +193,8 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
     const bool saves = can_keep();
     const auto plan_save = [&](double now, double cost) {
         // A large picture should not spend its time on states.
-        constexpr double most_share = 20;
-        save_at_ = saves && interval > 0 ? now + std::max(interval, most_share * cost) : never;
+        constexpr double max_share = 20;
+        save_at_ = saves && interval > 0 ? now + std::max(interval, max_share * cost) : never;
     };
     begun_ = clock();
     deadline_ = plan_.options.time ? begun_ + *plan_.options.time : never;
@@ -212,3 +213,5 @@ JobEnd RenderJob::run(Progress& progress, const std::function<double()>& clock) 
         plan_save(clock(), clock() - now);
     }
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 
 #include <atomic>
 
+namespace candelabra {
+
 enum class JobEnd {
     finished,  ///< the picture is complete
     stopped,   ///< a signal came; the state was kept, or there is an error in the diagnostics
@@ -70,3 +72,5 @@ private:
     double save_at_ = 0;
     std::atomic<double> done_ = 0;  ///< share of the work
 };
+
+}  // namespace candelabra

@@ -16,6 +16,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,3 +183,5 @@ bool confine(const SandboxRules& rules) {
     const bool files = confine_files(rules);
     return confine_calls(rules) && files;
 }
+
+}  // namespace candelabra

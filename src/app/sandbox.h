@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// All that a confined process may still do. Paths that do not exist are passed over.
 struct SandboxRules {
     std::vector<std::string> readable;  ///< files, and folders with everything below them
@@ -26,3 +28,5 @@ SandboxRules sandbox_rules(const Options&, const std::string& library);
 /// Confines the calling thread and all that it starts from now on; system calls are forbidden to
 /// all threads. False when the system has no Landlock or no seccomp; what it has is in force then.
 bool confine(const SandboxRules&);
+
+}  // namespace candelabra

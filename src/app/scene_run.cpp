@@ -20,11 +20,13 @@
 #include "session/session.h"
 #include "syntax/dump.h"
 #include "syntax/parser.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <iostream>
 #include <iterator>
+
+namespace candelabra {
 
 namespace {
 
@@ -90,10 +92,10 @@ private:
         const auto& all = diagnostics_.all();
         for (; said_ < all.size(); ++said_)
             if (options_.verbose || all[said_].severity != Severity::note)
-                ::say(console_, options_, all[said_], sources());
+                candelabra::say(console_, options_, all[said_], sources());
         if (diagnostics_.full() && !options_.diagnostics_as_json)
-            ::say(console_, Stream::fatal,
-                  message("stopped after ", diagnostics_.error_count(), " errors\n"));
+            candelabra::say(console_, Stream::fatal,
+                            message("stopped after ", diagnostics_.error_count(), " errors\n"));
         return diagnostics_.failed();
     }
 
@@ -134,7 +136,7 @@ private:
         if (options_.task == Task::export_mesh) settings.evaluation.only = options_.mesh_object;
         // Pictures remember what they were made from; checks need not.
         settings.notes_files = options_.task == Task::render;
-        settings.remembers_objects = console_.linger || extras_for(options_.layers, false).surface;
+        settings.remembers_objects = console_.linger || aovs_for(options_.layers, false).surface;
         return settings;
     }
 
@@ -146,7 +148,7 @@ private:
             settings.source.text = std::string(std::istreambuf_iterator<char>(std::cin), {});
         settings.evaluation.print = [this](std::string_view text) {
             if (options_.diagnostics_as_json) return console_.err(debug_to_json(text));
-            ::say(console_, Stream::debug, text);
+            candelabra::say(console_, Stream::debug, text);
             if (!text.empty()) line_is_open_ = !text.ends_with('\n');
         };
         session_.emplace(std::move(settings), diagnostics_);
@@ -202,13 +204,14 @@ private:
 
     void say_correct() {
         if (talks(options_))
-            ::say(console_, Stream::render, message(harmless(*options_.scene), ": no errors\n"));
+            candelabra::say(console_, Stream::render,
+                            message(printable(*options_.scene), ": no errors\n"));
     }
 
     Scene evaluate_scene() {
         Scene scene = session_->evaluate();
         // What comes next begins a line of its own.
-        if (line_is_open_) ::say(console_, Stream::debug, "\n");
+        if (line_is_open_) candelabra::say(console_, Stream::debug, "\n");
         return scene;
     }
 
@@ -225,7 +228,7 @@ private:
     int render_picture(const World& world, const Output& output) {
         Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
-        if (extras_for(options_.layers, false).lights) {
+        if (aovs_for(options_.layers, false).lights) {
             files.lights = light_names(world, sources());
             note_lights(identity, files.lights);
         }
@@ -241,7 +244,7 @@ private:
         if (lock.taken())
             diagnostics_.add(error(
                 Fault::io, {},
-                message("another run is making `", harmless(output.path), "` at the moment")));
+                message("another run is making `", printable(output.path), "` at the moment")));
         else
             job.prepare();
         if (say_diagnostics()) return exit_status::file;
@@ -257,9 +260,9 @@ private:
         if (say_diagnostics()) return exit_status::file;
         const int status = finish(world);
         if (talks(options_) && status == exit_status::done)
-            ::say(console_, Stream::statistics,
-                  message(options_.to_file ? harmless(made_path_) : "no file", ": ",
-                          summary(statistics_), "\n"));
+            candelabra::say(console_, Stream::statistics,
+                            message(options_.to_file ? printable(made_path_) : "no file", ": ",
+                                    summary(statistics_), "\n"));
         if (console_.linger)
             console_.linger({world, sources(), options_.render, job.film(), job.rays(), 1});
         return status;
@@ -295,7 +298,7 @@ private:
         if (say_diagnostics()) return exit_status::file;
         if (!options_.diagnostics_as_json)
             console_.err(job.can_keep() ? message("stopped; +C goes on from `",
-                                                  harmless(state_path(plan)), "`\n")
+                                                  printable(state_path(plan)), "`\n")
                                         : std::string("stopped; there is no place for a state\n"));
         return exit_status::stopped;
     }
@@ -337,3 +340,5 @@ int run_scene(const Options& options, const Console& console, Diagnostics& diagn
                   [&](std::size_t) { status = SceneRun(options, console, diagnostics).execute(); });
     return status;
 }
+
+}  // namespace candelabra

@@ -6,5 +6,9 @@
 #include "app/console.h"
 #include "app/options.h"
 
+namespace candelabra {
+
 /// Says what is wrong; gives the exit status.
 int run_scene(const Options&, const Console&, Diagnostics&);
+
+}  // namespace candelabra

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/shard.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <array>
 #include <charconv>
+
+namespace candelabra {
 
 namespace {
 
@@ -14,7 +16,7 @@ std::optional<int> whole(const std::optional<std::string>& text) {
     int value = 0;
     const auto [end, failed] = std::from_chars(text->data(), text->data() + text->size(), value);
     const bool good = failed == std::errc() && end == text->data() + text->size();
-    return good && value >= 0 && value <= most_shards ? std::optional(value) : std::nullopt;
+    return good && value >= 0 && value <= max_shards ? std::optional(value) : std::nullopt;
 }
 
 /// What a queueing system tells each job of an array.
@@ -49,7 +51,7 @@ std::optional<Shard> from_environment(const Environment& variable) {
 std::optional<Shard> read_shard(const std::string& text, const Environment& variable,
                                 Diagnostics& diagnostics) {
     const auto refuse = [&](std::string_view rule, std::string help) {
-        diagnostics.add(error(Fault::option, {}, message("`--shard ", harmless(text), "`: ", rule))
+        diagnostics.add(error(Fault::option, {}, message("`--shard ", printable(text), "`: ", rule))
                             .with_help(std::move(help)));
         return std::nullopt;
     };
@@ -80,3 +82,5 @@ std::uint32_t first_of(const Shard& shard, std::uint32_t all) {
                                       static_cast<std::uint64_t>(shard.number - 1) /
                                       static_cast<std::uint64_t>(shard.count));
 }
+
+}  // namespace candelabra

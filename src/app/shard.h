@@ -9,7 +9,9 @@
 #include <optional>
 #include <string>
 
-inline constexpr int most_shards = 1'000'000;
+namespace candelabra {
+
+inline constexpr int max_shards = 1'000'000;
 
 enum class ShardBy { samples, tiles, frames };
 
@@ -33,3 +35,5 @@ std::string shard_name(const Shard&);
 /// First of the things 0 ... all - 1 that belong to a shard; that of the next shard ends them.
 /// Shares differ by one at most.
 std::uint32_t first_of(const Shard&, std::uint32_t all);
+
+}  // namespace candelabra

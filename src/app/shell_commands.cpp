@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 std::string fact(char sign, const CommandFacts& facts) {
@@ -88,3 +90,5 @@ Outcome with_commands(const CommandSettings& settings, Moment before, Moment aft
     const auto ends = consequence(settings, run_command(settings, after, facts), facts);
     return ends ? Outcome{ends->status, ends->ends || outcome.ends} : outcome;
 }
+
+}  // namespace candelabra

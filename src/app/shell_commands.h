@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// When a command is run.
 enum class Moment { pre_scene, pre_frame, post_frame, post_scene, user_abort, fatal_error };
 inline constexpr std::size_t moment_count = 6;
@@ -63,3 +65,5 @@ struct Outcome {
 /// interruptions end is told to their commands.
 Outcome with_commands(const CommandSettings&, Moment before, Moment after, const CommandFacts&,
                       const std::function<Outcome()>& work);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 sigset_t set_of(std::initializer_list<int> signals) {
@@ -69,3 +71,5 @@ Interrupts Signals::interrupts() {
             },
             [this](bool on) { listening_ = on; }};
 }
+
+}  // namespace candelabra

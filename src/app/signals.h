@@ -11,6 +11,8 @@
 #include <csignal>
 #include <thread>
 
+namespace candelabra {
+
 class Signals {
 public:
     Signals();
@@ -30,3 +32,5 @@ private:
     std::atomic<bool> ending_ = false;
     std::thread thread_;
 };
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <sys/resource.h>
 #include <time.h>
 
+namespace candelabra {
+
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
@@ -123,3 +125,5 @@ std::string summary(const RunStatistics& run) {
                    rays(run.rays.camera), " camera, ", rays(run.rays.shadow), " shadow, ",
                    rays(run.rays.scattered), " scattered rays");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <string>
 
+namespace candelabra {
+
 /// Time of the day's clock and of all threads together.
 struct Phase {
     double seconds = 0;
@@ -67,3 +69,5 @@ std::string summary(const RunStatistics&);
 
 /// A count in a few characters: 950, 12.3 k, 4.5 M, 1.2 G.
 std::string short_count(double count);
+
+}  // namespace candelabra

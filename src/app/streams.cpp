@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/streams.h"
 
+namespace candelabra {
+
 Streams::Streams(const StreamSettings& settings, std::function<void(std::string_view)> console)
     : settings_(settings), console_(std::move(console)) {
     for (std::size_t i = 0; i < stream_count; ++i) {
@@ -19,3 +21,5 @@ void Streams::say(Stream stream, std::string_view text, std::string_view plain) 
     std::ofstream& file = files_[file_of_[static_cast<std::size_t>(stream)]];
     if (file.is_open()) file << plain << std::flush;
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 enum class Stream {
     debug,       ///< what the scene says
     fatal,       ///< errors
@@ -48,3 +50,5 @@ private:
     std::array<std::size_t, stream_count> file_of_{};  ///< index in files_
     std::string problem_;
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string written_out(const Vec3& v) { return message("<", v.x, ", ", v.y, ", ", v.z, ">"); }
@@ -51,3 +53,5 @@ std::string report(const World& world) {
         ", right ", written_out(camera.right), ", up ", written_out(camera.up), "\n",
         "max_trace_level: ", world.rules.settings.max_trace_level, "\n");
 }
+
+}  // namespace candelabra

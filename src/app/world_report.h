@@ -7,4 +7,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 std::string report(const World&);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "base/colour.h"
 
+namespace candelabra {
+
 /// One colour in all directions. How it is seen depends on the ray, as in POV-Ray 3.7.
 struct Background {
     Colour colour;
@@ -15,3 +17,5 @@ struct Background {
     /// In a picture with alpha, in mirrors.
     Vec3 mirrored() const { return colour.rgb; }
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 const ItemInfo Rainbow::vocabulary = described<Rainbow>([] {
     using F = Field<Rainbow>;
     return schema<Rainbow>(
@@ -79,3 +81,5 @@ Veil veil_of(std::span<const Rainbow> rainbows, const Ray& ray, double distance,
     }
     return count == 0 ? Veil() : Veil{sum.transmittance / count, sum.added / count};
 }
+
+}  // namespace candelabra

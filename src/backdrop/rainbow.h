@@ -11,6 +11,8 @@
 #include <optional>
 #include <span>
 
+namespace candelabra {
+
 struct Rainbow {
     Vec3 direction = Vec3(0);  ///< in which light goes: the middle of the arc
     double angle = 0;          ///< degrees from there to the middle of the band
@@ -33,3 +35,5 @@ std::string problem(const Rainbow&);
 /// distance, which may be infinite. `chance` is uniform in [0, 1), for jitter. Precondition: no
 /// rainbow has a problem.
 Veil veil_of(std::span<const Rainbow>, const Ray&, double distance, double chance);
+
+}  // namespace candelabra

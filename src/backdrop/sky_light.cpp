@@ -8,6 +8,8 @@
 #include <numbers>
 #include <span>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -95,3 +97,5 @@ double SkyLight::density(const Vec3& direction) const {
                                  : 1.0 / column_count;
     return even + (1 - even_share) * of_row * of_column / cell_angle;
 }
+
+}  // namespace candelabra

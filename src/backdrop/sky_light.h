@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 class SkyLight {
 public:
     /// Gives no light.
@@ -37,3 +39,5 @@ private:
     std::vector<float> rows_;
     std::vector<float> columns_;
 };
+
+}  // namespace candelabra

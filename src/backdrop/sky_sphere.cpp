@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo SkySphere::vocabulary = described<SkySphere>([] {
     using F = Field<SkySphere>;
     return schema<SkySphere>(
@@ -42,3 +44,5 @@ Vec3 radiance(const SkySphere& sky, const Vec3& direction, const Vec3& backgroun
     }
     return sum + passing * background;
 }
+
+}  // namespace candelabra

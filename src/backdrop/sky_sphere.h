@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 struct SkySphere {
     std::vector<Pigment> pigments;  ///< the last one is the nearest
     Vec3 emission = Vec3(1);        ///< times all of them
@@ -19,3 +21,5 @@ struct SkySphere {
 /// by other rules: `old_rules`.
 Vec3 radiance(const SkySphere&, const Vec3& direction, const Vec3& background, const PatternScene&,
               bool old_rules);
+
+}  // namespace candelabra

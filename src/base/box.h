@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 /// Closed axis-aligned box. Empty (the default) when low exceeds high on any axis.
 struct Box {
     Vec3 low = Vec3(std::numeric_limits<double>::infinity());
@@ -57,3 +59,5 @@ inline bool finite(const Box& b) {
     return glm::all(glm::lessThan(glm::abs(b.low), limit)) &&
            glm::all(glm::lessThan(glm::abs(b.high), limit));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 double srgb_encode(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -10,3 +12,5 @@ double srgb_encode(double linear) {
 double srgb_decode(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 /// Linear working values, any sign and size, and POV-Ray's two transparencies: filter (tinted) and
 /// transmit (clear).
 struct Colour {
@@ -26,3 +28,5 @@ inline double grey(const Vec3& c) { return dot(c, Vec3(0.297, 0.589, 0.114)); }
 /// curves.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 struct Job {
@@ -77,3 +79,5 @@ void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)> function) {
     }
     function(least);  // here: systems give the first thread at least this
 }
+
+}  // namespace candelabra

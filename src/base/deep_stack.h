@@ -9,7 +9,11 @@
 
 #include <cstddef>
 
+namespace candelabra {
+
 /// Returns when the function has returned, and throws what it throws. It is told how many bytes of
 /// stack it has: less than asked for, possibly. Where half of that is left on a thread of this
 /// kind, it runs there.
 void on_deep_stack(std::size_t bytes, FunctionRef<void(std::size_t)>);
+
+}  // namespace candelabra

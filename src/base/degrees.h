@@ -5,4 +5,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 inline constexpr double radians_per_degree = std::numbers::pi / 180;
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 
+namespace candelabra {
+
 class ExactSum {
 public:
     __extension__ using Wide = __int128;
@@ -39,3 +41,5 @@ public:
 private:
     Wide sum_ = 0;
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+namespace candelabra {
+
 template <class Signature>
 class FunctionRef;
 
@@ -30,3 +32,5 @@ private:
     void* target_;
     Result (*call_)(void*, Arguments...);
 };
+
+}  // namespace candelabra

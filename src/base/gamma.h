@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 /// The gamma that stands for the curve of sRGB; others are powers.
 inline constexpr double srgb_gamma = -1;
 
@@ -22,3 +24,5 @@ inline double from_linear(double value, double gamma) {
     if (gamma == 1 || !(value > 0)) return value;
     return gamma < 0 ? srgb_encode(value) : std::pow(value, 1 / gamma);
 }
+
+}  // namespace candelabra

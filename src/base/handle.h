@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <utility>
 
+namespace candelabra {
+
 namespace handle_detail {
 
 /// In front of every shared value.
@@ -134,3 +136,5 @@ public:
 private:
     void* content_ = nullptr;
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace candelabra {
+
 struct Image {
     int width = 0;
     int height = 0;
@@ -26,3 +28,5 @@ struct Image {
                       static_cast<std::size_t>(x)];
     }
 };
+
+}  // namespace candelabra

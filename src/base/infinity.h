@@ -4,4 +4,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace candelabra

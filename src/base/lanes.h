@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eight numbers of single precision side by side, and what loops over them have in common. They are
-// compiled into the loops that CANDELABRA_EVERY_MACHINE marks, for each instruction set. Called by
+// compiled into the loops that CANDELABRA_TARGET_CLONES marks, for each instruction set. Called by
 // the index of boxes and by the packs of its leaves.
 #pragma once
 
@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+namespace candelabra {
 
 inline constexpr std::size_t lane_count = 8;
 
@@ -32,7 +34,7 @@ using Marks [[gnu::vector_size(sizeof(float) * lane_count)]] = std::int32_t;
 
 /// The second operand where the first one is not a number. Of any vectors.
 template <class Vector>
-[[gnu::always_inline]] inline Vector least_of(const Vector& a, const Vector& b) {
+[[gnu::always_inline]] inline Vector min_of(const Vector& a, const Vector& b) {
     return a < b ? a : b;
 }
 template <class Vector>
@@ -56,3 +58,5 @@ template <class Vector>
     return static_cast<std::uint32_t>(pairs | pairs >> 32);
 #endif
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 struct LoadedFunction {
     void* address = nullptr;  ///< null: there is none
     std::string problem;      ///< why, in the system's words
@@ -13,3 +15,5 @@ struct LoadedFunction {
 /// Opens the library for good and looks for its function. A name without a folder is found beside
 /// the program or where it was installed: the program's run path says.
 LoadedFunction load_function(const char* library, const char* function);
+
+}  // namespace candelabra

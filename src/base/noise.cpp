@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/noise.h"
 
-#include "base/every_machine.h"
+#include "base/target_clones.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,8 @@
 #include <cstring>
 #include <random>
 #include <vector>
+
+namespace candelabra {
 
 namespace {
 
@@ -138,10 +140,10 @@ template <std::size_t count>
         noises[n] = (sums[n][0] + sums[n][2]) + (sums[n][1] + sums[n][3]);
 }
 
-CANDELABRA_EVERY_MACHINE void one_noise(const Vec3& point, std::array<double, 1>& noise) {
+CANDELABRA_TARGET_CLONES void one_noise(const Vec3& point, std::array<double, 1>& noise) {
     add_corners(point, noise);
 }
-CANDELABRA_EVERY_MACHINE void three_noises(const Vec3& point, std::array<double, 3>& noises) {
+CANDELABRA_TARGET_CLONES void three_noises(const Vec3& point, std::array<double, 3>& noises) {
     add_corners(point, noises);
 }
 
@@ -151,7 +153,7 @@ double raw_noise(const Vec3& point) {
     return noise[0];
 }
 
-CANDELABRA_EVERY_MACHINE void raw_octaves(const Vec3& point, std::span<const double> frequencies,
+CANDELABRA_TARGET_CLONES void raw_octaves(const Vec3& point, std::span<const double> frequencies,
                                           double* noises) {
     for (const double frequency : frequencies) {
         const Vec3 p = frequency * point;
@@ -161,7 +163,7 @@ CANDELABRA_EVERY_MACHINE void raw_octaves(const Vec3& point, std::span<const dou
     }
 }
 
-CANDELABRA_EVERY_MACHINE void sum_octaves(const Vec3& point, const OctaveTerms& terms,
+CANDELABRA_TARGET_CLONES void sum_octaves(const Vec3& point, const OctaveTerms& terms,
                                           std::array<double, 3>& sum) {
     for (std::size_t i = 0; i < terms.count; ++i) {
         const Vec3 p = terms.frequency[i] * point;
@@ -303,3 +305,5 @@ std::span<const double> random_table() {
     }();
     return numbers;
 }
+
+}  // namespace candelabra

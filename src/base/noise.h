@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <span>
 
+namespace candelabra {
+
 /// How the scalar noise is made. 1 and 2 differ in range, 3 is Perlin's gradient noise.
 enum class NoiseGenerator : std::uint8_t { original = 1, full_range = 2, perlin = 3 };
 
@@ -56,3 +58,5 @@ public:
 private:
     std::uint32_t state_;
 };
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <malloc.h>
 #endif
 
+namespace candelabra {
+
 namespace {
 
 /// MADV_COLLAPSE of Linux 6.1 and later, which older headers do not name.
@@ -39,3 +41,5 @@ void give_back_freed() {
     malloc_trim(0);
 #endif
 }
+
+}  // namespace candelabra

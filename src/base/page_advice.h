@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+namespace candelabra {
+
 /// What was freed goes back, whichever thread used it: threads that built something large together
 /// may keep as much as that takes. Looks at all that was freed, so it is for large things only.
 void give_back_freed();
@@ -16,3 +18,5 @@ void use_huge_pages(void* begin, std::size_t bytes);
 /// The same for memory that nothing was written to yet: it costs nothing until then, and spares
 /// use_huge_pages() the work of moving it.
 void expect_huge_pages(void* begin, std::size_t bytes);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <sys/mman.h>
 
+namespace candelabra {
+
 void* new_pages(bool all) {
     // Twice as much has such a block in it; the rest is given back.
     void* const found = mmap(nullptr, 2 * page_block, PROT_READ | PROT_WRITE,
@@ -22,3 +24,5 @@ void* new_pages(bool all) {
 }
 
 void free_pages(void* block) { munmap(block, page_block); }
+
+}  // namespace candelabra

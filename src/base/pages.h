@@ -6,9 +6,13 @@
 
 #include <cstddef>
 
+namespace candelabra {
+
 inline constexpr std::size_t page_block = std::size_t{1} << 21;
 
 /// A block of that size, at a multiple of it, all zero. `all` says that most of it will be used.
 /// Throws std::bad_alloc.
 void* new_pages(bool all);
 void free_pages(void* block);
+
+}  // namespace candelabra

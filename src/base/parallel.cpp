@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 int core_count() { return oneapi::tbb::this_task_arena::max_concurrency(); }
 
 void run_on_threads(int threads, const std::function<void()>& work) {
@@ -39,3 +41,5 @@ void run_both(int threads, const std::function<void()>& first,
         oneapi::tbb::parallel_invoke(first, second);
     }
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <functional>
 
+namespace candelabra {
+
 /// Calls job(0) ... job(count - 1), each once, on up to `threads` threads (0: one per core). Jobs
 /// must not touch each other's data.
 void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& job);
@@ -20,3 +22,5 @@ void run_both(int threads, const std::function<void()>& first, const std::functi
 
 /// The number of threads that `threads` = 0 stands for.
 int core_count();
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <new>
 
+namespace candelabra {
+
 template <class T>
 class Pool {
 public:
@@ -68,3 +70,5 @@ private:
     Block* block_ = nullptr;
     std::size_t used_ = 0;  ///< places of the block that have been given away
 };
+
+}  // namespace candelabra

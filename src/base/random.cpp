@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/random.h"
 
+namespace candelabra {
+
 namespace {
 
 std::uint32_t reversed(std::uint32_t x) {
@@ -50,6 +52,8 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::sky_u), true};
         case Purpose::facet_v:
             return {static_cast<std::uint32_t>(Purpose::facet_u), true};
+        case Purpose::bounce_v:
+            return {static_cast<std::uint32_t>(Purpose::bounce_u), true};
         default:
             return {static_cast<std::uint32_t>(purpose), false};
     }
@@ -62,6 +66,12 @@ std::uint64_t mix(std::uint64_t x) {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
+}
+
+Key Key::branched(Branch kind, std::uint32_t number) const {
+    const std::uint64_t step = std::uint64_t{static_cast<std::uint32_t>(kind)} << 32 | number;
+    const std::uint64_t hash = mix(mix(step + 1) ^ path);
+    return {pixel, sample, static_cast<std::uint32_t>(hash >> 32), 0};
 }
 
 double uniform(const Key& key, Purpose purpose) {
@@ -80,3 +90,5 @@ double uniform(const Key& key, Purpose purpose) {
     const std::uint64_t low = mix(h ^ std::uint64_t{key.sample} << 32) >> 43;
     return static_cast<double>(std::uint64_t{high} << 21 | low) * 0x1p-53;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+namespace candelabra {
+
 /// What a random number decides. A purpose appended at the end changes no other number.
 enum class Purpose : std::uint32_t {
     pixel_x,
@@ -36,13 +38,33 @@ enum class Purpose : std::uint32_t {
     roulette
 };
 
+/// Ways on which a path goes on, and decisions beside it that need numbers of their own. One that is
+/// appended at the end changes no other number.
+enum class Branch : std::uint32_t {
+    reflection,
+    refraction,
+    scattering,  ///< by facets
+    diffuse,
+    subsurface_spread,  ///< light that spreads inside of a solid
+    subsurface_once,    ///< light that is scattered once inside
+    drawn_sources,      ///< the choice among many light sources
+    source              ///< one light source; counted
+};
+
+/// What is found out by trial, apart from all pictures.
+enum class Survey : std::uint32_t {
+    cell,          ///< of the light octree
+    visibility,    ///< of the entries of a cut
+    bent_normals,  ///< of luminaires
+    seen_area      ///< of luminaires
+};
+
 /// Where a random number is used: the seed and pixel, the sample in it, and the path of bounces
 /// that led there.
 struct Key {
     std::uint64_t pixel = 0;  ///< pixel index with the seed mixed in by the renderer
     std::uint32_t sample = 0;
-    std::uint32_t path =
-        0;  ///< hash of the bounces (reflected or refracted) so far; 0 for the camera ray
+    std::uint32_t path = 0;    ///< hash of the branches so far; 0 for the camera ray
     std::uint32_t branch = 0;  ///< number of the shadow ray at this hit
 
     /// The key of the n-th of some shadow rays at one hit: as if the pixel had so many times more
@@ -52,8 +74,13 @@ struct Key {
                 path, branch};
     }
     Key with_branch(std::uint32_t b) const { return {pixel, sample, path, b}; }
-    /// The key after one more bounce; kind tells reflection from refraction.
-    Key bounced(std::uint32_t kind) const { return {pixel, sample, path * 31u + kind + 1u, 0}; }
+    /// The key after one more branch; `number` tells several of one kind.
+    Key branched(Branch, std::uint32_t number = 0) const;
+
+    /// Of three numbers that tell the trials of a survey apart, of which the second one counts them.
+    static Key of(Survey survey, std::uint64_t a, std::uint32_t b, std::uint32_t c) {
+        return {a, b, c, static_cast<std::uint32_t>(survey)};
+    }
 };
 
 /// Uniform in [0, 1), a multiple of 2^-53.
@@ -61,3 +88,5 @@ double uniform(const Key&, Purpose);
 
 /// 64 well-mixed bits of a 64-bit counter (the finaliser of SplitMix64).
 std::uint64_t mix(std::uint64_t);
+
+}  // namespace candelabra

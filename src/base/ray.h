@@ -13,6 +13,8 @@
 #include <limits>
 #include <vector>
 
+namespace candelabra {
+
 /// Half line: origin + t * direction. The direction need not have length 1; t is measured in its
 /// lengths.
 struct Ray {
@@ -97,3 +99,5 @@ private:
     std::vector<Crossing> spilled_;
     std::size_t count_ = 0;
 };
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 using Coefficients = std::array<double, greatest_degree + 1>;
@@ -223,3 +225,5 @@ Roots sign_changes(std::span<const double> c, const Interval& range, double at_m
         result.add(found[i]);
     return result;
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 /// The greatest degree that sign_changes() takes.
 inline constexpr std::size_t greatest_degree = 35;
 
@@ -57,3 +59,5 @@ Roots sign_changes(std::span<const double> c, const Interval& range);
 /// an odd number of roots exactly when these signs differ, so that neighbours in a chain of
 /// polynomials, which share the values at their ends, never lose or repeat a root between them.
 Roots sign_changes(std::span<const double> c, const Interval& range, double at_min, double at_max);
+
+}  // namespace candelabra

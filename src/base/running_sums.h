@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <span>
 
+namespace candelabra {
+
 /// A share, and how far into it the number lies: 0 to 1, without 1.
 struct DrawnShare {
     std::size_t index;
@@ -31,3 +33,5 @@ double share_of(std::span<const Sum> sums, std::size_t index) {
     const double before = index > 0 ? static_cast<double>(sums[index - 1]) : 0.0;
     return (static_cast<double>(sums[index]) - before) / static_cast<double>(sums.back());
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "base/handle.h"
 
+namespace candelabra {
+
 /// Copy-on-write handle. Never empty. Used where a value is big and declared objects are copied
 /// often.
 template <class T>
@@ -21,3 +23,5 @@ public:
 private:
     Handle<T> value_;
 };
+
+}  // namespace candelabra

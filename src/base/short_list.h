@@ -5,5 +5,9 @@
 
 #include <boost/container/small_vector.hpp>
 
+namespace candelabra {
+
 template <class T, std::size_t room>
 using ShortList = boost::container::small_vector<T, room>;
+
+}  // namespace candelabra

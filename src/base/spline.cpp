@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 using Components = Spline::Components;
@@ -121,3 +123,5 @@ Components Spline::at(double t, Kind kind) const {
            : kind == Kind::cubic   ? cubic(t, i)
                                    : natural(t, i);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace candelabra {
+
 class Spline {
 public:
     enum class Kind {
@@ -51,3 +53,5 @@ private:
     std::size_t components_;
     Kind kind_;
 };
+
+}  // namespace candelabra

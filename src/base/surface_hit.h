@@ -4,7 +4,11 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 struct SurfaceHit {
     Vec3 position;
     Vec3 normal;  ///< unit; not turned to where the ray comes from
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace candelabra {
+
 struct Texels {
     int width = 0, height = 0;
     int channels = 3;           ///< 1: grey, or 3
@@ -35,3 +37,5 @@ struct Texels {
                static_cast<std::size_t>(x);
     }
 };
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "base/degrees.h"
 
+namespace candelabra {
+
 namespace {
 
 Affine compose(const Affine& first, const Affine& next) {
@@ -117,3 +119,5 @@ double Transform::uniform_scale() const {
         std::abs(dot(r[1], r[2])) <= tolerance && std::abs(dot(r[2], r[0])) <= tolerance;
     return similar ? std::sqrt(s2) : 0;
 }
+
+}  // namespace candelabra

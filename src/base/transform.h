@@ -9,6 +9,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 /// Three rows of a linear part (images of the x, y and z axes) and a translation.
 struct Affine {
     std::array<Vec3, 3> rows = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -60,7 +62,7 @@ public:
     /// First this, then next.
     Transform then(const Transform& next) const;
     const Affine& forward() const { return forward_; }
-    double determinant() const { return ::determinant(forward_); }
+    double determinant() const { return candelabra::determinant(forward_); }
     /// The factor by which every length grows, when the map is a similarity; 0 when it is not.
     double uniform_scale() const;
     friend bool operator==(const Transform&, const Transform&) = default;
@@ -69,3 +71,5 @@ private:
     Affine forward_;
     Affine backward_;
 };
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <utility>
 
+namespace candelabra {
+
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Vec4 = glm::dvec4;
@@ -41,3 +43,5 @@ inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
     return {Vec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x),
             Vec3(b, sign + n.y * n.y * a, -n.y)};
 }
+
+}  // namespace candelabra

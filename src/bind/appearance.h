@@ -7,6 +7,8 @@
 #include "bind/object_draft.h"
 #include "bind/texture_list.h"
 
+namespace candelabra {
+
 /// texture, pigment, normal, finish and interior of an object.
 class AppearanceReader : public SimpleReader {
 public:
@@ -138,3 +140,5 @@ private:
     ObjectDraft& draft_;
     bool lined_ = false;  ///< an inner texture stands in this block
 };
+
+}  // namespace candelabra

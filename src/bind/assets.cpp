@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 std::string font_name(const Text& text) {
@@ -135,3 +137,5 @@ void complete(OpenBlock& block, Shape& shape) {
     else if (const auto* mesh = std::get_if<Shared<TriangleMesh>>(&shape))
         if (problem(**mesh).empty()) shape = Shared<Mesh>(as_mesh(**mesh));
 }
+
+}  // namespace candelabra

@@ -6,5 +6,9 @@
 
 #include "bind/block.h"
 
+namespace candelabra {
+
 /// Puts in what the shape needs. What is wrong is reported, and the block is broken then.
 void complete(OpenBlock&, Shape&);
+
+}  // namespace candelabra

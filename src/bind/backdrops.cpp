@@ -6,6 +6,8 @@
 #include "bind/transforms.h"
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 namespace {
 
 struct BackgroundColour {
@@ -135,3 +137,5 @@ void read_background(Binder& binder, const Element& element, Background& backgro
     block.read(element.body, fields);
     if (!block.broken) background.colour = made.colour;
 }
+
+}  // namespace candelabra

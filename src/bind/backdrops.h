@@ -4,6 +4,8 @@
 
 #include "bind/binder.h"
 
+namespace candelabra {
+
 /// All change the last argument to what the block makes of it. False: the block was wrong, and has
 /// been reported.
 bool read_sky_sphere(Binder&, const Element& block, SkySphere&);
@@ -12,3 +14,5 @@ bool read_rainbow(Binder&, const Element& block, Rainbow&);
 
 /// The same, but a wrong block changes nothing.
 void read_background(Binder&, const Element& block, Background&);
+
+}  // namespace candelabra

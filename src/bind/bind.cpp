@@ -9,6 +9,8 @@
 
 #include <cassert>
 
+namespace candelabra {
+
 namespace {
 
 /// Anything but a part of a scene, which belongs to other readers.
@@ -392,8 +394,10 @@ std::string ItemReader::help(int field) const {
     const auto at = static_cast<std::size_t>(field);
     const std::string_view name = info_->fields[at].name, further = further_value(*info_, at);
     const std::string values =
-        message(further.empty() ? name : further, ": ", ::values(*info_, at));
+        message(further.empty() ? name : further, ": ", candelabra::values(*info_, at));
     if (info_->fields[at].unnamed()) return message(block_.help(), "   ", values);
     const std::string written = term(*info_, word_of(*info_, at));
     return message(block_.name, " { ... ", written, " ... }   ", values);
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <optional>
 
+namespace candelabra {
+
 class ItemReader {
 public:
     /// All outlive the reader. The item is of the type that the vocabulary describes.
@@ -93,3 +95,5 @@ private:
     std::optional<Vec3> centre_;  ///< of a ball whose radius comes next
     bool repeatable_ = false;
 };
+
+}  // namespace candelabra

@@ -18,6 +18,8 @@
 #include <set>
 #include <string>
 
+namespace candelabra {
+
 /// A camera as a value of the language.
 struct DeclaredCamera {
     Camera camera;
@@ -58,3 +60,5 @@ struct Binder {
     std::optional<double> working_gamma = {};
     std::size_t nesting = 0;  ///< objects around the one that is read
 };
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
+namespace candelabra {
+
 std::string OpenBlock::quoted() const { return name.empty() ? "a scene" : message('`', name, '`'); }
 
 std::string OpenBlock::help() const {
@@ -25,3 +27,5 @@ void OpenBlock::refuse(const Element& element, const WordList& words) {
     if (!misplaced_.passes_over(element))
         misplaced_.reject(element, words, element.kind == Element::Kind::word);
 }
+
+}  // namespace candelabra

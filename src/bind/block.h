@@ -19,6 +19,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 using ElementList = std::vector<Element>;
 
 class OpenBlock {
@@ -147,3 +149,5 @@ void OpenBlock::read_each(Walk walk, Readers&... readers) {
     });
     if (!binder.evaluator.stopped()) (readers.finish(), ...);
 }
+
+}  // namespace candelabra

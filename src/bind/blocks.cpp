@@ -20,6 +20,8 @@
 #include <array>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 template <class T>
@@ -220,3 +222,5 @@ const BlockRow* block_row(NameId word) {
     const auto number = static_cast<std::size_t>(word);
     return number < by_number.size() ? by_number[number] : nullptr;
 }
+
+}  // namespace candelabra

@@ -21,6 +21,8 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 class SceneContent;
 
 struct BlockRow {
@@ -67,3 +69,5 @@ inline bool takes_braces(NameId word) {
     const BlockRow* row = block_row(word);
     return row && row->form != BlockRow::Form::word;
 }
+
+}  // namespace candelabra

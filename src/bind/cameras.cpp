@@ -10,6 +10,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 View& view_of(Camera& camera) {
@@ -219,3 +221,5 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
         block.report(error(Fault::degenerate, element.word_span, wrong).with_help(block.help()));
     return !block.broken;
 }
+
+}  // namespace candelabra

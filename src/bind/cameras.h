@@ -4,6 +4,10 @@
 
 #include "bind/bind.h"
 
+namespace candelabra {
+
 /// Changes the camera to what the block makes of it. False: the block was wrong, and has been
 /// reported.
 bool read_camera(Binder&, const Element& block, DeclaredCamera&);
+
+}  // namespace candelabra

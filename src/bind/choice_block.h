@@ -8,6 +8,8 @@
 #include "text/message.h"
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 /// How the block is spoken of.
 struct ChoiceWords {
     std::string_view name;  ///< in front of its braces
@@ -114,3 +116,5 @@ private:
     ChoiceCheck<Variant> check_;
     Variant& choice_;
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "bind/objects.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// The objects in such a block, or the other word alone, which means: the same objects.
@@ -67,3 +69,5 @@ bool ClippingReader::take(const Element& element) {
     list.insert(list.end(), added.begin(), added.end());
     return true;
 }
+
+}  // namespace candelabra

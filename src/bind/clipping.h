@@ -5,6 +5,8 @@
 
 #include "bind/object_draft.h"
 
+namespace candelabra {
+
 class ClippingReader : public SimpleReader {
 public:
     ClippingReader(OpenBlock& block, ObjectDraft& draft) : block_(block), draft_(draft) {}
@@ -18,3 +20,5 @@ private:
     OpenBlock& block_;
     ObjectDraft& draft_;
 };
+
+}  // namespace candelabra

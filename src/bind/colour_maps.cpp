@@ -4,6 +4,8 @@
 #include "bind/convert.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// The values of an entry of a colour map: [v colour], or [v1, v2 colour colour].
@@ -97,3 +99,5 @@ bool read_colour_map(Binder& binder, const Element& element, ColourMap& map) {
     return read_map(binder, element, "color_map", "{ [0 rgb <r, g, b>] [1 rgb <r, g, b>] }", map,
                     read_entry);
 }
+
+}  // namespace candelabra

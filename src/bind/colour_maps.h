@@ -6,6 +6,8 @@
 #include "bind/binder.h"
 #include "bind/block.h"
 
+namespace candelabra {
+
 /// The blocks change the last argument. False: the block was wrong, and has been reported.
 bool read_colour_map(Binder&, const Element& block, ColourMap&);
 
@@ -74,3 +76,5 @@ void settle_values(OpenBlock& block, Span span, std::vector<Entry>& map, bool av
         block.report(error(Fault::out_of_range, span,
                            "the weights of `average` must be at least 0, and not all be 0"));
 }
+
+}  // namespace candelabra

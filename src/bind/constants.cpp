@@ -3,10 +3,12 @@
 
 #include "vocabulary/reserved.h"
 
+namespace candelabra {
+
 namespace {
 
 /// Bounds the work for blocks in blocks, which are looked through once for each that they are in.
-constexpr int most_nodes = 200;
+constexpr int max_nodes = 200;
 
 class Search {
 public:
@@ -16,7 +18,7 @@ public:
 
     bool constant(NodeId id) {
         if (id == no_node) return true;
-        if (++count_ > most_nodes) return false;
+        if (++count_ > max_nodes) return false;
         return std::visit([&](const auto& content) { return holds(content); }, tree_[id].content);
     }
 
@@ -80,3 +82,5 @@ std::optional<std::uint64_t> Constants::number(const Element& element) {
     if (known != Known::constant) return std::nullopt;
     return std::uint64_t{tree->source} << 32 | static_cast<std::uint32_t>(node);
 }
+
+}  // namespace candelabra

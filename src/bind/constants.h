@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+namespace candelabra {
+
 class Constants {
 public:
     /// A number for an element that has been met before and is constant; the same each time. None
@@ -29,3 +31,5 @@ private:
 bool is_constant(const Tree&, NodeId);
 /// The same when names mean what they mean now: they are added to `names`.
 bool is_constant_but_names(const Tree&, NodeId, std::vector<NameId>& names);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 std::string_view kind_name(FieldType type) {
     switch (type) {
         case FieldType::number:
@@ -194,3 +196,5 @@ std::optional<Colour> plain_colour(OpenBlock& block, const Element& element) {
                                               ", ", numbers->at[2], ">`")));
     return std::nullopt;
 }
+
+}  // namespace candelabra

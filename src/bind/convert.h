@@ -7,6 +7,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// The place of a value, for messages.
 struct Slot {
     FunctionRef<std::string()> name;
@@ -37,3 +39,5 @@ std::string_view kind_name(FieldType);
 const double* offender(const Range&, const FieldValue&);
 /// What the range asks for: "at least 0".
 std::string rule(const Range&);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <span>
 
+namespace candelabra {
+
 namespace {
 
 /// A texture, and the object in which it is seen; null: everywhere.
@@ -36,7 +38,10 @@ public:
             around = outside ? make_handle<Transform>(object.transform->then(*outside))
                              : object.transform;
         for (const ObjectHandle& part : parts->children) {
-            collect(*part, around, cuts(*parts) ? where : around ? ::moved(part, *around) : part);
+            collect(*part, around,
+                    cuts(*parts) ? where
+                    : around     ? candelabra::moved(part, *around)
+                                 : part);
             if (parts->csg == Csg::difference) return;
         }
     }
@@ -73,7 +78,7 @@ Handle<Texture> mean(const std::vector<Handle<Texture>>& textures) {
 
 /// The mean of `here` and of those of the sources that contain a point.
 Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Texture>> here) {
-    constexpr std::size_t most_together = 4;
+    constexpr std::size_t max_together = 4;
     if (sources.empty()) return mean(here);
     const Source& first = sources.front();
     std::vector<Handle<Texture>> with = here;
@@ -81,13 +86,13 @@ Handle<Texture> mixed(std::span<const Source> sources, std::vector<Handle<Textur
     if (!first.where) return mixed(sources.subspan(1), std::move(with));
     Handle<Texture> outside = mixed(sources.subspan(1), std::move(here));
     Handle<Texture> inside =
-        sources.size() > most_together ? mean(with) : mixed(sources.subspan(1), std::move(with));
+        sources.size() > max_together ? mean(with) : mixed(sources.subspan(1), std::move(with));
     if (!outside) return inside;
     return patterned(object_pattern(*first.where), {{0, outside}, {1, inside}});
 }
 
 /// Each level copies what it changes.
-constexpr std::uint32_t most_nested = 8;
+constexpr std::uint32_t max_nested = 8;
 
 }  // namespace
 
@@ -97,7 +102,7 @@ void cut_away(Union& whole, const Handle<Texture>& usual) {
         const Object& child = *whole.children[i];
         if (child.texture) continue;
         if (const auto* parts = std::get_if<Union>(&child.form)) {
-            if (cuts(*parts) && child.depth < most_nested)
+            if (cuts(*parts) && child.depth < max_nested)
                 cut_away(std::get<Union>(whole.children[i].edit().form), usual);
             continue;
         }
@@ -115,3 +120,5 @@ void cut_away(Union& whole, const Handle<Texture>& usual) {
     for (std::size_t i = 0; i < shown.size(); ++i)
         if (shown[i]) whole.children[i].edit().texture = shown[i];
 }
+
+}  // namespace candelabra

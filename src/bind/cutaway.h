@@ -5,6 +5,8 @@
 
 #include "scene/scene.h"
 
+namespace candelabra {
+
 /// An intersection or a difference.
 inline bool cuts(const Union& whole) {
     return whole.csg == Csg::intersection || whole.csg == Csg::difference;
@@ -16,3 +18,5 @@ inline bool cuts(const Union& whole) {
 /// `usual` is for: parts of such a union without a texture. Parts of which there is nothing to show
 /// are left as they are.
 void cut_away(Union&, const Handle<Texture>& usual);
+
+}  // namespace candelabra

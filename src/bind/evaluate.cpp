@@ -10,10 +10,12 @@
 #include "bind/solid_queries.h"
 #include "bind/textures.h"
 #include "surface/pigment_map.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <utility>
+
+namespace candelabra {
 
 namespace {
 
@@ -193,8 +195,10 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     ObjectHandle object = only ? only->handle<Object>() : nullptr;
     if (!object && !diagnostics.failed())
         diagnostics.add(error(Fault::unknown_name, {},
-                              message("no object is declared as `", harmless(options.only), "`")));
+                              message("no object is declared as `", printable(options.only), "`")));
     scene.objects.clear();
     if (object) scene.objects.push_back(std::move(object));
     return scene;
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 struct EvaluateOptions {
     /// Names that are declared before the scene begins: Declare=Depth=5.
     std::vector<std::pair<std::string, std::variant<double, std::string>>> declares;
@@ -27,3 +29,5 @@ struct EvaluateOptions {
 /// `main` has been added to the sources. All problems go to the diagnostics, with the frames that
 /// lead to them.
 Scene evaluate(SourceStore&, const Loader&, SourceId main, const EvaluateOptions&, Diagnostics&);
+
+}  // namespace candelabra

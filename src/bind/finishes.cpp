@@ -8,6 +8,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 /// reflection amount, reflection { ... }, reflection_exponent: the part of a finish that has two
@@ -207,3 +209,5 @@ bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     block.read(element.body, declared, fields);
     return !block.broken;
 }
+
+}  // namespace candelabra

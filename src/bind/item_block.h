@@ -5,6 +5,8 @@
 
 #include "bind/block.h"
 
+namespace candelabra {
+
 class ItemBlock : public SimpleReader {
 public:
     /// All outlive the reader. `given` is set when the block is there; null: nobody asks.
@@ -35,3 +37,5 @@ private:
     bool* given_;
     std::string_view effectless_;
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 bool is_any_of(NameId word, std::initializer_list<NameId> words) {
@@ -120,3 +122,5 @@ void LegacyTextureReader::settle() {
     if (!normal_.empty()) read(normal_, read_legacy_normal, draft_.edit().normal);
     if (!finish_.empty()) read(finish_, read_legacy_finish, draft_.edit().finish);
 }
+
+}  // namespace candelabra

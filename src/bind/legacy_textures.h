@@ -5,6 +5,8 @@
 
 #include "bind/textures.h"
 
+namespace candelabra {
+
 class LegacyTextureReader : public SimpleReader {
 public:
     /// Both outlive the reader.
@@ -30,3 +32,5 @@ private:
     int missing_ = 0;              ///< values of the last word that may still come
     Transform ahead_;              ///< what has moved it so far
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "bind/transforms.h"
 #include "interpret/array_data.h"
 
+namespace candelabra {
+
 namespace {
 
 /// looks_like { ... }, projected_through { ... }
@@ -119,3 +121,5 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     if (!idle.empty()) block.report(warning(Fault::no_effect, element.word_span, idle));
     return block.broken ? std::nullopt : std::optional(std::move(placed));
 }
+
+}  // namespace candelabra

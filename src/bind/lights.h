@@ -6,9 +6,13 @@
 #include "bind/bind.h"
 #include "scene/scene.h"
 
+namespace candelabra {
+
 /// Whether the block is a `light_source` that begins with the name of an object, which may have
 /// lights in it: it is an `object` then, as in POV-Ray.
 bool is_lamp(const Binder&, const Element& block);
 
 /// Nothing after a report.
 std::optional<PlacedLight> read_light(Binder&, const Element& block);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 class ListReader : public SimpleReader {
@@ -195,3 +197,5 @@ std::optional<CountedList> read_counted_list(OpenBlock& block, Body body, FieldT
     if (!reader.looks.empty()) reader.looks.resize(reader.faces.size(), {-1, -1, -1});
     return CountedList{std::move(reader.faces), std::move(reader.looks)};
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 struct CountedList {
     FieldValue value;
     std::vector<Face>
@@ -15,3 +17,5 @@ struct CountedList {
 
 /// The list as a field of the type has it; nothing after a report.
 std::optional<CountedList> read_counted_list(OpenBlock&, Body, FieldType);
+
+}  // namespace candelabra

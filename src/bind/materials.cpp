@@ -3,6 +3,8 @@
 
 #include "bind/transforms.h"
 
+namespace candelabra {
+
 namespace {
 
 /// The textures and the interior of a material.
@@ -82,3 +84,5 @@ bool read_material(Binder& binder, const Element& element, DeclaredMaterial& mat
     block.read(element.body, declared, parts, moves);
     return !block.broken;
 }
+
+}  // namespace candelabra

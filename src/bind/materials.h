@@ -5,6 +5,10 @@
 
 #include "bind/textures.h"
 
+namespace candelabra {
+
 /// Changes the last argument to what the block makes of it. False: the block was wrong, and has
 /// been reported.
 bool read_material(Binder&, const Element& block, DeclaredMaterial&);
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+namespace candelabra {
+
 /// A T is made from a Base, which may be null.
 template <class Base, class T = Base>
 class Memo {
@@ -34,3 +36,5 @@ private:
     };
     std::unordered_map<std::uint64_t, Made> made_;
 };
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Words that follow a word without effect, and need not be spoken of.
@@ -331,3 +333,5 @@ void Misplaced::reject_value(const Element& element) {
         stray.with_help(block_.help());
     block_.report(std::move(stray));
 }
+
+}  // namespace candelabra

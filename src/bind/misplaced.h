@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 class OpenBlock;
 using WordList = std::vector<std::string_view>;
 
@@ -46,3 +48,5 @@ private:
 /// Whether the language here knows the word at all: other reserved words are POV-Ray's, and not
 /// available.
 bool known_in_blocks(std::string_view word);
+
+}  // namespace candelabra

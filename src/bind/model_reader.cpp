@@ -3,17 +3,19 @@
 
 #include "bind/blocks.h"
 #include "bind/objects.h"
-#include "modelling/object_mesh.h"
+#include "csg/solid.h"
+#include "meshing/object_mesh.h"
 #include "shape/tessellation.h"
-#include "solid/solid.h"
 #include "text/message.h"
+
+namespace candelabra {
 
 namespace {
 
 constexpr std::string_view hull_word = "convex_hull";
 
 /// More than this would not fit into the memory of most machines.
-constexpr double most_faces = 3e7;
+constexpr double max_faces = 3e7;
 
 /// Not along an edge of anything that is made by people.
 constexpr Vec3 odd_direction(0.36, 0.48, 0.8);
@@ -152,9 +154,9 @@ std::optional<Polyhedron> ModelReader::source(const TriangleMesh& asked, const P
 
 bool ModelReader::refine(Polyhedron& mesh, int steps, const Polyhedra* library) {
     const auto faces = static_cast<double>(mesh.faces.size());
-    if (faces * std::pow(4.0, steps) > most_faces) {
+    if (faces * std::pow(4.0, steps) > max_faces) {
         block_.report(error(Fault::out_of_range, block_.span,
-                            message("`subdivide ", steps, "` would make more than ", most_faces,
+                            message("`subdivide ", steps, "` would make more than ", max_faces,
                                     " faces of ", faces)));
         return false;
     }
@@ -189,10 +191,12 @@ std::optional<Mesh> ModelReader::made(const TriangleMesh& asked) {
     if (mesh && asked.subdivide > 0 && !refine(*mesh, asked.subdivide, library)) mesh.reset();
     block_.broken |= !mesh;
     if (!mesh) return std::nullopt;
-    Mesh result = asked.smooth ? smooth_mesh(*mesh) : ::mesh(*mesh);
+    Mesh result = asked.smooth ? smooth_mesh(*mesh) : candelabra::mesh(*mesh);
     if (asked.subdivide == 0) dress(result, look_);
     result.inside_vector = asked.inside_vector;
     // What was a solid stays one.
     if (!result.inside_vector && modelled) result.inside_vector = odd_direction;
     return result;
 }
+
+}  // namespace candelabra

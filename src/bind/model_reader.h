@@ -4,7 +4,9 @@
 #pragma once
 
 #include "bind/object_draft.h"
-#include "modelling/library.h"
+#include "meshing/library.h"
+
+namespace candelabra {
 
 class ModelReader : public SimpleReader {
 public:
@@ -41,3 +43,5 @@ private:
     PolyhedronLook look_;  ///< of a file
     Span span_;            ///< of the object or hull
 };
+
+}  // namespace candelabra

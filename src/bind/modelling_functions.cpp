@@ -2,16 +2,18 @@
 #include "bind/modelling_functions.h"
 
 #include "interpret/array_data.h"
-#include "modelling/library.h"
-#include "modelling/scatter.h"
-#include "modelling/voronoi.h"
+#include "meshing/library.h"
+#include "meshing/scatter.h"
+#include "meshing/voronoi.h"
 #include "shape/mesh_area.h"
 #include "shape/tessellation.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
-constexpr double most_places = 1'000'000;
+constexpr double max_places = 1'000'000;
 constexpr int cells = 64;
 
 /// The points of an array of vectors; empty after a report.
@@ -49,10 +51,10 @@ Value scatter(FunctionCall& call) {
     const Mesh triangles = seen_tessellation(surface, cells);
     const double size = MeshArea(triangles).total();
     if (!(size > 0)) return call.fail(Fault::domain, 0, "no surface is found on this object");
-    if (!(size / (distance * distance) <= most_places))
+    if (!(size / (distance * distance) <= max_places))
         return call.fail(
             Fault::domain, 1,
-            message("so small a distance would give more than ", most_places, " points"));
+            message("so small a distance would give more than ", max_places, " points"));
     const std::vector<SurfacePoint> points =
         scattered(surface, triangles, distance, static_cast<std::uint64_t>(seed));
     if (points.empty()) return call.fail(Fault::domain, 0, "no surface is found on this object");
@@ -102,3 +104,5 @@ Value voronoi(FunctionCall& call) {
         array.set(i, Numbers{{corners[i].x, corners[i].y}, 2});
     return array_of(std::move(array));
 }
+
+}  // namespace candelabra

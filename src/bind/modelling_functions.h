@@ -5,6 +5,10 @@
 
 #include "interpret/functions.h"
 
+namespace candelabra {
+
 Value scatter(FunctionCall&);
 Value delaunay(FunctionCall&);
 Value voronoi(FunctionCall&);
+
+}  // namespace candelabra

@@ -2,12 +2,14 @@
 #include "bind/models.h"
 
 #include "bind/convert.h"
-#include "shape/crossed_cone.h"
+#include "shape/double_cone.h"
+
+namespace candelabra {
 
 namespace {
 
 /// A longer row would save nothing more, and take twice its room while it grows.
-constexpr std::size_t most_spheres = 2048;
+constexpr std::size_t max_spheres = 2048;
 
 /// Gives a shape its leading values; false when something is wrong with them.
 bool set_values(void* shape, const ItemInfo& item, const Variation& variation) {
@@ -26,7 +28,7 @@ void add(const RowEnd& end, const Object& model, const Sphere& sphere, Span span
     const Handle<Texture>& texture = model.texture ? model.texture : end.texture;
     ObjectHandle* last = end.list.empty() ? nullptr : &end.list.back();
     const SphereRow* row = last && last->alone() ? std::get_if<SphereRow>(&(*last)->form) : nullptr;
-    if (!row || row->spheres.size() >= most_spheres || !alike(**last, model, texture)) {
+    if (!row || row->spheres.size() >= max_spheres || !alike(**last, model, texture)) {
         last = &end.list.emplace_back(make_handle<Object>(model));
         last->edit().form = SphereRow{};
         last->edit().texture = texture;
@@ -70,3 +72,5 @@ bool joins(const RowEnd& end, const Object& model, const Variation& variation, S
     add(end, model, sphere, span);
     return true;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "bind/binder.h"
 
+namespace candelabra {
+
 /// The model with what differs; null when something is wrong with its values. `item` is the
 /// vocabulary of its shape; null: it combines objects.
 ObjectHandle like(Binder&, const Object& model, const ItemInfo* item, const Variable&,
@@ -19,3 +21,5 @@ struct RowEnd {
 /// Puts a sphere that is like the model to the end of the list: into the row that ends it, or as a
 /// new one. False: the model is no sphere, or something is wrong with the values; nothing happened.
 bool joins(const RowEnd&, const Object& model, const Variation&, Span);
+
+}  // namespace candelabra

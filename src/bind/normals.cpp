@@ -7,6 +7,8 @@
 #include "surface/normal_map.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// A normal while it is read.
@@ -220,3 +222,5 @@ bool read_slope_map(Binder& binder, const Element& element, SlopeMap& map) {
     return read_map(binder, element, "slope_map", "{ [0 <height, slope>] [1 <height, slope>] }",
                     map, read_entry);
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "bind/block.h"
 
+namespace candelabra {
+
 /// All change the last argument to what the block makes of it. False: the block was wrong, and has
 /// been reported.
 bool read_normal(Binder&, const Element& block, Bump&);
@@ -14,3 +16,5 @@ bool read_slope_map(Binder&, const Element& block, SlopeMap&);
 
 /// As if the normal had said `no_bump_scale`.
 void keep_heights(Bump&);
+
+}  // namespace candelabra

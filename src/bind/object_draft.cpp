@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/object_draft.h"
 
-#include "shape/crossed_cone.h"
+#include "shape/double_cone.h"
 #include "text/message.h"
 #include "vocabulary/schema.h"
+
+namespace candelabra {
 
 const ItemInfo GroupSettings::vocabulary = described<GroupSettings>([] {
     return schema<GroupSettings>(
@@ -37,7 +39,8 @@ void ObjectDraft::move(const Movement& next) {
     constant_movement = constant_movement && next.constant;
     modified = true;
     for (auto* objects : {&clipping.clips, &clipping.bounds})
-        for (ObjectHandle& each : *objects) each = ::moved(std::move(each), next.transform);
+        for (ObjectHandle& each : *objects)
+            each = candelabra::moved(std::move(each), next.transform);
     if (switches.uv_mapping) return;
     for (Handle<Texture>& each : part_textures)
         if (TextureDraft(each).movable())
@@ -55,7 +58,7 @@ void append_lights(const Object& object, std::vector<PlacedLight>& lights) {
     if (!together) return;
     for (const PlacedLight& light :
          together->light_group ? together->free_lights : together->lights)
-        lights.push_back(object.transform ? ::moved(light, *object.transform) : light);
+        lights.push_back(object.transform ? candelabra::moved(light, *object.transform) : light);
 }
 
 void take_lights(const Object& part, Union& whole) {
@@ -170,3 +173,5 @@ ObjectHandle as_object(PlacedLight light) {
     together.lights.push_back(std::move(light));
     return whole;
 }
+
+}  // namespace candelabra

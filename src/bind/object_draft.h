@@ -7,6 +7,8 @@
 #include "bind/textures.h"
 #include "bind/transforms.h"
 
+namespace candelabra {
+
 /// What light_group { } says beside its lights and objects.
 struct GroupSettings {
     bool global_lights = false;
@@ -93,3 +95,5 @@ bool may_be_cut(OpenBlock&, const Object&);
 
 /// Reports that objects are nested too deeply, and stops. Null.
 ObjectHandle too_deep(Binder&, const Element&);
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "bind/object_functions.h"
 
 #include "bind/modelling_functions.h"
-#include "solid/extent.h"
+#include "csg/extent.h"
 
 #include <algorithm>
 #include <array>
+
+namespace candelabra {
 
 Value inside_object(FunctionCall& call) {
     const Handle<Object> object = call.object(0);
@@ -81,3 +83,5 @@ std::vector<FunctionInfo> all_functions() {
     std::ranges::sort(result, {}, &FunctionInfo::name);
     return result;
 }
+
+}  // namespace candelabra

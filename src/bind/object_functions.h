@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 /// By name in order.
 std::span<const FunctionInfo> object_functions();
 /// These and those of the language, by name in order: for help and editors.
@@ -17,3 +19,5 @@ Value inside_object(FunctionCall&);
 Value first_hit(FunctionCall&);
 Value lower_extent(FunctionCall&);
 Value upper_extent(FunctionCall&);
+
+}  // namespace candelabra

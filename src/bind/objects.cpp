@@ -12,8 +12,10 @@
 #include "bind/object_draft.h"
 #include "bind/texture_list.h"
 #include "bind/transforms.h"
-#include "solid/solid.h"
+#include "csg/solid.h"
 #include "text/message.h"
+
+namespace candelabra {
 
 // A scene may have a million spheres, so an object is made in one of three ways, the dearest first:
 //
@@ -404,3 +406,5 @@ ObjectHandle read_object(Binder& binder, const Element& element) {
     const bool planned = kind != Kinds<Shape>::count || combines_objects(element.word);
     return planned ? *read_planned(binder, element, kind, nullptr) : read_nested(binder, element);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "bind/bind.h"
 
+namespace candelabra {
+
 /// The object of a block that makes one, as a part: without a texture when the text gives none.
 /// Null after a report.
 ObjectHandle read_object(Binder&, const Element& block);
@@ -15,3 +17,5 @@ ObjectHandle read_object(Binder&, const Element& block);
 std::optional<ObjectHandle> read_object_into(std::vector<ObjectHandle>& list,
                                              const Handle<Texture>& texture, Binder&,
                                              const Element& block);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view effectless_in_parts = "sturm hierarchy";
@@ -94,3 +96,5 @@ void read_part(OpenBlock& block, const FieldInfo& field, void* item, const Eleme
     if (field.parts->look) looks.number(field.parts->look(part), field.parts->looks);
     block.broken |= inner.broken;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,10 @@
 
 #include "bind/block.h"
 
+namespace candelabra {
+
 /// Adds the part that the element describes to the item. Its textures go to the list of the block.
 /// What is wrong is reported, and the block is broken then.
 void read_part(OpenBlock&, const FieldInfo&, void* item, const Element&);
+
+}  // namespace candelabra

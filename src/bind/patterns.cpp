@@ -6,11 +6,13 @@
 #include "bind/pictures.h"
 #include "bind/textures.h"
 #include "bind/transforms.h"
-#include "solid/assemble.h"
+#include "csg/assemble.h"
 #include "surface/normal_map.h"
 #include "surface/pigment_map.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
+
+namespace candelabra {
 
 namespace {
 
@@ -370,3 +372,5 @@ bool read_pattern(Binder& binder, const Element& element, PatternDraft& draft) {
                          .with_help("pattern { granite scale 2 }"));
     return !block.broken;
 }
+
+}  // namespace candelabra

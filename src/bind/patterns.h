@@ -11,6 +11,8 @@
 
 #include <functional>
 
+namespace candelabra {
+
 /// A pattern while it is read; PatternUse when it is done.
 struct PatternDraft {
     std::optional<Pattern> pattern;
@@ -118,3 +120,5 @@ void read_patterned(OpenBlock& block, const Content& content, Patterned& pattern
 
 /// 1 inside of the object, 0 outside.
 ObjectPattern object_pattern(const Object&);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 using Patterns = Kinds<Pattern>;
@@ -156,8 +158,8 @@ bool PictureReader::take_adjustment(const Element& element) {
 
 /// Of the colour that is adjusted.
 void PictureReader::take_number(double number, Span span) {
-    constexpr double most_colours = 65536;
-    if (number >= 0 && number < most_colours) {
+    constexpr double max_colours = 65536;
+    if (number >= 0 && number < max_colours) {
         adjustment_.number = static_cast<int>(number);
         // As with other whole numbers, and as in POV-Ray.
         if (std::floor(number) != number)
@@ -224,3 +226,5 @@ void PictureReader::load() {
     }
     if (auto* image = std::get_if<ImageMap>(&pattern_)) image->adjust();
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 /// Endings that the file of a picture may have when its name leaves them out, by the word before
 /// the name: `tga`; without a word, as with `png`. None: the kind has no ending of its own.
 std::span<const std::string_view> picture_endings(std::string_view kind);
@@ -47,3 +49,5 @@ void read_picture(OpenBlock& block, Body body, Pattern& pattern, Others&... othe
     PictureReader reader(block, pattern);
     block.read(body, reader, others...);
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <array>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view pigment_form =
@@ -305,3 +307,5 @@ bool read_legacy_pigment(Binder& binder, const ElementList& words, Span span, Pi
     read_content(block, words, pigment);
     return !block.broken;
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "bind/object_draft.h"
 
+namespace candelabra {
+
 void SceneContent::add(ObjectHandle object) {
     append_lights(*object, scene.lights);
     const auto* together = std::get_if<Union>(&object->form);
@@ -29,3 +31,5 @@ void SceneContent::show(const DeclaredCamera& camera) {
     scene.camera = camera.camera;
     scene.camera_normal = camera.normal;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "bind/binder.h"
 #include "bind/settings.h"
 
+namespace candelabra {
+
 class SceneContent {
 public:
     /// Both outlive it.
@@ -23,3 +25,5 @@ public:
     /// The camera of the scene from now on.
     void show(const DeclaredCamera&);
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string sampler_form() {
@@ -189,3 +191,5 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     binder.working_gamma = settings.assumed_gamma;
     binder.evaluator.set_working_gamma(settings.assumed_gamma);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "bind/bind.h"
 #include "scene/scene.h"
 
+namespace candelabra {
+
 /// What any block of settings has said: other things depend on it.
 struct GivenSettings {
     bool gamma = false;
@@ -12,3 +14,5 @@ struct GivenSettings {
 
 /// What the block says is added to the settings.
 void read_global_settings(Binder&, const Element& block, GlobalSettings&, GivenSettings& before);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "bind/constants.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 namespace {
 
 /// How many values a shape needs; nothing when some of them are not plain numbers and vectors.
@@ -81,3 +83,5 @@ ShapePlan* ShapePlans::find(Evaluator& evaluator, const Element& block, const It
     known = static_cast<std::uint32_t>(planned + plans_.size());
     return &plans_.emplace_back(std::move(*variable), item != nullptr);
 }
+
+}  // namespace candelabra

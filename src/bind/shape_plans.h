@@ -9,6 +9,8 @@
 
 #include <deque>
 
+namespace candelabra {
+
 /// One block of an object.
 class ShapePlan {
 public:
@@ -18,7 +20,7 @@ public:
 
     const Variable& variable() const { return variable_; }
     /// Whether it is worth while to go on with it.
-    bool promising() const { return vain_ <= most_vain; }
+    bool promising() const { return vain_ <= max_vain; }
     /// Something about the block was unusual.
     void note_vain() { ++vain_; }
 
@@ -31,7 +33,7 @@ public:
 
 private:
     /// A plan that does not serve so much more often than it does is not worth keeping.
-    static constexpr int most_vain = 8;
+    static constexpr int max_vain = 8;
 
     /// A name in the rest and what it stood for when the model was made.
     struct Known {
@@ -62,3 +64,5 @@ private:
     std::vector<std::vector<std::uint32_t>> nodes_;  ///< by source, by node
     std::deque<ShapePlan> plans_;
 };
+
+}  // namespace candelabra

@@ -2,8 +2,10 @@
 // The answers of objects to the language's questions. Given to the evaluator by evaluate().
 #pragma once
 
+#include "csg/solid.h"
 #include "interpret/object_queries.h"
-#include "solid/solid.h"
+
+namespace candelabra {
 
 class SolidQueries final : public ObjectQueries {
 public:
@@ -31,3 +33,5 @@ private:
 
     Solids solids_;
 };
+
+}  // namespace candelabra

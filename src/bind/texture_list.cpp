@@ -5,6 +5,8 @@
 #include "bind/textures.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 class TexturesReader : public SimpleReader {
@@ -85,3 +87,5 @@ void check_texture_numbers(OpenBlock& block, const Shape& shape, std::size_t cou
                 return;
             }
 }
+
+}  // namespace candelabra

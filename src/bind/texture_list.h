@@ -7,6 +7,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// How many textures a list has.
 enum class TextureCount {
     said,  ///< as its first value says
@@ -19,3 +21,5 @@ std::optional<std::vector<Handle<Texture>>> read_texture_list(OpenBlock& around,
 
 /// Reports when a face of a mesh names a texture that is not one of so many.
 void check_texture_numbers(OpenBlock&, const Shape&, std::size_t count);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+namespace candelabra {
+
 namespace {
 
 std::uint64_t hash_of(const Texture& texture) {
@@ -79,3 +81,5 @@ void TextureStore::make_room() {
     for (Slot& each : old)
         if (each.texture) free_slot(each.hash) = std::move(each);
 }
+
+}  // namespace candelabra

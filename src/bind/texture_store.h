@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace candelabra {
+
 class TextureStore {
 public:
     /// A handle to an equal texture, perhaps the same one. Patterned ones are not compared: they
@@ -35,3 +37,5 @@ private:
     std::size_t count_ = 0;
     std::size_t asked_ = 0;
 };
+
+}  // namespace candelabra

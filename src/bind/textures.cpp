@@ -11,6 +11,8 @@
 #include "surface/texture_map.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// pigment { }, normal { } and finish { } in a texture, or parts that were declared.
@@ -295,7 +297,7 @@ void read_content(OpenBlock& block, Body body, TextureDraft& draft, First&... fi
 }
 
 /// Many more than can be seen: layers hold each other, and are walked through by recursion.
-constexpr int most_layers = 1000;
+constexpr int max_layers = 1000;
 
 int layers(const Texture& texture) {
     int count = 0;
@@ -352,9 +354,9 @@ Handle<Texture> layered(OpenBlock& block, Span span, const Handle<Texture>& belo
                          .with_help("put both textures into its `texture_map`"));
         return above;
     }
-    if (layers(*above) + layers(*below) > most_layers) {
+    if (layers(*above) + layers(*below) > max_layers) {
         block.report(error(Fault::recursion_limit, span,
-                           message("a texture cannot have more than ", most_layers, " layers"))
+                           message("a texture cannot have more than ", max_layers, " layers"))
                          .with_help("give it fewer textures that can be seen through"));
         return above;
     }
@@ -375,3 +377,5 @@ Handle<Texture> read_layers(Binder& binder, std::span<const Element> elements) {
     }
     return block.broken ? nullptr : result.shared(binder.textures);
 }
+
+}  // namespace candelabra

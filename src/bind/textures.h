@@ -9,6 +9,8 @@
 #include "scene/scene.h"
 #include "surface/texture_map.h"
 
+namespace candelabra {
+
 /// A texture that is being written: shared with where it comes from until something changes.
 class TextureDraft {
 public:
@@ -59,3 +61,5 @@ Handle<Texture> read_layers(Binder&, std::span<const Element> blocks);
 /// A texture over another; the one above alone, after a report, where there are too many layers or
 /// the one below is chosen by a pattern.
 Handle<Texture> layered(OpenBlock&, Span, const Handle<Texture>& below, Handle<Texture> above);
+
+}  // namespace candelabra

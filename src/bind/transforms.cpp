@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo Moves::vocabulary = described<Moves>([] {
     using F = Field<Moves>;
     return schema<Moves>(
@@ -216,3 +218,5 @@ std::optional<Transform> read_transform(Binder& binder, const Element& element) 
     if (block.broken) return std::nullopt;
     return inverse.inverse ? result.inverse() : result;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include "base/transform.h"
 #include "bind/bind.h"
 
+namespace candelabra {
+
 /// The movements that take one vector.
 struct Moves {
     Vec3 translate = Vec3(0);
@@ -64,3 +66,5 @@ private:
 
 /// `transform { ... }`; nothing after a report.
 std::optional<Transform> read_transform(Binder&, const Element& block);
+
+}  // namespace candelabra

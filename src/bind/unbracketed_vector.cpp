@@ -9,6 +9,8 @@
 #include <array>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto words_of_vectors =
@@ -168,3 +170,5 @@ bool follows_report(const Element& element, const Diagnostics& diagnostics) {
     return fault == Fault::semicolon && place.source == element.span.source &&
            place.last <= element.span.first && element.span.first - place.last <= separator;
 }
+
+}  // namespace candelabra

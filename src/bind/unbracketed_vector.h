@@ -10,6 +10,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// The report for a number that follows another one, of which a word in front of them takes one
 /// vector or colour; nothing when it is something else.
 std::optional<Diagnostic> unbracketed_vector(const Element&, const Names&);
@@ -30,3 +32,5 @@ bool follows_message(const Element&);
 /// Whether the value stands right behind another one that was declared without its `;`, which has
 /// just been reported.
 bool follows_report(const Element&, const Diagnostics&);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 struct Bump;
 struct ColourStop;
 struct DeclaredCamera;
@@ -40,3 +42,5 @@ template <>
 struct KindName<DeclaredCamera> : Named<"a camera"> {};
 template <>
 struct KindName<PlacedLight> : Named<"a light source"> {};
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Whether walking the node would do no more than hand on its numbers, if it has some.
@@ -162,3 +164,5 @@ bool Variable::compute_movement(Evaluator& evaluator, const Tree& tree,
     }
     return true;
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <array>
 #include <optional>
 
+namespace candelabra {
+
 /// What one pass says.
 struct Variation {
     static constexpr std::size_t most = 6;
@@ -50,3 +52,5 @@ private:
     NodeId movements_ = no_node;  ///< the first word of `translate ... rotate ...` at the end
     std::vector<NameId> names_;
 };
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// What all cameras have; some have values of their own before or behind it.
@@ -31,8 +33,8 @@ consteval auto camera_schema(std::string_view name, std::string_view help,
           at_least(0)},
         F{"blur_samples", &T::blur_samples, item,
           "rays for each pixel of a blurred picture: at most, or at least", between(0, 1000000)},
-        maybe(F{"most_blur_samples", &T::most_blur_samples, following,
-                "rays at most, after a comma", between(0, 1000000)}),
+        maybe(F{"most_blur_samples", &T::max_blur_samples, following, "rays at most, after a comma",
+                between(0, 1000000)}),
         F{"focal_point", &T::focal_point, item,
           "a point at the distance that is sharp (default: as far as direction is long)"},
         F{"variance", &T::variance, item, "greatest variance of a blurred pixel's mean",
@@ -216,8 +218,8 @@ Projection projection(const Camera& camera) {
         around && around->vertical_angle)
         f.vertical_angle = *around->vertical_angle * radians_per_degree;
     if (view.aperture > 0 && view.blur_samples > 0) {
-        const bool both = view.most_blur_samples > 0;
-        const int most = both ? view.most_blur_samples : view.blur_samples;
+        const bool both = view.max_blur_samples > 0;
+        const int most = both ? view.max_blur_samples : view.blur_samples;
         f.blur = {both ? std::min(most, view.blur_samples) : usual_blur_samples(most), most,
                   view.variance, view.confidence};
         // As in POV-Ray, what scales the camera leaves its lens and what is sharp as they are.
@@ -382,3 +384,5 @@ Vec3 Projection::normal_place(double u, double v) const {
     }
     return {u, v, 0};
 }
+
+}  // namespace candelabra

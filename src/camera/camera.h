@@ -12,6 +12,8 @@
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 /// What every camera has. Left-handed by default: x to the right, y up, z into the picture.
 struct View {
     Vec3 location = Vec3(0);
@@ -23,7 +25,7 @@ struct View {
     std::optional<double> angle;
     double aperture = 0;  ///< what is not at the focal point is blurred; 0: all is sharp
     int blur_samples = 0;
-    int most_blur_samples = 0;  ///< 0: blur_samples is the greatest number
+    int max_blur_samples = 0;  ///< 0: blur_samples is the greatest number
     std::optional<Vec3> focal_point;
     double variance = 1e-4;
     double confidence = 0.9;
@@ -142,3 +144,5 @@ std::string problem(const Camera&);
 
 /// Precondition: problem() is empty.
 Projection projection(const Camera&);
+
+}  // namespace candelabra

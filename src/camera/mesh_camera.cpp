@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo MeshRays::vocabulary = described<MeshRays>([] {
     using F = Field<MeshRays>;
     return schema<MeshRays>(
@@ -112,3 +114,5 @@ Ray MeshLens::ray(const PictureSample& at) const {
     const Vec3 start = found.mesh->transform.point(blended(face.corners, found.weights));
     return {start + offset_ * normal, reversed_ ? -normal : normal};
 }
+
+}  // namespace candelabra

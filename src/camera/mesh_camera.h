@@ -10,6 +10,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 struct CameraFace {
     std::array<Vec3, 3> corners;
     std::array<Vec3, 3> normals;
@@ -73,3 +75,5 @@ private:
     };
     std::vector<std::vector<Place>> cells_;
 };
+
+}  // namespace candelabra

@@ -18,6 +18,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 using ByPath = std::map<std::string, std::vector<Json>>;
@@ -138,3 +140,5 @@ std::map<std::string, std::vector<Json>> check(const Workspace& workspace, const
     if (!found.is_object()) return unchecked(path, "the check has broken off");
     return found.get<ByPath>();
 }
+
+}  // namespace candelabra

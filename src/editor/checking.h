@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+namespace candelabra {
+
 struct CheckLimits {
     int milliseconds = 10'000;
     std::uint64_t bytes = std::uint64_t{1} << 31;  ///< beside the room of the stack
@@ -17,3 +19,5 @@ struct CheckLimits {
 std::map<std::string, std::vector<Json>> check(const Workspace&, const std::string& path,
                                                const std::string& folder_for_writing,
                                                const CheckLimits&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Where a comment that begins there ends; comments lie in comments.
@@ -113,3 +115,5 @@ EditedFile read_tokens(std::string text, Names& names) {
     Declarations{file}();
     return file;
 }
+
+}  // namespace candelabra

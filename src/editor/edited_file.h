@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// A half-open range of bytes.
 struct Part {
     std::uint32_t first = 0;
@@ -46,3 +48,5 @@ struct EditedFile {
 
 /// Cannot fail: what is no token is left out.
 EditedFile read_tokens(std::string text, Names&);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <charconv>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view line_end = "\r\n", blank_line = "\r\n\r\n";
@@ -79,3 +81,5 @@ std::optional<std::uint64_t> Framing::length(std::string_view head) {
         return lose(message("a message has more than ", longest_skip, " bytes"));
     return value;
 }
+
+}  // namespace candelabra

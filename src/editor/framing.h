@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class Framing {
 public:
     static constexpr std::size_t longest_head = 4096;
@@ -39,3 +41,5 @@ private:
     bool skipping_ = false;
     std::string lost_;
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string fenced(std::string_view text) { return message("```pov\n", text, "\n```\n"); }
@@ -125,3 +127,5 @@ std::optional<Hover> hover(Workspace& workspace, const std::string& path, std::u
     if (text.empty()) return std::nullopt;
     return Hover{std::move(text), {token->first, token->last}};
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 struct Hover {
     std::string text;
     Part place;
@@ -18,3 +20,5 @@ std::optional<Hover> hover(Workspace&, const std::string& path, std::uint32_t of
 /// The names of the blocks that a place lies in, the innermost first: "finish", "texture",
 /// "sphere".
 std::vector<NameId> blocks_around(const EditedFile&, std::uint32_t offset);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 /// Reads a comment from left to right.
@@ -97,3 +99,5 @@ std::vector<Knob> knobs(std::string_view scene) {
         if (auto one = knob(file, names, &file.tokens[i])) found.push_back(std::move(*one));
     return found;
 }
+
+}  // namespace candelabra

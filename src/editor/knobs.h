@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 struct Knob {
     std::string name;
     double value;  ///< when nobody says anything
@@ -23,3 +25,5 @@ struct Knob {
 
 /// In the order of the text. Ranges that are empty make none.
 std::vector<Knob> knobs(std::string_view scene);
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <map>
 #include <new>
 
+namespace candelabra {
+
 namespace {
 
 struct Method {
@@ -108,7 +110,7 @@ void LanguageServer::receive(std::string_view message) {
     try {
         if (nests_deeper(message, deepest))
             return refuse(id, invalid_request,
-                          ::message("a message nests at most ", deepest, " deep"));
+                          candelabra::message("a message nests at most ", deepest, " deep"));
         receive(Json::parse(message, nullptr, false), id);
     } catch (const std::bad_alloc&) {
         refuse(id, internal_error, "there is not enough memory for this");
@@ -260,7 +262,7 @@ Json LanguageServer::hover(Parameters& parameters) {
     const FileHandle file = open_file(parameters);
     if (!file) return nullptr;
     const std::uint32_t offset = parameters.place(file->text, {"position"});
-    const auto found = ::hover(workspace_, file->path, offset);
+    const auto found = candelabra::hover(workspace_, file->path, offset);
     if (!found) return nullptr;
     return {{"contents", {{"kind", "markdown"}, {"value", found->text}}},
             {"range", range_of(file->text, found->place)}};
@@ -384,3 +386,5 @@ Json LanguageServer::formatting(Parameters& parameters) {
     const Part all{0, static_cast<std::uint32_t>(content.size())};
     return Json::array({{{"range", range_of(content, all)}, {"newText", better}}});
 }
+
+}  // namespace candelabra

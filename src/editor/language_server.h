@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class LanguageServer {
 public:
     /// `library`: folder of the standard library, or "". Scenes that write files write them below
@@ -84,3 +86,5 @@ private:
     bool shut_down_ = false;
     bool ended_ = false;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int step = 4;
@@ -228,3 +230,5 @@ private:
 }  // namespace
 
 std::string laid_out(std::string_view text) { return Layout(text)(); }
+
+}  // namespace candelabra

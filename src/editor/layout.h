@@ -7,7 +7,11 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// The text with four blanks for each block or directive that a line lies in, lists in parentheses
 /// and vectors below their first value, no blanks at the ends of lines, at most two empty lines
 /// together and none at the ends of the text. Laying out the result again changes nothing.
 std::string laid_out(std::string_view text);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 const Json* member(const Json* object, const char* name) {
@@ -90,3 +92,5 @@ std::string Parameters::changed_text() {
     }
     return changes->back()["text"].get<std::string>();
 }
+
+}  // namespace candelabra

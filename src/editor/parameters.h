@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class Parameters {
 public:
     /// `json` must live as long; null stands for none.
@@ -43,3 +45,5 @@ private:
     const Json& json_;
     std::string problem_;
 };
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 class Problems {
@@ -82,3 +84,5 @@ std::map<std::string, std::vector<Json>> problems(const Report& report, const Wo
                                                   const std::string& scene) {
     return Problems(report, workspace, scene).take();
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cctype>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view scheme = "file://";
@@ -116,3 +118,5 @@ Json LineTable::position_of(std::uint32_t offset) const {
 Json LineTable::range_of(Part part) const {
     return {{"start", position_of(part.first)}, {"end", position_of(part.last)}};
 }
+
+}  // namespace candelabra

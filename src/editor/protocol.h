@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 using Json = nlohmann::json;
 
 /// `file:///a%20b.pov` to `/a b.pov`; what is no such URI is taken as it is.
@@ -37,3 +39,5 @@ private:
     std::string_view text_;
     std::vector<std::uint32_t> starts_;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Mention> mentions_of(NameId name, const std::vector<FileHandle>& files) {
@@ -57,3 +59,5 @@ std::variant<std::vector<Mention>, std::string> renaming(Workspace& workspace,
                            "` belongs to the standard library");
     return found;
 }
+
+}  // namespace candelabra

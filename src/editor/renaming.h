@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 struct Mention {
     std::string path;
     Part place;
@@ -22,3 +24,5 @@ std::vector<Mention> mentions(Workspace&, const std::string& path, std::uint32_t
 std::variant<std::vector<Mention>, std::string> renaming(Workspace&, const std::string& path,
                                                          std::uint32_t offset,
                                                          const std::string& new_name);
+
+}  // namespace candelabra

@@ -7,10 +7,12 @@
 #include "world/compile.h"
 #include "world/review.h"
 
+namespace candelabra {
+
 namespace {
 
 /// Loops of a scene that is being typed may be without end.
-constexpr std::uint64_t most_steps = 5'000'000;
+constexpr std::uint64_t max_steps = 5'000'000;
 
 }  // namespace
 
@@ -30,9 +32,11 @@ void report(const Workspace& workspace, const std::string& path,
     }
     const Door door({folder, "", workspace.library()}, {folder_for_writing});
     EvaluateOptions options;
-    options.limits.steps = most_steps;
+    options.limits.steps = max_steps;
     const Scene scene =
         evaluate(result.sources, workspace.loader(folder, door), main, options, result.diagnostics);
     if (!result.diagnostics.failed())
         review(scene, survey(scene, result.diagnostics), result.diagnostics);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 struct Report {
     SourceStore sources;
     Diagnostics diagnostics;
@@ -17,3 +19,5 @@ struct Report {
 /// scene writes go below the folder, which is given; evaluation ends after some seconds' work.
 void report(const Workspace&, const std::string& path, const std::string& folder_for_writing,
             Report&);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+namespace candelabra {
+
 namespace {
 
 class Suggestions {
@@ -105,3 +107,5 @@ std::vector<Suggestion> suggestions(Workspace& workspace, const std::string& pat
     }
     return result.take();
 }
+
+}  // namespace candelabra

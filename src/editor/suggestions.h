@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 struct Suggestion {
     enum Kind { field, item, function, name, macro, directive, file, word };
 
@@ -19,3 +21,5 @@ struct Suggestion {
 
 /// The likely ones first; each text once.
 std::vector<Suggestion> suggestions(Workspace&, const std::string& path, std::uint32_t offset);
+
+}  // namespace candelabra

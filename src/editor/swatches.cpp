@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// A prefix and the numbers behind it.
@@ -72,3 +74,5 @@ std::optional<std::string> recoloured(const EditedFile& file, const Names& names
     }
     return std::nullopt;
 }
+
+}  // namespace candelabra

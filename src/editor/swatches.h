@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 struct Swatch {
     Part place;  ///< from the word to the numbers
     Vec3 srgb;   ///< encoded, as screens have it; 0 to 1
@@ -21,3 +23,5 @@ std::vector<Swatch> swatches(const EditedFile&, const Names&);
 /// The colour at that place with other red, green and blue; what it says of transparency stays.
 std::optional<std::string> recoloured(const EditedFile&, const Names&, Part place,
                                       const Vec3& srgb);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
@@ -81,3 +83,5 @@ std::string textmate_grammar() {
                                  {"repository", {{"block_comment", comment}}}};
     return grammar.dump(2) + "\n";
 }
+
+}  // namespace candelabra

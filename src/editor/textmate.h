@@ -5,5 +5,9 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// JSON, for the scope name source.pov.
 std::string textmate_grammar();
+
+}  // namespace candelabra

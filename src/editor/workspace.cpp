@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 void Workspace::open(const std::string& path, std::string text) {
     documents_[path] = std::move(text);
 }
@@ -63,7 +65,7 @@ FileHandle Workspace::file(const std::string& path) {
 
 void Workspace::add_with_includes(const std::string& path, const std::string& folder,
                                   std::vector<FileHandle>& files) {
-    if (files.size() >= most_files) return;
+    if (files.size() >= max_files) return;
     const FileHandle one = file(path);
     if (!one || std::ranges::find(files, one) != files.end()) return;
     files.push_back(one);
@@ -95,3 +97,5 @@ std::vector<Workspace::Found> Workspace::declarations(NameId name, const std::st
     }
     return found;
 }
+
+}  // namespace candelabra

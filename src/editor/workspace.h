@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// As it was when it was asked for.
 using FileHandle = std::shared_ptr<const EditedFile>;
 
@@ -46,7 +48,7 @@ public:
     Names& names() { return names_; }
 
 private:
-    static constexpr std::size_t most_files = 1000;
+    static constexpr std::size_t max_files = 1000;
 
     Reader reader(const Door&) const;
     void add_with_includes(const std::string& path, const std::string& folder,
@@ -57,3 +59,5 @@ private:
     std::map<std::string, std::string> documents_;
     std::map<std::string, FileHandle> read_;  ///< files with their tokens
 };
+
+}  // namespace candelabra

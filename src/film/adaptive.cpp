@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 std::uint32_t samples_to_add(const Film& film, int x, int y, const AdaptiveRule& rule) {
     double deviation = 0;
     for (int v = std::max(0, y - 1); v <= std::min(film.height() - 1, y + 1); ++v)
@@ -16,3 +18,5 @@ std::uint32_t samples_to_add(const Film& film, int x, int y, const AdaptiveRule&
     const double total = std::min(std::ceil(needed), static_cast<double>(rule.at_most));
     return total > has ? static_cast<std::uint32_t>(total) - has : 0;
 }
+
+}  // namespace candelabra

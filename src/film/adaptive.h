@@ -6,6 +6,8 @@
 
 #include "film/film.h"
 
+namespace candelabra {
+
 struct AdaptiveRule {
     double error;  ///< standard error that is good enough: display values, summed over the channels
     std::uint32_t at_most;  ///< samples of a pixel, with those that it has
@@ -13,3 +15,5 @@ struct AdaptiveRule {
 
 /// Samples that the pixel needs beside those it has; 0 where its neighbourhood is smooth.
 std::uint32_t samples_to_add(const Film&, int x, int y, const AdaptiveRule&);
+
+}  // namespace candelabra

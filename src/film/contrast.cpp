@@ -7,14 +7,16 @@
 #include <utility>
 #include <vector>
 
-Shown Contrast::shown(const Vec3& colour, double clear) const {
-    Shown shown{colour, clear};
+namespace candelabra {
+
+DisplayValue Contrast::shown(const Vec3& colour, double clear) const {
+    DisplayValue shown{colour, clear};
     for (int i = 0; i < 3; ++i)
         shown.colour[i] = from_linear(to_linear(colour[i], assumed_gamma), gamma);
     return shown;
 }
 
-bool Contrast::between(const Shown& a, const Shown& b) const {
+bool Contrast::between(const DisplayValue& a, const DisplayValue& b) const {
     const Vec3 difference = glm::abs(a.colour - b.colour);
     return difference.x + difference.y + difference.z + std::abs(a.clear - b.clear) >= threshold;
 }
@@ -34,25 +36,25 @@ std::uint32_t all_samples(const ContrastRule& rule) {
 
 bool refine_block(const Contrast& contrast, const Region& block, const ContrastPixels& pixels) {
     const int left = block.left - 1, top = block.top - 1, across = block.right - left;
-    std::vector<Shown> shown;
+    std::vector<DisplayValue> shown;
     for (int y = top; y < block.bottom; ++y)
         for (int x = left; x < block.right; ++x)
             // The one above and to the left of all is beside none of them.
-            shown.push_back(x == left && y == top ? Shown() : pixels.first(x, y));
+            shown.push_back(x == left && y == top ? DisplayValue() : pixels.first(x, y));
     std::vector<bool> refined(shown.size());
     const auto at = [&](int x, int y) {
         return static_cast<std::size_t>((y - top) * across + (x - left));
     };
     const auto refine = [&](int x, int y) {
         if (!block.contains(x, y) || refined[at(x, y)]) return true;
-        const std::optional<Shown> all = pixels.all(x, y);
+        const std::optional<DisplayValue> all = pixels.all(x, y);
         if (all) shown[at(x, y)] = *all;
         refined[at(x, y)] = true;
         return all.has_value();
     };
     for (int y = block.top; y < block.bottom; ++y)
         for (int x = block.left; x < block.right; ++x) {
-            const Shown first = shown[at(x, y)];
+            const DisplayValue first = shown[at(x, y)];
             for (const auto& [u, v] : {std::pair{x - 1, y}, std::pair{x, y - 1}})
                 if (contrast.between(first, shown[at(u, v)]) && !(refine(u, v) && refine(x, y)))
                     return false;
@@ -70,3 +72,5 @@ Vec2 place_in_pixel(const ContrastRule& rule, const Key& key) {
                 cell / rule.across + 0.5 + moved(Purpose::pixel_y)) /
            static_cast<double>(rule.across);
 }
+
+}  // namespace candelabra

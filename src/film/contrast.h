@@ -11,8 +11,10 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// A place of a picture as it is compared with others.
-struct Shown {
+struct DisplayValue {
     Vec3 colour = Vec3(0);
     double clear = 0;  ///< where a picture has an alpha channel
 };
@@ -23,8 +25,8 @@ struct Contrast {
     double assumed_gamma;  ///< of the colours in the film
     double gamma;          ///< of those that are compared
 
-    Shown shown(const Vec3& colour, double clear) const;
-    bool between(const Shown&, const Shown&) const;
+    DisplayValue shown(const Vec3& colour, double clear) const;
+    bool between(const DisplayValue&, const DisplayValue&) const;
 };
 
 Contrast contrast_of(const RenderSettings&, double assumed_gamma);
@@ -43,9 +45,9 @@ std::uint32_t all_samples(const ContrastRule&);
 /// What the pixels of a block are asked for, one at a time.
 struct ContrastPixels {
     /// What its first ray shows; also of the pixels above the block and to its left.
-    FunctionRef<Shown(int x, int y)> first;
+    FunctionRef<DisplayValue(int x, int y)> first;
     /// What all of its rays show; nothing to stop.
-    FunctionRef<std::optional<Shown>(int x, int y)> all;
+    FunctionRef<std::optional<DisplayValue>(int x, int y)> all;
 };
 
 /// Goes through a block row by row, and asks for all rays of pixels that differ from the one to
@@ -56,3 +58,5 @@ bool refine_block(const Contrast&, const Region& block, const ContrastPixels&);
 
 /// Where the ray of a sample passes its pixel, from the left and upper edge, in pixels.
 Vec2 place_in_pixel(const ContrastRule&, const Key&);
+
+}  // namespace candelabra

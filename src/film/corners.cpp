@@ -4,12 +4,14 @@
 #include <array>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
-using FourSights = std::array<const Sight*, 4>;
+using FourSights = std::array<const PixelSample*, 4>;
 
-Sight mean_of(const FourSights& sights) {
-    Sight mean = *sights[0];
+PixelSample mean_of(const FourSights& sights) {
+    PixelSample mean = *sights[0];
     for (std::size_t i = 1; i < sights.size(); ++i) {
         mean.colour += sights[i]->colour;
         for (std::size_t j = 0; j < mean.extra.size(); ++j) mean.extra[j] += sights[i]->extra[j];
@@ -48,10 +50,10 @@ CornerCells::CornerCells(const CornerRule& rule, const Region& tile)
       corners_(
           static_cast<std::size_t>((tile.right - tile.left + 1) * (tile.bottom - tile.top + 1))) {}
 
-Sight CornerCells::pixel(int x, int y, Look look) {
+PixelSample CornerCells::pixel(int x, int y, Look look) {
     inside_.clear();
     const Pixel pixel{x, y, look};
-    Sight sight = mean(pixel, {0, 0, quarters_across(rule_)});
+    PixelSample sight = mean(pixel, {0, 0, quarters_across(rule_)});
     sight.shadow_rays = point(pixel, 0, 0).sight.shadow_rays;
     for (const auto& [sample, point] : inside_) sight.shadow_rays += point.sight.shadow_rays;
     return sight;
@@ -75,12 +77,12 @@ const CornerCells::Point& CornerCells::point(const Pixel& pixel, std::uint32_t x
 }
 
 CornerCells::Point CornerCells::seen(const Pixel& pixel, std::uint32_t sample) const {
-    Sight sight = pixel.look(pixel.x, pixel.y, sample);
-    const Shown shown = rule_.contrast.shown(sight.colour, sight.clear);
+    PixelSample sight = pixel.look(pixel.x, pixel.y, sample);
+    const DisplayValue shown = rule_.contrast.shown(sight.colour, sight.clear);
     return {std::move(sight), shown};
 }
 
-Sight CornerCells::mean(const Pixel& pixel, const Cell& cell) {
+PixelSample CornerCells::mean(const Pixel& pixel, const Cell& cell) {
     const std::array<const Point*, 4> corners = {
         &point(pixel, cell.x, cell.y), &point(pixel, cell.x + cell.size, cell.y),
         &point(pixel, cell.x, cell.y + cell.size),
@@ -93,9 +95,11 @@ Sight CornerCells::mean(const Pixel& pixel, const Cell& cell) {
         return mean_of(
             {&corners[0]->sight, &corners[1]->sight, &corners[2]->sight, &corners[3]->sight});
     const std::uint32_t half = cell.size / 2;
-    const Sight a = mean(pixel, {cell.x, cell.y, half}),
-                b = mean(pixel, {cell.x + half, cell.y, half}),
-                c = mean(pixel, {cell.x, cell.y + half, half}),
-                d = mean(pixel, {cell.x + half, cell.y + half, half});
+    const PixelSample a = mean(pixel, {cell.x, cell.y, half}),
+                      b = mean(pixel, {cell.x + half, cell.y, half}),
+                      c = mean(pixel, {cell.x, cell.y + half, half}),
+                      d = mean(pixel, {cell.x + half, cell.y + half, half});
     return mean_of({&a, &b, &c, &d});
 }
+
+}  // namespace candelabra

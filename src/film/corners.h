@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace candelabra {
+
 struct CornerRule {
     Contrast contrast;
     int depth;      ///< a pixel is quartered one time less than this
@@ -26,7 +28,7 @@ std::uint32_t quarters_across(const CornerRule&);
 Vec2 place_in_pixel(const CornerRule&, const Key&);
 
 /// What one ray has shown, or the mean of several.
-struct Sight {
+struct PixelSample {
     Vec3 colour = Vec3(0);
     double clear = 0;  ///< that is compared besides, where a picture has an alpha channel
     std::vector<double> extra = {};  ///< as the film's
@@ -37,17 +39,17 @@ struct Sight {
 class CornerCells {
 public:
     /// What the ray of a sample shows; the pixel may be one behind the last of a row, or below.
-    using Look = FunctionRef<Sight(int x, int y, std::uint32_t sample)>;
+    using Look = FunctionRef<PixelSample(int x, int y, std::uint32_t sample)>;
 
     CornerCells(const CornerRule&, const Region& tile);
 
     /// Its shadow rays are those of its first corner and of what is inside.
-    Sight pixel(int x, int y, Look look);
+    PixelSample pixel(int x, int y, Look look);
 
 private:
     struct Point {
-        Sight sight;
-        Shown shown;
+        PixelSample sight;
+        DisplayValue shown;
     };
     /// A square in the pixel that is looked at: in smallest quarters from its left and upper edge.
     struct Cell {
@@ -60,10 +62,12 @@ private:
 
     const Point& point(const Pixel&, std::uint32_t x, std::uint32_t y);
     Point seen(const Pixel&, std::uint32_t sample) const;
-    Sight mean(const Pixel&, const Cell&);
+    PixelSample mean(const Pixel&, const Cell&);
 
     CornerRule rule_;
     Region tile_;
     std::vector<std::optional<Point>> corners_;
     std::unordered_map<std::uint32_t, Point> inside_;  ///< of one pixel, by their sample
 };
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 void PixelSum::add(const Vec3& sample) {
     for (int i = 0; i < 3; ++i) {
         const auto channel = static_cast<std::size_t>(i);
@@ -52,12 +54,12 @@ double PixelSum::variance_of_mean() const {
     return std::max({variance(0), variance(1), variance(2)}) / samples;
 }
 
-Film::Film(int width, int height, std::size_t extras)
+Film::Film(int width, int height, std::size_t aovs)
     : width_(width),
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
-      extras_(extras),
-      sums_(pixels_.size() * extras) {}
+      extras_(aovs),
+      sums_(pixels_.size() * aovs) {}
 
 void Film::add(std::size_t pixel, const Film& other) {
     pixels_[pixel].add(other.pixels_[pixel]);
@@ -69,3 +71,5 @@ Image Film::image() const {
     for (std::size_t i = 0; i < pixels_.size(); ++i) image.pixels[i] = pixels_[i].mean();
     return image;
 }
+
+}  // namespace candelabra

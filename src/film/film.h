@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 /// One pixel's samples.
 struct PixelSum {
     std::array<ExactSum, 3> radiance;
@@ -40,8 +42,8 @@ private:
 class Film {
 public:
     Film() = default;
-    /// With so many sums more for each pixel (render/extras.h says what they are).
-    Film(int width, int height, std::size_t extras = 0);
+    /// With so many sums more for each pixel (render/aovs.h says what they are).
+    Film(int width, int height, std::size_t aovs = 0);
     int width() const { return width_; }
     int height() const { return height_; }
     PixelSum& at(int x, int y) { return pixels_[index(x, y)]; }
@@ -53,7 +55,7 @@ public:
     }
     std::vector<PixelSum>& pixels() { return pixels_; }
     const std::vector<PixelSum>& pixels() const { return pixels_; }
-    std::size_t extras() const { return extras_; }
+    std::size_t aovs() const { return extras_; }
     /// Of the pixel with that number.
     std::span<ExactSum> extra(std::size_t pixel) {
         return std::span(sums_).subspan(pixel * extras_, extras_);
@@ -61,7 +63,7 @@ public:
     std::span<const ExactSum> extra(std::size_t pixel) const {
         return std::span(sums_).subspan(pixel * extras_, extras_);
     }
-    /// Adds the samples of that pixel of another film of this size, which has the same extras.
+    /// Adds the samples of that pixel of another film of this size, which has the same aovs.
     void add(std::size_t pixel, const Film& other);
     /// Means of the samples; black where there are none.
     Image image() const;
@@ -72,5 +74,7 @@ private:
     int width_ = 0, height_ = 0;
     std::vector<PixelSum> pixels_;
     std::size_t extras_ = 0;
-    std::vector<ExactSum> sums_;  ///< the extras, pixel by pixel
+    std::vector<ExactSum> sums_;  ///< the aovs, pixel by pixel
 };
+
+}  // namespace candelabra

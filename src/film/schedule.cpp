@@ -3,10 +3,12 @@
 
 #include "film/adaptive.h"
 
+namespace candelabra {
+
 namespace {
 
 /// More samples than this are not taken for the sake of noise, unless --samples says so.
-constexpr std::uint32_t most_for_noise = 1 << 16;
+constexpr std::uint32_t max_for_noise = 1 << 16;
 
 /// Whether a neighbour of the pixel, or itself, belongs to the share.
 bool borders(const Share& share, int x, int y) {
@@ -26,7 +28,7 @@ void for_pixels(Film& film, const Set& set) {
 AdaptiveRule rule_of(const RenderSettings& settings, const NoiseRule& rule) {
     if (settings.noise > 0)
         return {settings.noise, settings.samples > 0 ? static_cast<std::uint32_t>(settings.samples)
-                                                     : most_for_noise};
+                                                     : max_for_noise};
     // POV-Ray's threshold is for the difference of two rays; the mean of many should be better
     // than that. Its recursive method makes up to so many rays of a pixel.
     const std::uint32_t most = std::uint32_t{1} << (2 * settings.antialias_depth);
@@ -71,8 +73,8 @@ bool looks_around(const RenderSettings& settings, const SampleRule& rule) {
 
 }  // namespace
 
-RenderState begin_picture(const RenderSettings& settings, std::size_t extras) {
-    return {Film(settings.width, settings.height, extras),
+RenderState begin_picture(const RenderSettings& settings, std::size_t aovs) {
+    return {Film(settings.width, settings.height, aovs),
             whole_picture(settings.width, settings.height), 0};
 }
 
@@ -104,8 +106,8 @@ bool plan_round(RenderState& state, const RenderSettings& settings, std::uint32_
     return true;
 }
 
-std::uint32_t most_wanted(const RenderSettings& settings, std::uint32_t samples,
-                          const SampleRule& rule) {
+std::uint32_t max_wanted(const RenderSettings& settings, std::uint32_t samples,
+                         const SampleRule& rule) {
     if (is_even(settings, rule) || is_settled_by_tiles(rule)) return samples;
     if (const auto* const blur = std::get_if<BlurRule>(&rule))
         return std::max(samples, static_cast<std::uint32_t>(blur->most));
@@ -117,3 +119,5 @@ Wanted wanted_samples(const Film& film) {
     for (const PixelSum& pixel : film.pixels()) all.add(pixel);
     return all;
 }
+
+}  // namespace candelabra

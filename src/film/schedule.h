@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <variant>
 
+namespace candelabra {
+
 /// A picture on its way.
 struct RenderState {
     Film film;
@@ -23,8 +25,8 @@ struct RenderState {
     friend bool operator==(const RenderState&, const RenderState&) = default;
 };
 
-/// Before the first sample. `extras`: sums for each pixel besides the picture's.
-RenderState begin_picture(const RenderSettings&, std::size_t extras = 0);
+/// Before the first sample. `aovs`: sums for each pixel besides the picture's.
+RenderState begin_picture(const RenderSettings&, std::size_t aovs = 0);
 
 /// Pixels get more samples by the noise of those around them.
 struct NoiseRule {
@@ -47,7 +49,7 @@ bool is_even(const RenderSettings&, const SampleRule& = {});
 bool plan_round(RenderState&, const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
 /// The greatest target that the rounds can set, whatever the samples say.
-std::uint32_t most_wanted(const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
+std::uint32_t max_wanted(const RenderSettings&, std::uint32_t samples, const SampleRule& = {});
 
 /// What pixels are wanted to have up to now.
 struct Wanted {
@@ -62,3 +64,5 @@ struct Wanted {
     }
 };
 Wanted wanted_samples(const Film&);
+
+}  // namespace candelabra

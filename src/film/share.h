@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
+namespace candelabra {
+
 /// Edge of the squares that a picture is cut into, in pixels: POV-Ray's, whose antialiasing looks
 /// no further.
 inline constexpr int tile_size = 32;
@@ -44,3 +46,5 @@ struct Share {
 inline Share whole_picture(int width, int height) {
     return {{0, 0, width, height}, 0, 1, 0, width};
 }
+
+}  // namespace candelabra

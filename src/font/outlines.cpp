@@ -11,6 +11,8 @@
 #include <array>
 #include <memory>
 
+namespace candelabra {
+
 namespace {
 
 using Library = std::unique_ptr<FT_LibraryRec_, decltype(&FT_Done_FreeType)>;
@@ -130,3 +132,5 @@ TextOutlines text_outlines(std::string_view font, std::string_view text, const V
     std::erase_if(result.loops, [](const auto& loop) { return loop.empty(); });
     return result;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 struct TextOutlines {
     std::vector<std::vector<CurvePiece>> loops;  ///< an em is 1, the baseline is y = 0
     std::string problem;  ///< why there are none, as a sentence; empty when all is well
@@ -18,3 +20,5 @@ struct TextOutlines {
 /// says (its kerning included); `offset` is added to each. The font is the content of its file
 /// (TrueType and what else FreeType reads).
 TextOutlines text_outlines(std::string_view font, std::string_view text, const Vec2& offset);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -32,3 +34,5 @@ std::optional<std::string> system_font(const std::string& file_name) {
         }
     return std::nullopt;
 }
+
+}  // namespace candelabra

@@ -6,5 +6,9 @@
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 /// The content of the font file with this name; nothing when there is none.
 std::optional<std::string> system_font(const std::string& file_name);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "formula/parameters.h"
 
+namespace candelabra {
+
 namespace formula {
 
 namespace {
@@ -305,3 +307,5 @@ double witch_of_agnesi_2d(const double* arguments) {
 }
 
 }  // namespace formula
+
+}  // namespace candelabra

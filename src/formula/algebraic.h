@@ -4,6 +4,8 @@
 // are those that POV-Ray 3.7 computes.
 #pragma once
 
+namespace candelabra {
+
 namespace formula {
 
 double algbr_cyl1(const double* arguments);
@@ -54,3 +56,5 @@ double witch_of_agnesi(const double* arguments);
 double witch_of_agnesi_2d(const double* arguments);
 
 }  // namespace formula
+
+}  // namespace candelabra

@@ -6,13 +6,15 @@
 #include <algorithm>
 #include <bit>
 
+namespace candelabra {
+
 namespace {
 
 // An operand is a kind in the two highest bits and a number: the registers are known at the end.
 constexpr std::uint16_t constant_kind = 0x4000;
 constexpr std::uint16_t computed_kind = 0x8000;
 constexpr std::uint16_t kind_bits = 0xC000;
-constexpr std::size_t most_of_a_kind = 0x3000;
+constexpr std::size_t max_of_a_kind = 0x3000;
 
 std::uint16_t bits(ProgramBuilder::Operand operand) { return static_cast<std::uint16_t>(operand); }
 
@@ -211,9 +213,8 @@ void ProgramBuilder::repeat(std::size_t from) {
 }
 
 bool ProgramBuilder::fits() const {
-    return code_.size() < 0xFFFF && inputs_ < most_of_a_kind &&
-           constants_.size() < most_of_a_kind && used_.size() < most_of_a_kind &&
-           calls_.size() < most_of_a_kind;
+    return code_.size() < 0xFFFF && inputs_ < max_of_a_kind && constants_.size() < max_of_a_kind &&
+           used_.size() < max_of_a_kind && calls_.size() < max_of_a_kind;
 }
 
 /// The register of an operand.
@@ -243,3 +244,5 @@ Program ProgramBuilder::finish(std::span<const Operand> results) {
     program.calls = std::move(calls_);
     return program;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 class ProgramBuilder {
 public:
     /// A value of the program: an input, a constant, or a register that holds something computed.
@@ -63,7 +65,7 @@ public:
 
     /// False: it has too many instructions or registers, and there is no program.
     bool fits() const;
-    /// Precondition: fits(), and at most Program::most_results results.
+    /// Precondition: fits(), and at most Program::max_results results.
     Program finish(std::span<const Operand> results);
 
 private:
@@ -77,3 +79,5 @@ private:
     std::vector<Use> used_;  ///< by register of something computed
     std::size_t inputs_ = 0;
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -175,3 +177,5 @@ constexpr auto enclosed_functions = std::array<Enclosure (*)(const Enclosure&), 
 Enclosure enclosed_function(std::uint16_t number, const Enclosure& a) {
     return enclosed_functions[number](a);
 }
+
+}  // namespace candelabra

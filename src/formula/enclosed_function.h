@@ -5,6 +5,10 @@
 
 #include "formula/enclosure.h"
 
+namespace candelabra {
+
 /// The function of apply_function() with that number. Arguments for which there is no value do not
 /// count.
 Enclosure enclosed_function(std::uint16_t number, const Enclosure&);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 constexpr Bounds no_slope{0, 0}, yes{1, 1}, no{0, 0}, perhaps{0, 1};
@@ -209,12 +211,12 @@ Enclosure enclosed(Operation operation, const Enclosure& a, const Enclosure& b) 
         case true_either:
             return truth(disjunction(is_beyond(a.value, tolerance), is_beyond(b.value, tolerance)));
         case not_true: return truth(opposite(is_beyond(a.value, tolerance)));
-        case Operation::least: return ::least(a, b);
-        case Operation::greatest: return ::greatest(a, b);
-        case Operation::power: return ::power(a, b);
-        case Operation::arc_tangent: return ::arc_tangent(a, b);
+        case Operation::least: return candelabra::least(a, b);
+        case Operation::greatest: return candelabra::greatest(a, b);
+        case Operation::power: return candelabra::power(a, b);
+        case Operation::arc_tangent: return candelabra::arc_tangent(a, b);
         case Operation::remainder: return rest_of_division(a, b);
-        case Operation::whole_quotient: return ::whole_quotient(a, b);
+        case Operation::whole_quotient: return candelabra::whole_quotient(a, b);
         default: return Enclosure::unknown();
     }
     // clang-format on
@@ -229,7 +231,7 @@ public:
     bool from(std::size_t at, Enclosure* r) {
         for (;; ++at) {
             const Instruction& i = program_.code[at];
-            if (++steps_ > most_steps) return false;
+            if (++steps_ > max_steps) return false;
             switch (i.operation) {
                 case Operation::apply:
                     r[i.to] = enclosed_function(i.b, r[i.a]);
@@ -266,11 +268,11 @@ public:
     }
 
 private:
-    static constexpr int most_steps = 100'000, most_branches = 8;
+    static constexpr int max_steps = 100'000, max_branches = 8;
 
     /// It may go on at either place.
     bool both(std::size_t first, std::size_t second, Enclosure* r) {
-        if (branches_ == most_branches) return false;
+        if (branches_ == max_branches) return false;
         ++branches_;
         std::vector<Enclosure> other(r, r + program_.registers);
         const bool good = from(first, r) && from(second, other.data());
@@ -293,3 +295,5 @@ bool enclose(const Program& program, Enclosure* registers) {
         registers[program.inputs + i] = Enclosure::constant(program.constants[i]);
     return Run(program).from(0, registers);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 /// Numbers from low to high; neither is NaN.
 struct Bounds {
     double low = 0, high = 0;
@@ -42,3 +44,5 @@ Enclosure enclosed(Operation, const Enclosure& a, const Enclosure& b);
 /// As execute(): inputs must be in their registers, constants are put there. False: nothing is
 /// known, because the program calls code of C++, or is too long for this.
 bool enclose(const Program&, Enclosure* registers);
+
+}  // namespace candelabra

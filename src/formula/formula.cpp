@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 bool run_with(const Program& program, const double* arguments, double* results, double* registers,
@@ -39,7 +41,7 @@ bool run_program(const void* code, const double* arguments, double* results,
 Formula::Formula(Program program)
     : parameters_(program.inputs), results_(program.results), run_(run_program) {
     written_ = true;
-    cost_ = ::cost(program);
+    cost_ = candelabra::cost(program);
     for (const auto& called : program.calls) {
         depth_ = std::max(depth_, called->depth() + 1);
         written_ = written_ && called->written();
@@ -55,7 +57,7 @@ bool Formula::enclose(const Enclosure* arguments, Enclosure* results) const {
     std::vector<Enclosure> many(program.registers > usual ? program.registers : 0);
     Enclosure* const registers = many.empty() ? few.data() : many.data();
     std::copy_n(arguments, program.inputs, registers);
-    if (!::enclose(program, registers)) return false;
+    if (!candelabra::enclose(program, registers)) return false;
     for (std::size_t i = 0; i < program.results; ++i) results[i] = registers[program.result[i]];
     return true;
 }
@@ -65,3 +67,5 @@ double Formula::value(std::span<const double> arguments) const {
     return run(arguments.data(), results.data()) ? results[0]
                                                  : std::numeric_limits<double>::quiet_NaN();
 }
+
+}  // namespace candelabra

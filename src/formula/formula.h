@@ -12,13 +12,15 @@
 #include <span>
 #include <utility>
 
+namespace candelabra {
+
 /// Of which as many count as a function has results.
-using FunctionResults = std::array<double, Program::most_results>;
+using FunctionResults = std::array<double, Program::max_results>;
 
 class Formula {
 public:
     /// Formulas that call formulas, at most so deep: each level takes room on the stack.
-    static constexpr int most_depth = 100;
+    static constexpr int max_depth = 100;
 
     explicit Formula(Program program);
     /// Code of C++: bool(const double* arguments, double* results). The results may lie where the
@@ -78,3 +80,5 @@ private:
     std::shared_ptr<const void> code_;  ///< a Program, or what a constructor was given
     bool (*run_)(const void* code, const double* arguments, double* results, std::uint32_t& passes);
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace formula {
 
 namespace {
@@ -13,7 +15,7 @@ namespace {
 Vec3 point_of(const double* arguments) { return {arguments[0], arguments[1], arguments[2]}; }
 
 double limited_octaves(double number) {
-    return std::clamp(number, 0.0, static_cast<double>(most_octaves));
+    return std::clamp(number, 0.0, static_cast<double>(max_octaves));
 }
 
 }  // namespace
@@ -97,3 +99,5 @@ double noise_of_generator(const double* arguments) {
 }
 
 }  // namespace formula
+
+}  // namespace candelabra

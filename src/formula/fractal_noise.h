@@ -3,10 +3,12 @@
 // mountains. Called through the table in internal.cpp. Arguments are x, y, z, then p0, p1, ...
 #pragma once
 
+namespace candelabra {
+
 namespace formula {
 
 /// Octaves that count; after these, what is left is below any noise that shows.
-inline constexpr int most_octaves = 100;
+inline constexpr int max_octaves = 100;
 
 double hetero_mf(const double* arguments);
 double ridge(const double* arguments);
@@ -17,3 +19,5 @@ double noise3d(const double* arguments);
 double noise_of_generator(const double* arguments);
 
 }  // namespace formula
+
+}  // namespace candelabra

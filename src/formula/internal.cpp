@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto table = std::array{
@@ -99,3 +101,5 @@ const InternalFunction* internal_function(int number) {
 }
 
 std::span<const InternalFunction> internal_functions() { return table; }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 struct InternalFunction {
     int number;  ///< n of internal(n)
     std::string_view name;
@@ -23,3 +25,5 @@ std::span<const InternalFunction> internal_functions();
 
 /// f_noise3d, which takes the scene's noise_generator. Its entry in the table takes generator 2.
 inline constexpr int noise_function = 76;
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 struct Named {
@@ -74,3 +76,5 @@ double remainder_of(double a, double b) {
     if (rest < 0) rest += step;
     return std::copysign(rest, a);
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <optional>
 #include <string_view>
 
+namespace candelabra {
+
 /// What an instruction does: `to` is the register that it writes, `a` and `b` are those it reads
 /// unless something else is said.
 enum class Operation : std::uint16_t {
@@ -77,3 +79,5 @@ std::int32_t to_int32(double value);
 /// a - b * (a / b towards zero), exactly, with the sign of a: std::fmod, but fast for whole
 /// numbers.
 double remainder_of(double a, double b);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace candelabra {
+
 namespace formula {
 
 using std::numbers::pi;
@@ -66,3 +68,5 @@ inline double wrapped(double value, double divisor) {
 }
 
 }  // namespace formula
+
+}  // namespace candelabra

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// Passes of all loops of one execution, also in what it calls. Nobody waits for more, and a loop
 /// may have no end: sum(i, 1, 1e300, i).
-constexpr std::uint32_t most_passes = 100'000'000;
+constexpr std::uint32_t max_passes = 100'000'000;
 
 }  // namespace
 
@@ -63,7 +65,7 @@ bool execute(const Program& program, double* r, std::uint32_t& passes) {
             case jump: at = code + i.to; break;
             case jump_unless: if (!is_true(r[i.a])) at = code + i.to; break;
             case repeat:
-                if (++passes > most_passes) return false;
+                if (++passes > max_passes) return false;
                 at = code + i.to;
                 break;
             case call:
@@ -82,3 +84,5 @@ std::uint64_t cost(const Program& program) {
         if (i.operation == Operation::call) sum = std::min(most, sum + program.calls[i.a]->cost());
     return sum;
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace candelabra {
+
 class Formula;
 
 struct Instruction {
@@ -21,7 +23,7 @@ struct Instruction {
 static_assert(sizeof(Instruction) == 8);
 
 struct Program {
-    static constexpr std::size_t most_results = 5;
+    static constexpr std::size_t max_results = 5;
 
     std::vector<Instruction> code = {{}};
     std::vector<double> constants;
@@ -29,7 +31,7 @@ struct Program {
     std::size_t inputs = 0;
     std::size_t registers = 0;  ///< first the inputs, then the constants, then what is computed
     std::size_t results = 0;
-    std::array<std::uint16_t, most_results> result{};  ///< the registers of the results
+    std::array<std::uint16_t, max_results> result{};  ///< the registers of the results
 
     /// Puts the constants where execute() wants them.
     void prepare(double* registers) const;
@@ -49,3 +51,5 @@ inline bool execute(const Program& program, double* registers) {
 std::uint64_t cost(const Program&);
 /// And what each pass of a loop counts beside that, in the same steps.
 inline constexpr std::uint64_t cost_of_pass = 10;
+
+}  // namespace candelabra

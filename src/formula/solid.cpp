@@ -6,6 +6,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 namespace formula {
 
 namespace {
@@ -245,3 +247,5 @@ double torus(const double* arguments) {
 }
 
 }  // namespace formula
+
+}  // namespace candelabra

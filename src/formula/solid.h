@@ -5,6 +5,8 @@
 // computes.
 #pragma once
 
+namespace candelabra {
+
 namespace formula {
 
 double blob(const double* arguments);
@@ -35,3 +37,5 @@ double th(const double* arguments);
 double torus(const double* arguments);
 
 }  // namespace formula
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+namespace candelabra {
+
 class Asked {
 public:
     /// Whether the item is among the last ones that this was called for.
@@ -24,3 +26,5 @@ private:
     std::array<std::uint32_t, 16> items_;  ///< of which the first count_ are in use
     std::size_t count_ = 0, next_ = 0;
 };
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 class BruteForce {
 public:
     BruteForce() = default;
@@ -27,3 +29,5 @@ public:
 private:
     std::vector<std::uint32_t> items_;
 };
+
+}  // namespace candelabra

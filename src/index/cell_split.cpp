@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/cell_split.h"
 
-#include "base/every_machine.h"
+#include "base/target_clones.h"
 #include "index/extent.h"
 
 #include <algorithm>
@@ -9,11 +9,13 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 /// Up to so many items every end of a box is tried; above, the ends are counted in bins.
 constexpr std::size_t sweep_limit = 8;
-constexpr int most_cell_bins = 32;
+constexpr int max_cell_bins = 32;
 /// Fewer items are put into half as many bins.
 constexpr double few_in_cell = 64;
 /// Boxes may reach over planes by this share of the cell, and still be on one side: what touches
@@ -77,7 +79,7 @@ private:
 /// Tries planes at all ends of boxes.
 class CellSweep {
 public:
-    explicit CellSweep(std::span<const Fragment> fragments) : count_(fragments.size()) {
+    explicit CellSweep(std::span<const PrimRef> fragments) : count_(fragments.size()) {
         for (std::size_t i = 0; i < count_; ++i) boxes_[i] = fragments[i].box;
     }
 
@@ -138,17 +140,17 @@ struct CellBin {
 };
 
 /// Tries planes between bins of equal width.
-[[gnu::always_inline]] inline void try_bins(std::span<const Fragment> fragments,
+[[gnu::always_inline]] inline void try_bins(std::span<const PrimRef> fragments,
                                             const std::array<CellAxis, 3>& axes, BestPlane& best) {
     const int bins =
-        static_cast<double>(fragments.size()) < few_in_cell ? most_cell_bins / 2 : most_cell_bins;
-    std::array<std::array<CellBin, most_cell_bins>, 3> filled;
+        static_cast<double>(fragments.size()) < few_in_cell ? max_cell_bins / 2 : max_cell_bins;
+    std::array<std::array<CellBin, max_cell_bins>, 3> filled;
     std::array<double, 3> scale;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         scale[axis] = bins / (axes[axis].high - axes[axis].low);
         if (!(scale[axis] < Extent::infinity)) scale[axis] = 0;
     }
-    for (const Fragment& f : fragments) {
+    for (const PrimRef& f : fragments) {
         const Extent extent = Extent::of(f.box);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const CellAxis& along = axes[axis];
@@ -168,7 +170,7 @@ struct CellBin {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (scale[axis] == 0) continue;
-        std::array<Extent, most_cell_bins> from;  ///< around what ends in this bin and those above
+        std::array<Extent, max_cell_bins> from;  ///< around what ends in this bin and those above
         Extent above, below;
         for (int bin = bins - 1; bin > 0; --bin) {
             const auto i = static_cast<std::size_t>(bin);
@@ -190,7 +192,7 @@ struct CellBin {
 
 }  // namespace
 
-CANDELABRA_EVERY_MACHINE CellSplit find_cell_split(std::span<const Fragment> fragments,
+CANDELABRA_TARGET_CLONES CellSplit find_cell_split(std::span<const PrimRef> fragments,
                                                    const Box& box, const TreeSettings& costs,
                                                    double slack) {
     BestPlane best(fragments.size(), box, costs);
@@ -206,15 +208,15 @@ CANDELABRA_EVERY_MACHINE CellSplit find_cell_split(std::span<const Fragment> fra
     return best.best();
 }
 
-CellSides divide(std::span<const Fragment> fragments, const CellSplit& split, const ItemPart& part,
+CellSides divide(std::span<const PrimRef> fragments, const CellSplit& split, const ItemPart& part,
                  double slack) {
-    const auto part_in = [&](const Fragment& f, const Box& side) -> Box {
+    const auto part_in = [&](const PrimRef& f, const Box& side) -> Box {
         const Box box = part ? part(f.item, side) : side;
         if (box.empty()) return {};
         return clip(Box{box.low - Vec3(slack), box.high + Vec3(slack)}, f.box);
     };
     std::size_t below = 0, above = 0;
-    for (const Fragment& f : fragments) {
+    for (const PrimRef& f : fragments) {
         const bool over = split.reaches_above(f.box);
         above += over;
         below += !over || split.reaches_below(f.box);
@@ -222,11 +224,11 @@ CellSides divide(std::span<const Fragment> fragments, const CellSplit& split, co
     CellSides sides;
     sides.below.fragments.reserve(below);
     sides.above.fragments.reserve(above);
-    const auto put = [](CellSide& side, const Box& box, const Fragment& f) {
+    const auto put = [](CellSide& side, const Box& box, const PrimRef& f) {
         side.fragments.push_back({box, f.item});
         side.box = join(side.box, box);
     };
-    for (const Fragment& f : fragments) {
+    for (const PrimRef& f : fragments) {
         if (!split.reaches_above(f.box)) {
             put(sides.below, f.box, f);
         } else if (!split.reaches_below(f.box)) {
@@ -242,3 +244,5 @@ CellSides divide(std::span<const Fragment> fragments, const CellSplit& split, co
     }
     return sides;
 }
+
+}  // namespace candelabra

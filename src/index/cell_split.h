@@ -5,9 +5,11 @@
 // KD-Trees for Ray Shooting", 2002). Called by the builder of nodes; a pure function of the items.
 #pragma once
 
-#include "index/pieces.h"
+#include "index/spatial_splits.h"
 
 #include <vector>
+
+namespace candelabra {
 
 /// A plane that divides a cell, square to an axis.
 struct CellSplit {
@@ -22,16 +24,18 @@ struct CellSplit {
 
 /// What of items is on a side of a plane.
 struct CellSide {
-    std::vector<Fragment> fragments;
+    std::vector<PrimRef> fragments;
     Box box;  ///< around them
 };
 
 /// The best plane for items within a box, or none when it is better not to divide them.
-CellSplit find_cell_split(std::span<const Fragment>, const Box&, const TreeSettings&, double slack);
+CellSplit find_cell_split(std::span<const PrimRef>, const Box&, const TreeSettings&, double slack);
 
 /// Both sides of a plane. An item that passes through both stands in both, in boxes around its
 /// parts there, which are made larger by `slack`; one that passes through neither is left out.
 struct CellSides {
     CellSide below, above;
 };
-CellSides divide(std::span<const Fragment>, const CellSplit&, const ItemPart&, double slack);
+CellSides divide(std::span<const PrimRef>, const CellSplit&, const ItemPart&, double slack);
+
+}  // namespace candelabra

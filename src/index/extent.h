@@ -7,6 +7,8 @@
 
 #include <cstring>
 
+namespace candelabra {
+
 /// A box with its lower ends negated, so that joining takes the greater of all numbers: four lanes
 /// and two, in the order in which boxes are stored.
 struct Extent {
@@ -32,3 +34,5 @@ struct Extent {
     }
     Box box() const { return {{-four[0], -four[1], -four[2]}, {four[3], two[0], two[1]}}; }
 };
+
+}  // namespace candelabra

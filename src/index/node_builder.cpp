@@ -2,8 +2,8 @@
 #include "index/node_builder.h"
 
 #include "base/parallel.h"
+#include "base/round_outward.h"
 #include "base/short_list.h"
-#include "base/single.h"
 #include "index/cell_split.h"
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <limits>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Boxes with more items than this have their parts built side by side.
@@ -19,10 +21,10 @@ constexpr std::size_t fork_limit = 16384;
 /// Below so many levels items are halved, whatever it costs: the levels that are left do for all.
 constexpr int careful_depth = WideTree::depth_limit - 12;
 /// Boxes that are smaller than this share of their frame's begin a new one.
-constexpr double least_reach = 0x1p-10;
+constexpr double min_reach = 0x1p-10;
 
 /// Cells are divided until they have so many times as many items as there are, all together.
-constexpr double most_references = 16;
+constexpr double max_references = 16;
 /// And until they have this number altogether.
 constexpr double references_limit = WideTree::item_limit / 2;
 
@@ -31,13 +33,13 @@ struct Part {
     enum class Kind { unknown, leaf, cut, divided, halved };
 
     Box box = {};
-    std::span<Fragment> items = {};
-    std::vector<Fragment> own = {};      ///< of a cell: where the items are
-    double allowance = most_references;  ///< of a cell: the factor that is left of it
+    std::span<PrimRef> items = {};
+    std::vector<PrimRef> own = {};      ///< of a cell: where the items are
+    double allowance = max_references;  ///< of a cell: the factor that is left of it
     Kind kind = Kind::unknown;
     Split split = {};      ///< of what is divided
     CellSplit plane = {};  ///< of what is cut
-    Prospect prospect = {};
+    OcclusionCost prospect = {};
     TreeChild child = TreeChild::leaf(0);  ///< what it becomes
     std::uint32_t node = 0;                ///< of what is no leaf
 
@@ -48,13 +50,13 @@ using Parts = ShortList<Part, TreeNode::width>;
 /// Puts the parts in the order in which rays that ask for anything in their way visit them, the
 /// last one first: where a step stops them likeliest (Ize and Hansen, "RTSAH Traversal Order for
 /// Occlusion Rays", 2011).
-Prospect put_in_order(Parts& parts, const Box& box) {
+OcclusionCost put_in_order(Parts& parts, const Box& box) {
     std::ranges::stable_sort(parts, [](const Part& a, const Part& b) {
         return a.prospect.chance * b.prospect.steps < b.prospect.chance * a.prospect.steps;
     });
     const double whole = area(box);
     double passing = 1;
-    Prospect result;
+    OcclusionCost result;
     for (auto each = parts.rbegin(); each != parts.rend(); ++each) {
         const Part& part = *each;
         const double met = whole > 0 ? area(part.box) / whole : 1;
@@ -128,7 +130,7 @@ private:
     std::pair<Part, Part> sides(const Part&) const;
     Parts parts_of(Part, int depth) const;
     void finish_leaf(Part&);
-    Prospect build(std::uint32_t node, Part, const TreeFrame&, int depth);
+    OcclusionCost build(std::uint32_t node, Part, const TreeFrame&, int depth);
     void build_apart(std::span<Part>, const TreeFrame&, int depth);
     void adopt(const Part&, const BuiltNodes&);
     /// The frame of a part with a node.
@@ -169,19 +171,18 @@ void NodeBuilder::decide(Part& part, int depth) const {
 
 /// Both are where the whole was.
 std::pair<Part, Part> NodeBuilder::halves(Part& part) const {
-    const std::span<Fragment> all = part.items;
+    const std::span<PrimRef> all = part.items;
     Part below, above;
     std::size_t count = all.size() / 2;
     if (part.kind == Part::Kind::divided) {
-        const auto second = std::partition(all.begin(), all.end(), [&](const Fragment& f) {
-            return part.split.puts_below(f.box);
-        });
+        const auto second = std::partition(
+            all.begin(), all.end(), [&](const PrimRef& f) { return part.split.puts_below(f.box); });
         count = static_cast<std::size_t>(second - all.begin());
         below.box = part.split.below;
         above.box = part.split.above;
     } else {
-        for (const Fragment& f : all.first(count)) below.box = join(below.box, f.box);
-        for (const Fragment& f : all.subspan(count)) above.box = join(above.box, f.box);
+        for (const PrimRef& f : all.first(count)) below.box = join(below.box, f.box);
+        for (const PrimRef& f : all.subspan(count)) above.box = join(above.box, f.box);
     }
     below.items = all.first(count);
     above.items = all.subspan(count);
@@ -245,23 +246,24 @@ Parts NodeBuilder::parts_of(Part whole, int depth) const {
 
 /// Those who read leaves count on the order of items. Pieces of one item are one again.
 void NodeBuilder::finish_leaf(Part& part) {
-    std::span<Fragment> held = part.items;
+    std::span<PrimRef> held = part.items;
     const double whole = area(part.box);
     double passing = 1;
-    for (const Fragment& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
-    std::ranges::sort(held, {}, &Fragment::item);
-    const auto end =
-        std::unique(held.begin(), held.end(),
-                    [](const Fragment& a, const Fragment& b) { return a.item == b.item; });
+    for (const PrimRef& f : held) passing *= 1 - chance_to_stop(area(f.box), whole);
+    std::ranges::sort(held, {}, &PrimRef::item);
+    const auto end = std::unique(held.begin(), held.end(), [](const PrimRef& a, const PrimRef& b) {
+        return a.item == b.item;
+    });
     held = held.first(static_cast<std::size_t>(end - held.begin()));
     part.child = TreeChild::leaf(made_.leaves.size());
     made_.leaves.push_back(static_cast<std::uint32_t>(held.size()));
-    for (const Fragment& f : held) made_.leaves.push_back(f.item);
+    for (const PrimRef& f : held) made_.leaves.push_back(f.item);
     part.prospect = {1 - passing,
                      1 + 2 * std::ceil(static_cast<double>(held.size()) / task_.costs.group)};
 }
 
-Prospect NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& frame, int depth) {
+OcclusionCost NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& frame,
+                                 int depth) {
     const Box box = whole.box;
     const bool many = whole.items.size() > fork_limit;
     Parts parts = parts_of(std::move(whole), depth);
@@ -277,7 +279,7 @@ Prospect NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& fra
         part.child = TreeChild::node(place);
         part.node = place;
         made_.nodes.emplace_back();
-        if (TreeFrame own = frame_around(part.box, place); own.reach < least_reach * frame.reach) {
+        if (TreeFrame own = frame_around(part.box, place); own.reach < min_reach * frame.reach) {
             part.child = TreeChild::frame(static_cast<std::uint32_t>(made_.frames.size()));
             made_.frames.push_back(own);
         }
@@ -288,7 +290,7 @@ Prospect NodeBuilder::build(std::uint32_t node, Part whole, const TreeFrame& fra
         for (Part& part : inner)
             part.prospect =
                 build(part.node, taken(part), TreeFrame(frame_of(part, frame)), depth + 1);
-    const Prospect result = put_in_order(parts, box);
+    const OcclusionCost result = put_in_order(parts, box);
     TreeNode made = node_around(parts, frame.origin);
     for (std::size_t slot = 0; slot < parts.size(); ++slot) made.children[slot] = parts[slot].child;
     made_.nodes[node] = made;
@@ -343,11 +345,13 @@ double chance_to_stop(double item_area, double box_area) {
     return box_area > 0 ? std::min(1.0, 0.5 * item_area / box_area) : 1;
 }
 
-BuiltNodes build_nodes(const NodeTask& task, std::span<Fragment> fragments, const Box& box) {
+BuiltNodes build_nodes(const NodeTask& task, std::span<PrimRef> fragments, const Box& box) {
     Part whole;
     whole.box = box;
     whole.items = fragments;
     whole.allowance =
-        std::min(most_references, references_limit / static_cast<double>(fragments.size()));
+        std::min(max_references, references_limit / static_cast<double>(fragments.size()));
     return NodeBuilder(task, false).build(std::move(whole), frame_around(box, 0), 0);
 }
+
+}  // namespace candelabra

@@ -2,7 +2,9 @@
 // Builds the nodes of a tree, from the top down. Called by build_tree.
 #pragma once
 
-#include "index/pieces.h"
+#include "index/spatial_splits.h"
+
+namespace candelabra {
 
 /// What nodes are built by.
 struct NodeTask {
@@ -13,7 +15,7 @@ struct NodeTask {
 };
 
 /// What a ray that passes a box, and only asks whether anything is in its way, may expect there.
-struct Prospect {
+struct OcclusionCost {
     double chance = 0;  ///< to be stopped
     double steps = 1;   ///< until that is known
 };
@@ -30,8 +32,10 @@ struct BuiltNodes {
     std::vector<TreeNode> nodes;    ///< the first is around all; those of one parent side by side
     std::vector<TreeFrame> frames;  ///< the first is that of the first node
     std::vector<std::uint32_t> leaves;  ///< see WideTree; the first one has no items
-    Prospect prospect;
+    OcclusionCost prospect;
 };
 
 /// Of items within a box; brings these into another order.
-BuiltNodes build_nodes(const NodeTask&, std::span<Fragment>, const Box&);
+BuiltNodes build_nodes(const NodeTask&, std::span<PrimRef>, const Box&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 namespace {
 
 constexpr const char* node_help = "cost of holding a ray against the boxes of a node";
@@ -36,3 +38,5 @@ TreeSettings tree_settings(const RayIndex& index, int group) {
     const auto& boxes = std::get<BoundingBoxes>(index);
     return {Division::boxes, boxes.node_cost, boxes.group_cost, 0, group};
 }
+
+}  // namespace candelabra

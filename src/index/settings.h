@@ -6,6 +6,8 @@
 #include "index/wide_tree.h"
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 /// Space is divided by planes into cells that do not overlap; items stand in all cells that they
 /// pass through (Bentley, "Multidimensional Binary Search Trees Used for Associative Searching",
 /// 1975).
@@ -28,3 +30,5 @@ using RayIndex = std::variant<KdTree, BoundingBoxes>;
 
 /// How a tree is built by the index, over items of which so many are tested at once.
 TreeSettings tree_settings(const RayIndex&, int group = 8);
+
+}  // namespace candelabra

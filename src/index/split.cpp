@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/split.h"
 
-#include "base/every_machine.h"
 #include "base/infinity.h"
+#include "base/target_clones.h"
 #include "index/extent.h"
 
 #include <algorithm>
@@ -10,9 +10,11 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
-constexpr int most_bins = 16;
+constexpr int max_bins = 16;
 /// Fewer items are put into half as many bins.
 constexpr std::size_t few = 32;
 
@@ -22,9 +24,9 @@ struct Bin {
 };
 
 /// Where the items' centres are, in doubled coordinates.
-[[gnu::always_inline]] inline Box centres(std::span<const Fragment> fragments) {
+[[gnu::always_inline]] inline Box centres(std::span<const PrimRef> fragments) {
     Vec3 low(infinity), high(-infinity);
-    for (const Fragment& f : fragments) {
+    for (const PrimRef& f : fragments) {
         const Vec3 doubled = f.box.low + f.box.high;
         low = glm::min(low, doubled);
         high = glm::max(high, doubled);
@@ -42,7 +44,7 @@ double cost_of_items(double items, const TreeSettings& costs) {
     return costs.group_cost * 0.5 * (groups + whole);
 }
 
-CANDELABRA_EVERY_MACHINE Split find_split(std::span<const Fragment> fragments, const Box& box,
+CANDELABRA_TARGET_CLONES Split find_split(std::span<const PrimRef> fragments, const Box& box,
                                           const TreeSettings& costs, bool forced) {
     // Two boxes take a node at least.
     const auto items = static_cast<double>(fragments.size());
@@ -50,15 +52,15 @@ CANDELABRA_EVERY_MACHINE Split find_split(std::span<const Fragment> fragments, c
     if (!forced && !(together > 0)) return {};
 
     const Box held = centres(fragments);
-    const int bins = fragments.size() < few ? most_bins / 2 : most_bins;
+    const int bins = fragments.size() < few ? max_bins / 2 : max_bins;
     std::array<double, 3> scale;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         // A little less, so that the last centre falls into the last bin.
         scale[axis] = bins * (1 - 0x1p-40) / held.size()[static_cast<int>(axis)];
         if (!(scale[axis] < infinity)) scale[axis] = 0;  // all centres have one coordinate
     }
-    std::array<std::array<Bin, most_bins>, 3> filled;
-    for (const Fragment& f : fragments) {
+    std::array<std::array<Bin, max_bins>, 3> filled;
+    for (const PrimRef& f : fragments) {
         const Extent extent = Extent::of(f.box);
         const Vec3 doubled = f.box.low + f.box.high;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -75,7 +77,7 @@ CANDELABRA_EVERY_MACHINE Split find_split(std::span<const Fragment> fragments, c
     Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (scale[axis] == 0) continue;
-        std::array<Extent, most_bins> from;  ///< around this bin and those above
+        std::array<Extent, max_bins> from;  ///< around this bin and those above
         Extent above;
         for (int bin = bins - 1; bin > 0; --bin) {
             const auto i = static_cast<std::size_t>(bin);
@@ -105,3 +107,5 @@ CANDELABRA_EVERY_MACHINE Split find_split(std::span<const Fragment> fragments, c
     }
     return best;
 }
+
+}  // namespace candelabra

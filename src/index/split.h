@@ -10,8 +10,10 @@
 #include <cstdint>
 #include <span>
 
+namespace candelabra {
+
 /// An item of a box that may still be divided.
-struct Fragment {
+struct PrimRef {
     Box box;
     std::uint32_t item = 0;
 };
@@ -36,4 +38,6 @@ struct Split {
 
 /// The best division of items within a box, or none when it is better not to divide them.
 /// `forced`: the best one even then, and none only when all centres are in one place.
-Split find_split(std::span<const Fragment>, const Box&, const TreeSettings&, bool forced);
+Split find_split(std::span<const PrimRef>, const Box&, const TreeSettings&, bool forced);
+
+}  // namespace candelabra

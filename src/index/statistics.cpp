@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 TreeStatistics statistics(const WideTree& tree) {
     TreeStatistics result;
     result.bytes = tree.memory_bytes();
@@ -41,3 +43,5 @@ TreeStatistics statistics(const WideTree& tree) {
             static_cast<double>(result.references) / static_cast<double>(result.leaves);
     return result;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 
+namespace candelabra {
+
 struct TreeStatistics {
     std::size_t nodes = 0;
     std::size_t frames = 0;  ///< see TreeFrame
@@ -19,3 +21,5 @@ struct TreeStatistics {
 };
 
 TreeStatistics statistics(const WideTree&);
+
+}  // namespace candelabra

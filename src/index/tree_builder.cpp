@@ -9,19 +9,21 @@
 #include <cassert>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Who builds of so many items together keeps memory that is worth giving back.
 constexpr std::uint32_t many_items = 16384;
 /// More items are not cut into pieces: these could be more than a hierarchy of boxes can hold.
-constexpr std::uint32_t most_to_cut = 1u << 23;
+constexpr std::uint32_t max_to_cut = 1u << 23;
 
 }  // namespace
 
 /// Makes what only the tree's owner may.
 class TreeBuilder {
 public:
-    static WideTree make(std::span<Fragment> fragments, std::vector<std::uint32_t> endless,
+    static WideTree make(std::span<PrimRef> fragments, std::vector<std::uint32_t> endless,
                          const Box& bounds, const NodeTask& task) {
         WideTree made;
         made.settings_ = task.costs;
@@ -40,30 +42,30 @@ public:
 
 private:
     /// Items that stop so many rays that asking them first spares more steps than it takes.
-    static void choose_foremost(WideTree& made, std::span<const Fragment> fragments, double steps) {
-        constexpr std::size_t most_leaves = 4;
+    static void choose_foremost(WideTree& made, std::span<const PrimRef> fragments, double steps) {
+        constexpr std::size_t max_leaves = 4;
         // A group in a row of others takes less than one alone.
         constexpr double cost = 0.5;
         const double whole = area(made.bounds_);
-        std::vector<const Fragment*> largest;
-        const auto larger = [](const Fragment* a, const Fragment* b) {
+        std::vector<const PrimRef*> largest;
+        const auto larger = [](const PrimRef* a, const PrimRef* b) {
             return std::pair(area(a->box), b->item) > std::pair(area(b->box), a->item);
         };
-        for (const Fragment& f : fragments)
+        for (const PrimRef& f : fragments)
             if (chance_to_stop(area(f.box), whole) * steps * leaf_limit > cost)
                 largest.push_back(&f);
         std::ranges::sort(largest, larger);
-        for (std::size_t leaf = 0; leaf < most_leaves && leaf * leaf_limit < largest.size();
+        for (std::size_t leaf = 0; leaf < max_leaves && leaf * leaf_limit < largest.size();
              ++leaf) {
             const auto items = std::span(largest).subspan(
                 leaf * leaf_limit, std::min(leaf_limit, largest.size() - leaf * leaf_limit));
             double chance = 0;
-            for (const Fragment* f : items) chance += chance_to_stop(area(f->box), whole);
+            for (const PrimRef* f : items) chance += chance_to_stop(area(f->box), whole);
             if (chance * steps < cost) return;
             made.foremost_.push_back(TreeChild::leaf(made.leaves_.size()));
             made.leaves_.push_back(static_cast<std::uint32_t>(items.size()));
             const auto first = static_cast<std::ptrdiff_t>(made.leaves_.size());
-            for (const Fragment* f : items) made.leaves_.push_back(f->item);
+            for (const PrimRef* f : items) made.leaves_.push_back(f->item);
             std::sort(made.leaves_.begin() + first, made.leaves_.end());
         }
     }
@@ -72,7 +74,7 @@ private:
 WideTree build_tree(std::uint32_t items, const ItemBox& box_of, const ItemPart& part_of,
                     const TreeSettings& settings, int threads) {
     assert(items < WideTree::item_limit);
-    std::vector<Fragment> fragments;
+    std::vector<PrimRef> fragments;
     std::vector<std::uint32_t> endless;
     fragments.reserve(items);
     Box bounds;
@@ -90,11 +92,13 @@ WideTree build_tree(std::uint32_t items, const ItemBox& box_of, const ItemPart& 
     if (!fragments.empty())
         slack = 0x1p-46 * std::max(max_abs_component(bounds.low), max_abs_component(bounds.high));
     const auto enlarge = [&](Box& box) { box = {box.low - Vec3(slack), box.high + Vec3(slack)}; };
-    for (Fragment& f : fragments) enlarge(f.box);
+    for (PrimRef& f : fragments) enlarge(f.box);
     enlarge(bounds);
-    const bool cut = settings.by == Division::cells || items <= most_to_cut;
+    const bool cut = settings.by == Division::cells || items <= max_to_cut;
     WideTree made = TreeBuilder::make(fragments, std::move(endless), bounds,
                                       {settings, cut ? part_of : ItemPart(), slack, threads});
     if (items > many_items) give_back_freed();
     return made;
 }
+
+}  // namespace candelabra

@@ -2,7 +2,9 @@
 // Builds the trees that rays walk. Called by the world, composites and shapes of many parts.
 #pragma once
 
-#include "index/pieces.h"
+#include "index/spatial_splits.h"
+
+namespace candelabra {
 
 /// Bounds of an item.
 using ItemBox = std::function<Box(std::uint32_t item)>;
@@ -24,3 +26,5 @@ inline WideTree build_tree(std::span<const Box> boxes, const TreeSettings& setti
         static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t item) { return boxes[item]; },
         {}, settings, threads);
 }
+
+}  // namespace candelabra

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "index/wide_tree.h"
 
-#include "base/every_machine.h"
 #include "base/lanes.h"
 #include "base/page_advice.h"
 #include "base/parallel.h"
+#include "base/target_clones.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+
+namespace candelabra {
 
 namespace {
 
@@ -98,7 +100,7 @@ public:
         }
         // The last operand is taken where the other is not a number.
         entry = greatest_of(greatest_of(in[0], in[1]), greatest_of(in[2], lanes_of(least_)));
-        const Lanes exit = least_of(least_of(out[0], out[1]), least_of(out[2], lanes_of(most_)));
+        const Lanes exit = min_of(min_of(out[0], out[1]), min_of(out[2], lanes_of(most_)));
         return marked(~(entry > exit));
     }
 
@@ -189,12 +191,12 @@ template <bool likely_first>
     }
 }
 
-CANDELABRA_EVERY_MACHINE bool WideTree::walk(const TreeFrame& frame, const Ray& ray,
+CANDELABRA_TARGET_CLONES bool WideTree::walk(const TreeFrame& frame, const Ray& ray,
                                              Interval& range, Visit visit) const {
     return walk_any<false>(frame, ray, range, visit);
 }
 
-CANDELABRA_EVERY_MACHINE bool WideTree::walk_likely(const TreeFrame& frame, const Ray& ray,
+CANDELABRA_TARGET_CLONES bool WideTree::walk_likely(const TreeFrame& frame, const Ray& ray,
                                                     Interval& range, Visit visit) const {
     return walk_any<true>(frame, ray, range, visit);
 }
@@ -300,3 +302,5 @@ void WideTree::for_each_node(
         }
     }
 }
+
+}  // namespace candelabra

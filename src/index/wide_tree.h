@@ -21,6 +21,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 /// How items are divided.
 enum class Division : std::uint8_t {
     boxes,  ///< each into one group, whose boxes may overlap: a hierarchy of bounding boxes
@@ -167,7 +169,7 @@ public:
     std::span<const std::uint32_t> items(TreeChild leaf) const;
     /// Leaves that are visited before all others when anything will do: large things, which stop
     /// many rays. Their items are in the tree as well.
-    std::span<const TreeChild> foremost() const { return foremost_; }
+    std::span<const TreeChild> early_occluders() const { return foremost_; }
     /// Items whose boxes are not finite: in no leaf, and visited by every ray.
     std::span<const std::uint32_t> endless() const { return endless_; }
     const TreeSettings& settings() const { return settings_; }
@@ -215,3 +217,5 @@ private:
     std::vector<std::uint32_t> endless_;
     TreeSettings settings_;
 };
+
+}  // namespace candelabra

@@ -2,12 +2,14 @@
 // Arrays: making them, and finding elements in them.
 #include "interpret/state.h"
 #include "text/ascii.h"
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <cmath>
+
+namespace candelabra {
 
 namespace {
 
@@ -136,14 +138,14 @@ void Evaluator::State::report_unknown_name(const IndexNames* names, const std::s
                             message("this index must be a number: nothing here has a name")));
     const std::vector<std::string_view> known(names->all().begin(), names->all().end());
     Diagnostic problem = error(Fault::bad_index, span,
-                               message("there is nothing called `", harmless(name), "` here"));
+                               message("there is nothing called `", printable(name), "` here"));
     std::string help = nearest(name, known);
     if (!help.empty()) {
-        help = message("did you mean \"", harmless(help), "\"?");
+        help = message("did you mean \"", printable(help), "\"?");
     } else {
         constexpr std::size_t most = 8;
         for (std::size_t i = 0; i < std::min(most, known.size()); ++i)
-            help += message(i == 0 ? "the names here are " : ", ", harmless(known[i]));
+            help += message(i == 0 ? "the names here are " : ", ", printable(known[i]));
         if (known.size() > most) help += ", ...";
     }
     report(problem.with_help(std::move(help)));
@@ -245,3 +247,5 @@ Evaluator::State::Place Evaluator::State::edit_element(Value& array, Indices& in
         }
     }
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 IndexNames::IndexNames(std::vector<std::string> names) : all_(std::move(names)) {
     for (std::size_t i = 0; i < all_.size(); ++i) places_.emplace(all_[i], static_cast<int>(i));
 }
@@ -108,3 +110,5 @@ void ArrayData::clear(std::size_t i) {
 Value* ArrayData::inner(std::size_t i) {
     return !values_.empty() && values_[i].array() ? &values_[i] : nullptr;
 }
+
+}  // namespace candelabra

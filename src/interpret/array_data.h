@@ -14,6 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace candelabra {
+
 /// Names for the last index of an array: the columns of a table, the members of an object.
 class IndexNames {
 public:
@@ -57,7 +59,7 @@ public:
         return numbers_.data() + i * static_cast<std::size_t>(stride_);
     }
     /// The most numbers that an element has had; 0 for other kinds.
-    int most_numbers() const { return values_.empty() ? stride_ : 0; }
+    int max_numbers() const { return values_.empty() ? stride_ : 0; }
 
     /// Whether the value is of the kind of element i as it is, or of all others.
     bool fits(std::size_t i, const Value& value) const;
@@ -87,3 +89,5 @@ private:
     std::vector<Value> values_;  ///< not empty: elements are no numbers
     std::shared_ptr<const IndexNames> names_;
 };
+
+}  // namespace candelabra

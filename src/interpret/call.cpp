@@ -3,6 +3,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 std::size_t list_length(const Tree& tree, NodeId first) {
@@ -159,3 +161,5 @@ void Evaluator::State::walk_arguments(const Tree& tree, NodeId first,
         }
     }
 }
+
+}  // namespace candelabra

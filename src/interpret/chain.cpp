@@ -4,6 +4,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 /// Takes an expression apart. A macro stands for its text, and so does a part of a directive:
 /// 2*Sum(1, 2) is 2*1 + 2 when Sum(A, B) is A+B without parentheses.
 class Evaluator::State::OperandWalk {
@@ -145,3 +147,5 @@ Value Evaluator::State::open_expression(const Tree& tree, NodeId id) {
     if (!good || !result) return Absence::broken;
     return std::move(result->value);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+namespace candelabra {
+
 template <class Operand>
 class ChainTotal {
 public:
@@ -43,3 +45,5 @@ private:
     std::optional<Operand> product_;  ///< of the last operands
     Operator sign_ = Operator::add;   ///< in front of it
 };
+
+}  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "interpret/code.h"
 
+namespace candelabra {
+
 void CodeTable::add(const Tree& tree) {
     if (nodes_.size() <= tree.source) nodes_.resize(tree.source + 1);
     nodes_[tree.source].assign(tree.nodes.size(), 0);
@@ -8,7 +10,7 @@ void CodeTable::add(const Tree& tree) {
 
 bool CodeTable::wanted(const Tree& tree, NodeId id) {
     std::uint32_t& state = this->state(tree, id);
-    if (state >= compiled) return codes_[state - compiled]->versions < most_versions;
+    if (state >= compiled) return codes_[state - compiled]->versions < max_versions;
     if (state == never) return false;
     return state++ >= met;
 }
@@ -32,3 +34,5 @@ void CodeTable::exclude(const Tree& tree, NodeId id) {
     std::uint32_t& state = this->state(tree, id);
     if (state < compiled) state = never;
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+namespace candelabra {
+
 /// One way to compute an expression: for names of the kinds that it was compiled for.
 struct Code {
     /// A name that is read first; it must stand for that many numbers.
@@ -62,7 +64,7 @@ private:
     static constexpr std::uint32_t met = 1;       ///< once; until `never`: compiled in vain
     static constexpr std::uint32_t never = 5;     ///< not to be compiled
     static constexpr std::uint32_t compiled = 8;  ///< and more: the number of its code
-    static constexpr int most_versions = 4;
+    static constexpr int max_versions = 4;
 
     std::uint32_t& state(const Tree& tree, NodeId id) {
         return nodes_[tree.source][static_cast<std::size_t>(id)];
@@ -71,3 +73,5 @@ private:
     std::vector<std::vector<std::uint32_t>> nodes_;  ///< by source and node
     std::vector<std::unique_ptr<Code>> codes_;
 };
+
+}  // namespace candelabra

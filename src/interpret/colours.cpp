@@ -4,6 +4,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 int component_of(std::string_view member) {
     struct Entry {
         std::string_view name;
@@ -116,3 +118,5 @@ Value Evaluator::State::colour(const Tree& tree, const node::Colour& node, NodeI
         if (!set_channel(tree, tree.get<node::Channel>(channel), result)) return Absence::broken;
     return result;
 }
+
+}  // namespace candelabra

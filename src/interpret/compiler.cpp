@@ -6,10 +6,12 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Expressions that are nested deeper are walked: compiling takes room on the stack.
-constexpr int most_depth = 500;
+constexpr int max_depth = 500;
 
 }  // namespace
 
@@ -45,7 +47,7 @@ Code* Evaluator::State::compile(const Tree& tree, NodeId id) {
 }
 
 Operands Evaluator::State::Compiler::compile(NodeId id) {
-    if (++depth > most_depth) return {};
+    if (++depth > max_depth) return {};
     const NodeContent& content = tree[id].content;
     const auto compiled = [&]() -> Operands {
         switch (content.index()) {
@@ -392,8 +394,8 @@ Operands Evaluator::State::Compiler::index(const node::Index& node) {
     if (!now) return {};
     if (!indices_of(*now, node.indices, indices, named)) return {};
     const auto names = named ? now->names() : nullptr;
-    if (now->most_numbers() == 0 || now->sizes().size() != indices.size()) return {};
-    const int count = now->count(0) > 0 ? now->count(0) : now->most_numbers();
+    if (now->max_numbers() == 0 || now->sizes().size() != indices.size()) return {};
+    const int count = now->count(0) > 0 ? now->count(0) : now->max_numbers();
     const auto element = [&scope = state.scope, name = node.name, rank = indices.size(), count,
                           names](const double* in, double* out) {
         const Value* value = scope.find(name);
@@ -534,3 +536,5 @@ Operands Evaluator::State::Compiler::of_vectors(std::string_view name, NodeId ar
     for (const Operands& operands : given) release(operands);
     return result;
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 
 #include <utility>
 
+namespace candelabra {
+
 /// The components of a value of the program; none: it cannot be compiled.
 struct Operands {
     std::size_t count = 0;
@@ -85,3 +87,5 @@ struct Evaluator::State::Compiler {
     int depth = 0;
     bool hopeless = false;  ///< it could not be compiled whatever its names stood for
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 bool Evaluator::State::compute(const Tree& tree, NodeId id, Numbers& result) {
     const NodeContent& content = tree[id].content;
     if (const auto* name = std::get_if<node::Name>(&content)) {
@@ -119,3 +121,5 @@ std::optional<double> Evaluator::State::number_in(const Value& value, const Tree
                .with_help(about_axis(tree, id)));
     return std::nullopt;
 }
+
+}  // namespace candelabra

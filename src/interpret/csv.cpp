@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 class CsvReader {
@@ -196,3 +198,5 @@ std::optional<CsvTable> read_csv(std::string_view text, const CsvForm& form, std
                                  CsvProblem& problem) {
     return CsvReader(text, form, most, problem).read();
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// What the scene says about the form; the rest is found.
 struct CsvForm {
     enum class Header : std::uint8_t { found, there, none };
@@ -57,3 +59,5 @@ std::optional<double> csv_number(std::string_view cell, bool decimal_comma);
 
 /// A cell such as #ff8800 or #f80 as red, green, blue and, of #rrggbbaa, opacity, from 0 to 1.
 std::array<double, 4> csv_colour(std::string_view cell);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto nowhere = std::string_view::npos;
@@ -193,3 +195,5 @@ std::pair<std::size_t, std::size_t> CsvRows::inner(char separator) const {
     skip_gaps();
     return {first, last};
 }
+
+}  // namespace candelabra

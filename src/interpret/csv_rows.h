@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 /// The text of a cell, without blanks around it and without its quotes.
 struct CsvCell {
     std::size_t first = 0, last = 0;
@@ -56,3 +58,5 @@ private:
 
 /// `#ff8800`: a colour, which begins no comment.
 bool is_hex_colour(std::string_view cell);
+
+}  // namespace candelabra

@@ -6,11 +6,13 @@
 #include "interpret/evaluator.h"
 #include "interpret/json_reader.h"
 #include "text/ascii.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <cmath>
+
+namespace candelabra {
 
 namespace {
 
@@ -35,7 +37,7 @@ public:
 
     std::string_view text() const { return found_.text; }
     std::size_t most() const { return evaluator_.limits().array_elements; }
-    std::string name() const { return harmless(call_.text(0)); }
+    std::string name() const { return printable(call_.text(0)); }
 
     /// Says what is wrong with the file as a whole.
     Value fail(Fault fault, std::string why, std::string help = {}) {
@@ -79,7 +81,7 @@ bool take_options(FunctionCall& call, CsvForm& form) {
         if (!word.empty() && !form.take(word))
             call.fail(
                 Fault::unknown_word, 1,
-                message("`", harmless(word), "` is no option of read_csv; there are ", csv_words));
+                message("`", printable(word), "` is no option of read_csv; there are ", csv_words));
     }
     return !call.failed();
 }
@@ -181,3 +183,5 @@ Value find_column(FunctionCall& call) {
         names, [&](const std::string& each) { return same_letters(each, name); });
     return similar == names.end() ? -1.0 : static_cast<double>(similar - names.begin());
 }
+
+}  // namespace candelabra

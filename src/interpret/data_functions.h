@@ -5,7 +5,11 @@
 
 #include "interpret/functions.h"
 
+namespace candelabra {
+
 Value csv_file(FunctionCall&);
 Value json_file(FunctionCall&);
 Value column_names(FunctionCall&);
 Value find_column(FunctionCall&);
+
+}  // namespace candelabra

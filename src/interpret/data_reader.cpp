@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 DataReader::DataReader(SourceId source, const SourceStore& sources, Names& names,
                        Diagnostics& diagnostics)
     : source_(source),
@@ -100,3 +102,5 @@ Value DataReader::not_a_value() {
                                     "between them"));
     return Absence::broken;
 }
+
+}  // namespace candelabra

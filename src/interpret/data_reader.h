@@ -9,6 +9,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 class DataReader {
 public:
     DataReader(SourceId, const SourceStore&, Names&, Diagnostics&);
@@ -45,3 +47,5 @@ private:
     std::uint32_t taken_ = 0;  ///< where the last token that was taken ends
     bool behind_line_end_ = false;
 };
+
+}  // namespace candelabra

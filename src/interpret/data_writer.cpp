@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 struct NamedForm {
@@ -76,3 +78,5 @@ bool DataWriter::close() {
     if (std::FILE* file = file_.release()) failed_ = std::fclose(file) != 0 || failed_;
     return !failed_;
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// How a number is written: `uint16le` is {2, false, false}.
 struct BinaryForm {
     int bytes = 1;
@@ -55,3 +57,5 @@ private:
     std::uint64_t bytes_ = 0;
     bool failed_ = false;
 };
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "text/ascii.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 Value Evaluator::State::right_side(const Tree& tree, NodeId id) {
     const NodeContent& content = tree[id].content;
     if (const auto* layers = std::get_if<node::Layers>(&content)) {
@@ -220,7 +222,7 @@ void Evaluator::State::assign_element(const Tree& tree, const node::Index& index
     }
     const Place place = edit_element(*array, places, span);
     const Numbers* numbers = value.numbers();
-    if (place.array && numbers && place.array->most_numbers() > 0)
+    if (place.array && numbers && place.array->max_numbers() > 0)
         place.array->set(place.element, *numbers);
     else if (place.array && !value.broken() && !place.array->fits(place.element, value))
         broken(Fault::wrong_type, span,
@@ -251,3 +253,5 @@ void Evaluator::State::undefine(const Tree& tree, NodeId target) {
     }
     scope.edited();
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 Flow Evaluator::State::directive(const Tree& tree, NodeId id, const Sink& take) {
     constexpr std::uint64_t each = 80;
     work += each;
@@ -366,3 +368,5 @@ void Evaluator::State::set_version(const Tree& tree, const node::Version& node, 
     noise->version = rounded;
     version_given = true;
 }
+
+}  // namespace candelabra

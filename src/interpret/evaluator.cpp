@@ -6,14 +6,16 @@
 #include "interpret/state.h"
 #include "syntax/foreign.h"
 #include "syntax/lint.h"
-#include "text/harmless.h"
 #include "text/message.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <new>
+
+namespace candelabra {
 
 Evaluator::Evaluator(SourceStore& sources, const Loader& loader, Names& names,
                      Diagnostics& diagnostics, const RunFacts& facts)
@@ -128,7 +130,7 @@ Evaluator::State::State(Evaluator& evaluator, SourceStore& sources, const Loader
         return this->loader.finds(std::string(name), {}, FileKind::data);
     };
     functions.resize(reserved_words().size());
-    add_functions(::functions());
+    add_functions(candelabra::functions());
     const auto number = [&](std::string_view name, double value) {
         scope.declare(names.intern(name), value);
     };
@@ -242,7 +244,7 @@ Value Evaluator::State::unknown_name(NameId name, Span span) {
                     "` leaves braces to other macros to close "
                     "or open; such macros are found only where #include names the file "
                     "by a plain string: #include \"",
-                    harmless(*file), "\""));
+                    printable(*file), "\""));
     else if (within)
         problem.with_help(
             "a name has no value in its own declaration; only macros call themselves");
@@ -367,3 +369,5 @@ Value Evaluator::State::one_value(std::span<const Element> elements, Span span) 
             return broken(Fault::wrong_type, element.span, "a value is wanted here");
     }
 }
+
+}  // namespace candelabra

@@ -25,6 +25,8 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 /// One element of a body, after all directives are gone.
 struct Element {
     enum class Kind {
@@ -199,3 +201,5 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+}  // namespace candelabra

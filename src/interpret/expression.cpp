@@ -11,6 +11,8 @@
 #include <limits>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 double apply(Operator sign, double a, double b) {
@@ -191,9 +193,9 @@ Value Evaluator::State::with_sign(Operator sign, Value value, Span span) {
     if (value.broken()) return value;
     Numbers* numbers = value.edit_numbers();
     if (!numbers)
-        return broken(
-            Fault::wrong_type, span,
-            message("`", ::spelling(sign), "` takes numbers, but this is ", kind_name(value)));
+        return broken(Fault::wrong_type, span,
+                      message("`", candelabra::spelling(sign), "` takes numbers, but this is ",
+                              kind_name(value)));
     for (int i = 0; i < numbers->count && sign != Operator::plus; ++i) {
         double& x = numbers->at[static_cast<std::size_t>(i)];
         x = sign == Operator::minus ? -x : is_true(x) ? 0 : 1;
@@ -235,8 +237,8 @@ Value Evaluator::State::truth(const Value& left, const Value& right, Operator si
         return apply(sign, order, 0);
     }
     Diagnostic problem = error(Fault::wrong_type, span,
-                               message("`", ::spelling(sign), "` cannot join ", kind_name(left),
-                                       " and ", kind_name(right)));
+                               message("`", candelabra::spelling(sign), "` cannot join ",
+                                       kind_name(left), " and ", kind_name(right)));
     if (left.text() && right.text() && sign == Operator::add)
         problem.with_help("strings are joined by concat(a, b)");
     else if ((left.text() && right.numbers()) || (left.numbers() && right.text()))
@@ -377,3 +379,5 @@ Value Evaluator::State::constant(NameId word) {
     return duration<double, std::ratio<86400>>(system_clock::now() - sys_days(year(2000) / 1 / 1))
         .count();
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 ParseOptions FileTrees::options(double version, bool included, OpenMacroList& known) {
     const auto reader = [this](const std::string& name, Span at, double version,
                                OpenMacroList& known) { read_ahead(name, at, version, known); };
@@ -65,3 +67,5 @@ const std::string* FileTrees::opening(NameId macro) const {
             if (each->name == macro) return &path;
     return nullptr;
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <string>
 #include <utility>
 
+namespace candelabra {
+
 class FileTrees {
 public:
     FileTrees(SourceStore& sources, const Loader& loader, Names& names, Diagnostics& diagnostics)
@@ -61,3 +63,5 @@ private:
     OpenMacroList of_main_;  ///< that the scene knows at its end
     std::size_t depth_ = 0;
 };
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "interpret/files.h"
 
 #include "interpret/state.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 void Evaluator::State::open_file(const Tree& tree, const node::Open& node, NodeId id) {
     const std::string_view mode = names.spelling(node.mode);
@@ -163,7 +165,7 @@ void Evaluator::State::read_values(const Tree& tree, const node::Read& node, Nod
 void Evaluator::State::warn_of_line_end(const DataFile& file, Span target, Span before) {
     if (!crossed_lines.insert(file.name).second) return;
     report(warning(Fault::wrong_count, target,
-                   message("this #read goes on in the next line of `", harmless(file.name), "`"))
+                   message("this #read goes on in the next line of `", printable(file.name), "`"))
                .with_label("this is in the next line")
                .pointing({before.source, before.last, before.last}, "here a line ends")
                .with_help("read_csv(\"...\") reads tables, and tells of rows that are short"));
@@ -273,3 +275,5 @@ std::optional<std::string> Evaluator::find_data(const std::string& name, Span sp
     std::optional<Found> found = load_found(file, span);
     return found ? std::optional(std::move(found->path)) : std::nullopt;
 }
+
+}  // namespace candelabra

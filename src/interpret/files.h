@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+namespace candelabra {
+
 struct DataFile {
     DataFile(std::string name_, Span opened_) : name(std::move(name_)), opened(opened_) {}
     DataFile(DataFile&&) = default;
@@ -29,3 +31,5 @@ struct WrittenFile {
     Span opened;
     std::shared_ptr<DataWriter> writer;
 };
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "interpret/frames.h"
 
 #include "interpret/state.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 /// A place in the library becomes that of the scene's call which has led there.
 Span Evaluator::State::outside_library(Span span) const {
@@ -25,8 +27,10 @@ void Evaluator::State::point_at_scene(Diagnostic& diagnostic) const {
     if (outer == inner) return;
     const std::string& path = sources.name(inner.source);
     diagnostic.with_note(
-        message("this comes from the library: ", harmless(path.substr(path.rfind('/') + 1)), ":",
+        message("this comes from the library: ", printable(path.substr(path.rfind('/') + 1)), ":",
                 sources.place(inner.source, inner.first).line));
     diagnostic.span = outer;
     diagnostic.label.clear();
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 class Frames {
 public:
     struct Open {
@@ -39,3 +41,5 @@ public:
 private:
     std::vector<Open> open_;
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <array>
 #include <numbers>
 
+namespace candelabra {
+
 std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::wrong(
     Span span, std::string message) {
     state.broken(Fault::wrong_type, span, std::move(message));
@@ -401,3 +403,5 @@ std::optional<ProgramBuilder::Operand> Evaluator::State::FunctionCompiler::funct
         if (value != result) builder.release(value);
     return result;
 }
+
+}  // namespace candelabra

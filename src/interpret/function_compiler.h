@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 struct Evaluator::State::FunctionCompiler {
     using Operand = ProgramBuilder::Operand;
     using Result = std::optional<Operand>;  ///< nothing: has been reported
@@ -52,3 +54,5 @@ struct Evaluator::State::FunctionCompiler {
     ProgramBuilder builder;
     std::vector<std::pair<NameId, Operand>> locals;  ///< parameters and counters of loops
 };
+
+}  // namespace candelabra

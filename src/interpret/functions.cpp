@@ -11,6 +11,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 std::size_t RandomStreams::open(double seed) {
     // Cut off to 32 bits with a sign; what does not fit becomes the least, as in POV-Ray.
     constexpr double least = -2147483648.0;
@@ -227,3 +229,5 @@ constexpr auto table = std::array{
 }  // namespace
 
 std::span<const FunctionInfo> functions() { return table; }
+
+}  // namespace candelabra

@@ -17,6 +17,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 class Evaluator;
 
 /// POV-Ray's random numbers: seed() opens a stream, rand() advances one.
@@ -129,3 +131,5 @@ struct FunctionInfo {
 
 /// The functions of values, by name in order.
 std::span<const FunctionInfo> functions();
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+namespace candelabra {
+
 Span Indices::span(std::size_t i) const {
     if (path.known()) return path;
     NodeId id = first;
@@ -51,3 +53,5 @@ bool Indices::expand(std::size_t i) {
     }
     return true;
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 struct Indices {
     struct Text {
         std::size_t index;
@@ -45,3 +47,5 @@ struct Indices {
     /// happened: it is no path, or there are too many parts.
     bool expand(std::size_t i);
 };
+
+}  // namespace candelabra

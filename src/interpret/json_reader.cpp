@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 using NamesHandle = std::shared_ptr<const IndexNames>;
@@ -78,8 +80,8 @@ private:
     }
 
     bool start(bool object) {
-        if (open_.size() == most_json_depth)
-            return fail(message("has more than ", most_json_depth,
+        if (open_.size() == max_json_depth)
+            return fail(message("has more than ", max_json_depth,
                                 " lists and objects inside each other, which is the limit"));
         open_.push_back({object, {}, {}, {}});
         return true;
@@ -119,9 +121,9 @@ private:
 
     /// Whether all are arrays of the same sizes and names, with room for one more dimension.
     static bool alike(const std::vector<Value>& values) {
-        constexpr std::size_t most_dimensions = 5;
+        constexpr std::size_t max_dimensions = 5;
         const ArrayData* const first = values.front().array();
-        return first && first->sizes().size() < most_dimensions &&
+        return first && first->sizes().size() < max_dimensions &&
                std::ranges::all_of(values, [&](const Value& value) {
                    const ArrayData* const each = value.array();
                    return each && each->sizes() == first->sizes() &&
@@ -161,3 +163,5 @@ std::optional<Value> read_json(std::string_view text, std::size_t most, JsonProb
     }
     return builder.take();
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// Why a text cannot be read.
 struct JsonProblem {
     std::size_t at = 0;  ///< the byte where it was noticed, when `placed`
@@ -20,7 +22,9 @@ struct JsonProblem {
 };
 
 /// Lists and objects inside each other.
-inline constexpr std::size_t most_json_depth = 200;
+inline constexpr std::size_t max_json_depth = 200;
 
 /// The value, or nothing and the reason. `most`: how many values there may be.
 std::optional<Value> read_json(std::string_view text, std::size_t most, JsonProblem&);
+
+}  // namespace candelabra

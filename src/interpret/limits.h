@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+namespace candelabra {
+
 struct Limits {
     std::size_t call_depth = 200'000;          ///< macro calls inside each other
     std::size_t nesting = 10'000;              ///< objects inside each other
@@ -41,3 +43,5 @@ struct Limits {
         stack_bytes = std::max(stack_bytes, call_depth * each_call + nesting * each_object);
     }
 };
+
+}  // namespace candelabra

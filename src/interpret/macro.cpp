@@ -4,6 +4,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// `1 -2` among the arguments: a difference, where a comma was meant.
@@ -213,3 +215,5 @@ Flow Evaluator::State::call_macro(const Tree& tree, const node::Call& node, Node
     return flow == Flow::stopped ? Flow::stopped
                                  : Flow::end;  // a #break outside loops ends the macro
 }
+
+}  // namespace candelabra

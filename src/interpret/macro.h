@@ -7,6 +7,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 struct MacroData {
     struct Parameter {
         NameId name;
@@ -19,3 +21,5 @@ struct MacroData {
     Body body;
     Span defined;  ///< from `#macro` to its name
 };
+
+}  // namespace candelabra

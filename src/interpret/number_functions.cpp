@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 using Call = FunctionCall&;
@@ -159,3 +161,5 @@ Value rotated(Call call) {
 }
 
 double to_integer(double x) { return to_int32(x); }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "interpret/functions.h"
 
+namespace candelabra {
+
 Value arc_cosine(FunctionCall&);
 Value arc_sine(FunctionCall&);
 Value arc_tangent(FunctionCall&);
@@ -32,3 +34,5 @@ Value vector_turbulence(FunctionCall&);
 
 /// To 32 bits, towards zero, as int() does it.
 double to_integer(double);
+
+}  // namespace candelabra

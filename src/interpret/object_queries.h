@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <optional>
 
+namespace candelabra {
+
 class Composite;
 struct Object;
 
@@ -31,3 +33,5 @@ public:
     /// The object as rays ask it; it lives as long as this.
     virtual const Composite& composite(const Handle<Object>&) = 0;
 };
+
+}  // namespace candelabra

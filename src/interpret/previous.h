@@ -5,9 +5,13 @@
 
 #include "syntax/tree.h"
 
+namespace candelabra {
+
 /// The node before that one in its list, or no_node. Takes time in proportion to the tree.
 inline NodeId previous(const Tree& tree, NodeId node) {
     for (auto id = static_cast<std::uint32_t>(node); id-- > 0;)
         if (tree.nodes[id].next == node) return NodeId(id);
     return no_node;
 }
+
+}  // namespace candelabra

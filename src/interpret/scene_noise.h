@@ -9,6 +9,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 struct SceneNoise {
     double version = 3.7;
     std::optional<NoiseGenerator> given;
@@ -18,3 +20,5 @@ struct SceneNoise {
         return version < 3.5 ? NoiseGenerator::original : NoiseGenerator::full_range;
     }
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 Value element_of(const Scope::Reference& origin) {
@@ -135,3 +137,5 @@ std::vector<NameId> Scope::names() const {
         if (slots_[i].cell) result.push_back(NameId(i));
     return result;
 }
+
+}  // namespace candelabra

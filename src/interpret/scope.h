@@ -12,6 +12,8 @@
 #include <deque>
 #include <vector>
 
+namespace candelabra {
+
 class Scope {
 public:
     /// Where a value lies: a variable, or an element of an array that is one. What parameters by
@@ -141,3 +143,5 @@ private:
     std::deque<Value> cells_;
     std::vector<Value*> free_cells_;
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <optional>
 #include <utility>
 
+namespace candelabra {
+
 /// What a list gives where one value is wanted.
 struct OneValue {
     /// What makes a value of a block.
@@ -69,3 +71,5 @@ private:
     OneValue* one_ = nullptr;
     const Written* written_ = nullptr;
 };
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "interpret/state.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 void Evaluator::State::exceeded(Span span, std::string message, std::string help) {
     if (!stopped_) {
         Diagnostic problem = error(Fault::loop_limit, span, std::move(message));
@@ -70,3 +72,5 @@ bool Evaluator::State::may_have_parts(std::uint64_t parts, Span span) {
              "objects of objects grow fast; --limit-objects raises the limit");
     return false;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 std::optional<Spline::Kind> spline_kind(std::string_view word) {
     using Kind = Spline::Kind;
     if (word == "linear_spline") return Kind::linear;
@@ -114,3 +116,5 @@ Value read_spline(Evaluator& evaluator, const Element& block) {
     evaluator.walk(block.body, [&](const Element& element) { reader.take(element); });
     return reader.made(block.word_span);
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// Broken when reported.
 Value read_spline(Evaluator&, const Element& block);
 
@@ -17,3 +19,5 @@ std::optional<Spline::Kind> spline_kind(std::string_view word);
 
 /// The spline as a function of t.
 Handle<Formula> spline_formula(Handle<Spline>);
+
+}  // namespace candelabra

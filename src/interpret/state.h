@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// How a list of elements was left.
 enum class Flow {
     end,     ///< at its end
@@ -370,3 +372,5 @@ struct Evaluator::State {
     bool stopped_ = false;
     const char* stack_end = nullptr;  ///< how far down the stack may grow; null: unlimited
 };
+
+}  // namespace candelabra

@@ -11,16 +11,18 @@
 #include <cstdlib>
 #include <ctime>
 
+namespace candelabra {
+
 namespace {
 
 using Call = FunctionCall&;
 
 /// Whole numbers that a double holds exactly.
-constexpr double most_whole = 9007199254740992.0;
+constexpr double max_whole = 9007199254740992.0;
 
 /// Digits of a finite number, rounded to even as C's %f does; gives their end.
 char* write_digits(char* first, char* last, double value, int precision) {
-    if (precision > 0 || std::abs(value) >= most_whole)
+    if (precision > 0 || std::abs(value) >= max_whole)
         return std::to_chars(first, last, value, std::chars_format::fixed, precision).ptr;
     const double whole = std::nearbyint(value);
     if (whole == 0 && std::signbit(value)) *first++ = '-';
@@ -166,7 +168,7 @@ Value concatenated(Call call) {
 
 Value number_in(Call call) { return std::strtod(std::string(call.text(0)).c_str(), nullptr); }
 
-Value lower_case(Call call) { return ::lower_case(call.text(0)); }
+Value lower_case(Call call) { return candelabra::lower_case(call.text(0)); }
 
 Value upper_case(Call call) {
     std::string text(call.text(0));
@@ -196,3 +198,5 @@ Value date_text(Call call) {
     return std::string(buffer.data(),
                        std::strftime(buffer.data(), buffer.size(), format.c_str(), &parts));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "interpret/functions.h"
 
+namespace candelabra {
+
 /// C's %f: so wide at least, filled with blanks, or with zeros when the width is below 0; so many
 /// digits behind the point, six when that is below 0.
 void append_formatted(std::string& text, double value, double width, double digits);
@@ -22,3 +24,5 @@ Value number_text(FunctionCall&);
 Value substring(FunctionCall&);
 Value upper_case(FunctionCall&);
 Value vector_text(FunctionCall&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "interpret/string_functions.h"
 #include "text/message.h"
 
+namespace candelabra {
+
 namespace {
 
 /// How what is no string becomes one.
@@ -90,3 +92,5 @@ bool Evaluator::State::append_number(const Tree& tree, NodeId first, std::string
     constexpr std::uint64_t formatting = 30;
     return good && spend(formatting + text.size() - before, tree.span(first));
 }
+
+}  // namespace candelabra

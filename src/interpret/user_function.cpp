@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 /// `(a, b)`; without that x, y, z, the first two of which are also u and v.
 std::optional<std::vector<NameId>> Evaluator::State::parameters(const Tree& tree,
                                                                 const node::Function& node,
@@ -167,9 +169,9 @@ Handle<Formula> Evaluator::State::written_function(const Tree& tree, const node:
     }
     Handle<Formula> made = make_handle<Formula>(compiler.builder.finish({&*result, 1}));
     if (!may_be_costly(*made, tree.span(id))) return nullptr;
-    if (made->depth() <= Formula::most_depth) return made;
+    if (made->depth() <= Formula::max_depth) return made;
     report(error(Fault::recursion_limit, tree.span(id),
-                 message("functions call each other more than ", Formula::most_depth,
+                 message("functions call each other more than ", Formula::max_depth,
                          " deep, which is the limit"))
                .with_help("it cannot be raised: write some of them out, or compute a part "
                           "beforehand"));
@@ -264,3 +266,5 @@ bool Evaluator::sample(const Formula& function, Rows rows, Span place,
     }
     return true;
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "interpret/array_data.h"
 
+namespace candelabra {
+
 Numbers Numbers::promoted(int n) const {
     Numbers result = *this;
     if (n <= count) return result;
@@ -33,3 +35,5 @@ std::string kind_name(const Value& value) {
     if (value.macro()) return "a macro";
     return value.shared_.kind->name();
 }
+
+}  // namespace candelabra

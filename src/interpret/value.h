@@ -19,6 +19,8 @@
 #include <type_traits>
 #include <utility>
 
+namespace candelabra {
+
 class ArrayData;
 class Formula;
 class Spline;
@@ -225,3 +227,5 @@ static_assert(sizeof(Value) <= 56);
 /// What a value is, for messages: "a number", "a vector of 3", "a colour", "a string", "a pigment",
 /// ...
 std::string kind_name(const Value&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "text/message.h"
 #include "vocabulary/reserved.h"
 
+namespace candelabra {
+
 namespace {
 
 /// `pwr(a, b)`, the one word of a block that has arguments.
@@ -179,3 +181,5 @@ NodeId Evaluator::State::take_value(const Tree& tree, NodeId id, const Sink& tak
     take(element);
     return next;
 }
+
+}  // namespace candelabra

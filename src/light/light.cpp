@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo PointLight::vocabulary = described<PointLight>([] {
     using F = Field<PointLight>;
     return schema<PointLight>(
@@ -155,3 +157,5 @@ Vec3 grid_point(const PointLight& light, double place1, double place2, const Vec
     }
     return light.location + a * side1 + b * side2;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 class Transform;
 
 /// How light leaves a source.
@@ -75,3 +77,5 @@ Incidence incidence(const PointLight&, const Vec3& from, const Vec3& point);
 /// A place in the light's grid: whole numbers from 0 to size - 1 are its lights. `direction` is the
 /// unit direction from the lit point to the location.
 Vec3 grid_point(const PointLight&, double place1, double place2, const Vec3& direction);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <optional>
 
+namespace candelabra {
+
 /// Where a surface answers light more than elsewhere: by peak / (1 + sharpness (1 - cosine) / 2)^2
 /// of light of colour 1 that makes that cosine with the axis, as facets do (GGX) and others
 /// roughly. A white diffuse surface answers by the cosine to its normal.
@@ -29,3 +31,5 @@ struct BsdfSampler {
     FunctionRef<std::optional<Vec3>(Vec2)> sample;
     FunctionRef<double(const Vec3&)> pdf;  ///< per steradian
 };
+
+}  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/constant_alpha.h"
 
+namespace candelabra {
+
 void BuiltConstantAlpha::choose(const Receiver& point, const Key& key, LightPicks& picks) const {
     if (count_ == 0) return;
     const auto light =
@@ -11,3 +13,5 @@ void BuiltConstantAlpha::choose(const Receiver& point, const Key& key, LightPick
 BuiltConstantAlpha build(const ConstantAlpha&, const LightScene& scene, int) {
     return BuiltConstantAlpha(scene.luminaires.size());
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include "lighting/light_query.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 class BuiltConstantAlpha {
 public:
     explicit BuiltConstantAlpha(std::size_t count) : count_(static_cast<LightIndex>(count)) {}
@@ -25,3 +27,5 @@ private:
 };
 
 BuiltConstantAlpha build(const ConstantAlpha&, const LightScene&, int threads);
+
+}  // namespace candelabra

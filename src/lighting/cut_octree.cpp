@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/cut_octree.h"
 
+#include "lighting/cut_calibration.h"
 #include "lighting/draw.h"
 #include "lighting/light_cells.h"
-#include "lighting/light_trials.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -19,7 +21,7 @@ constexpr double divided_above = 20;
 /// survey's rays are a small part of all.
 constexpr double coarse_pixels = 32;
 /// As an angle (size over distance): bounds for large and for small pictures.
-constexpr double least_coarse = 0.03, greatest_coarse = 0.5;
+constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out = 1e-7;
@@ -27,23 +29,23 @@ constexpr double worn_out = 1e-7;
 /// it up to so many times what all entries count by the survey, and each alone so many times. So
 /// what is hidden makes little noise, however bright, and what shows against the survey is not too
 /// rare.
-constexpr double most_raised = 1, most_raised_alone = 0.1;
+constexpr double max_raised = 1, max_raised_alone = 0.1;
 /// Shadow rays that tell how noisy the choice of luminaires is in a cell.
 constexpr std::uint32_t trials = 48;
 /// Variance over squared mean that both ways of sampling have in any case: of surfaces that differ.
-constexpr double least_noise = 0.02;
+constexpr double min_noise = 0.02;
 /// How many times as much the noise of the choice counts against the outlook's: what told it taught
 /// the choice as well.
 constexpr double doubt = 3;
 /// Share of the shadow rays that are drawn from the outlook in any case: it is what finds a
 /// luminaire that nearly touches the point. The less noise the choice has, the less there is to be
 /// found; nothing where it has none at all.
-constexpr double least_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
+constexpr double min_by_direction = 0.1, little_noise = 0.1, no_noise = 1e-6;
 /// Surfaces may ask for light as they scatter it where no luminaire is brighter than so many times
 /// the mean of what is seen: then no ray can bring much more than others.
-constexpr double most_glare = 16;
+constexpr double max_glare = 16;
 /// Share of the shadow rays that surfaces which are all gloss scatter.
-constexpr double most_by_surface = 0.5;
+constexpr double max_by_surface = 0.5;
 
 bool near(const Box& box, const Vec3& position) {
     const Vec3 v = box.centre() - position, half = 0.5 * box.size();
@@ -51,7 +53,7 @@ bool near(const Box& box, const Vec3& position) {
 }
 
 double estimate(const LightTree& tree, const LightCluster& c, const Receiver& point) {
-    const Glow g = tree.glow(c);
+    const LightProxy g = tree.light_proxy(c);
     const Falloff* falloff = tree.falloff(c);
     const double square = irradiance(g, point);
     return falloff ? square * against_square_law(*falloff, g.centre - point.position, g.radius)
@@ -86,9 +88,9 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, cons
 }  // namespace
 
 /// What rays that were tried tell of a cell.
-struct BuiltCutOctree::Survey {
-    std::optional<Outlook> outlook;  ///< none: of sources there is nothing to be seen
-    double by_direction = 0;         ///< see Weights
+struct BuiltCutOctree::CellSurvey {
+    std::optional<LightGuide> outlook;  ///< none: of sources there is nothing to be seen
+    double by_direction = 0;            ///< see Weights
     bool as_scattered = false;
     /// See Weights; for each unit of the total weight.
     double noise = -1, irradiance = 0;
@@ -97,8 +99,8 @@ struct BuiltCutOctree::Survey {
 struct BuiltCutOctree::Cell {
     Box box;
     int depth = 0;
-    std::optional<LightCut> cut;   ///< none: it is divided
-    std::optional<Survey> survey;  ///< none: the scene was not there to be asked
+    std::optional<LightCut> cut;       ///< none: it is divided
+    std::optional<CellSurvey> survey;  ///< none: the scene was not there to be asked
     std::array<std::atomic<Cell*>, 8> children{};
 
     Cell() = default;
@@ -137,7 +139,7 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
     state_->eye = scene.eye;
-    state_->coarse = std::clamp(coarse_pixels * scene.pixel, least_coarse, greatest_coarse);
+    state_->coarse = std::clamp(coarse_pixels * scene.pixel, min_coarse, greatest_coarse);
     state_->tree = LightTree(scene.luminaires);
     if (scene.luminaires.empty()) return;
     LightBounds lights;
@@ -173,30 +175,28 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
 }
 
 /// Teaches the cut of a cell, too, what arrives of its entries' light.
-BuiltCutOctree::Survey BuiltCutOctree::survey(const Box& box, LightCut& cut,
-                                              const LightProbe& probe) const {
+BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Box& box, LightCut& cut,
+                                                  const LightProbe& probe) const {
     const std::vector<SurveyPlace> receivers = survey_places_in(box, state_->eye, probe);
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
-    Survey result;
+    CellSurvey result;
     if (state_->tree.falloff(state_->tree.root())) return result;
     result.outlook.emplace(box, state_->ball, receivers, probe);
-    const double found = noise_of_choice(cut, receivers, probe),
-                 choice = doubt * found + least_noise,
-                 outlook = result.outlook->noise() + least_noise;
+    const double found = noise_of_choice(cut, receivers, probe), choice = doubt * found + min_noise,
+                 outlook = result.outlook->noise() + min_noise;
     const double share =
         std::isinf(outlook) ? 0 : (std::isinf(choice) ? 1 : choice / (choice + outlook));
     if (found > no_noise)
-        result.by_direction =
-            std::clamp(share, least_by_direction * std::fmin(found / little_noise, 1),
-                       state_->settings.outlook);
+        result.by_direction = std::clamp(
+            share, min_by_direction * std::fmin(found / little_noise, 1), state_->settings.outlook);
     const double scattering = result.outlook->noise_of_scattering();
-    result.as_scattered = scattering <= std::fmin(outlook, found + least_noise) &&
-                          state_->brightest <= most_glare * result.outlook->mean_luminance();
+    result.as_scattered = scattering <= std::fmin(outlook, found + min_noise) &&
+                          state_->brightest <= max_glare * result.outlook->mean_luminance();
     const double variance =
-        result.as_scattered ? scattering + least_noise
-                            : (std::isinf(outlook) ? found + least_noise
-                                                   : 1 / (1 / (found + least_noise) + 1 / outlook));
+        result.as_scattered ? scattering + min_noise
+                            : (std::isinf(outlook) ? found + min_noise
+                                                   : 1 / (1 / (found + min_noise) + 1 / outlook));
     const double weight = mean_total(cut, receivers);
     if (result.outlook->irradiance() > 0 && weight > 0 && std::isfinite(variance)) {
         result.irradiance = result.outlook->irradiance() / weight;
@@ -215,7 +215,7 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
     double learned = 0, raised = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const LightCluster& cluster = cut.cluster(i);
-        const Glow g = state_->tree.glow(cluster);
+        const LightProxy g = state_->tree.light_proxy(cluster);
         const Vec3 v = g.centre - middle;
         given[i] = g.strength * g.radius / (dot(v, v) + radius * radius + g.radius * g.radius);
         if (g.lean != Vec3(0)) given[i] *= turned(g, v, radius + g.radius);
@@ -225,12 +225,12 @@ std::vector<float> BuiltCutOctree::counted(std::span<const float> shares, const 
     }
     for (std::size_t i = 0; i < count; ++i) {
         const double share = shares[i];
-        raise[i] = cautious_share(shares[i], box, state_->tree.glow(cut.cluster(i))) - share;
-        if (raise[i] * given[i] > most_raised_alone * learned)
-            raise[i] = most_raised_alone * learned / given[i];
+        raise[i] = cautious_share(shares[i], box, state_->tree.light_proxy(cut.cluster(i))) - share;
+        if (raise[i] * given[i] > max_raised_alone * learned)
+            raise[i] = max_raised_alone * learned / given[i];
         raised += given[i] * raise[i];
     }
-    const double kept = raised > most_raised * learned ? most_raised * learned / raised : 1;
+    const double kept = raised > max_raised * learned ? max_raised * learned / raised : 1;
     std::vector<float> result(count);
     for (std::size_t i = 0; i < count; ++i)
         result[i] = static_cast<float>(shares[i] + kept * raise[i]);
@@ -245,12 +245,12 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Surv
     std::vector<double> found(trials, 0), at_place(receivers.size(), 0);
     for (std::uint32_t i = 0; i < trials; ++i) {
         const auto number = [&](std::uint32_t n) {
-            return uniform(Key{n, i, 0, 0}, Purpose::light_representative);
+            return uniform(Key::of(Survey::cell, n, i, 0), Purpose::light_representative);
         };
         const SurveyPlace& from = receivers[i % receivers.size()];
         cut.weigh(from.point, weights);
         picks.clear();
-        choose(from.point, weights, Key{3, i, 0, 0}, number(3), picks);
+        choose(from.point, weights, Key::of(Survey::cell, 3, i, 0), number(3), picks);
         if (picks.empty()) continue;
         const LightPick& pick = picks.front();
         const double light =
@@ -406,14 +406,14 @@ BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
     else
         octree.weigh_choice(receiver_, query.lobes, weights_);
     if (!bsdf_) return;
-    by_surface_ = weights_.as_scattered ? 1 : most_by_surface * std::sqrt(bsdf_->gloss);
+    by_surface_ = weights_.as_scattered ? 1 : max_by_surface * std::sqrt(bsdf_->gloss);
     by_outlook_ = (1 - by_surface_) * weights_.by_direction;
     by_choice_ = 1 - (by_surface_ + by_outlook_);
 }
 
 double BuiltCutOctree::At::pdf(const Vec3& direction, double expected, double of_point) const {
     return (by_surface_ > 0 ? by_surface_ * bsdf_->pdf(direction) : 0) +
-           (by_outlook_ > 0 ? by_outlook_ * Outlook::density(weights_.outlook, direction) : 0) +
+           (by_outlook_ > 0 ? by_outlook_ * LightGuide::density(weights_.outlook, direction) : 0) +
            (by_choice_ > 0 ? by_choice_ * expected * of_point : 0);
 }
 
@@ -424,6 +424,8 @@ void BuiltCutOctree::At::sample(const Key& key, LightSamples& samples) const {
     } else if (u < by_surface_) {
         samples.direction = bsdf_->sample(place_on_light(key));
     } else {
-        samples.direction = Outlook::draw(weights_.outlook, place_on_light(key)).direction;
+        samples.direction = LightGuide::draw(weights_.outlook, place_on_light(key)).direction;
     }
 }
+
+}  // namespace candelabra

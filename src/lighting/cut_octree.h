@@ -13,13 +13,15 @@
 #include <atomic>
 #include <memory>
 
+namespace candelabra {
+
 class BuiltCutOctree {
 public:
     /// What luminaires give at one point: for several choices and questions there.
     struct Weights : CutWeights {
         const LightCut* cut = nullptr;
-        Outlook::Weights outlook;   ///< when the scene was there to be asked
-        double by_direction = 0;    ///< share of the shadow rays that should be drawn from it
+        LightGuide::Weights outlook;  ///< when the scene was there to be asked
+        double by_direction = 0;      ///< share of the shadow rays that should be drawn from it
         bool as_scattered = false;  ///< all shadow rays should go where the surface scatters light
         /// Standard deviation that one shadow ray's irradiance is expected to have; below 0: not
         /// known.
@@ -52,14 +54,14 @@ public:
     const LightTree& tree() const;
 
 private:
-    struct Survey;
+    struct CellSurvey;
     struct Cell;
     struct State;
 
     Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell* parent, const LightProbe*) const;
     const Cell& cell_at(const Vec3&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
-    Survey survey(const Box&, LightCut&, const LightProbe&) const;
+    CellSurvey survey(const Box&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
     double noise_of_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
     std::uint32_t descend(const Receiver&, LightCluster, const Key&, double u,
@@ -98,3 +100,5 @@ private:
 inline BuiltCutOctree::At BuiltCutOctree::at(const LightQuery& query) const {
     return {*this, query};
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 
+namespace candelabra {
+
 namespace {
 
 /// Number of places of all together, nearly: fits the random numbers.
@@ -76,3 +78,5 @@ std::vector<std::uint64_t> dim_places_before(const LightPlaces& places,
     }
     return result;
 }
+
+}  // namespace candelabra

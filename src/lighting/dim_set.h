@@ -6,6 +6,8 @@
 
 #include "lighting/pick.h"
 
+namespace candelabra {
+
 /// All luminaires laid end to end, each on a number of places in proportion to its intensity: at
 /// least one, unless it is dark.
 class LightPlaces {
@@ -57,3 +59,5 @@ private:
 /// list.
 std::vector<std::uint64_t> dim_places_before(const LightPlaces&,
                                              std::span<const LightIndex> bright);
+
+}  // namespace candelabra

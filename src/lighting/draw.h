@@ -5,6 +5,8 @@
 #include "base/random.h"
 #include "base/vector.h"
 
+namespace candelabra {
+
 /// Where on a luminaire, or in which direction, the key decides: uniform in [0, 1)^2.
 inline Vec2 place_on_light(const Key& key) {
     return {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)};
@@ -24,3 +26,5 @@ inline std::uint64_t draw_integer(const Key& key, Purpose purpose, std::uint64_t
         static_cast<std::uint64_t>(draw(key, purpose, n) * static_cast<double>(count));
     return result < count ? result : count - 1;
 }
+
+}  // namespace candelabra

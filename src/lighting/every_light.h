@@ -7,6 +7,8 @@
 #include "lighting/light_query.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 class BuiltEveryLight {
 public:
     BuiltEveryLight() = default;
@@ -24,3 +26,5 @@ private:
 };
 
 BuiltEveryLight build(const EveryLight&, const LightScene&, int threads);
+
+}  // namespace candelabra

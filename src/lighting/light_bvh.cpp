@@ -3,15 +3,17 @@
 
 #include "lighting/draw.h"
 #include "lighting/light_hierarchy.h"
-#include "luminaire/glow.h"
+#include "luminaire/light_proxy.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
 /// Least share of the full brightness that a node keeps at the edge of the horizon, and seen from
 /// the side.
-constexpr double least_height = 1e-4, least_facing = 1e-2;
+constexpr double min_height = 1e-4, min_facing = 1e-2;
 /// Probabilities may fall this far before the random number that is used up level by level is
 /// replaced.
 constexpr double worn_out_walk = 1e-7;
@@ -33,8 +35,7 @@ double importance(const LightNode& node, const Receiver& point) {
                  cosine = std::sqrt((1 - sine) * (1 + sine));
     const double height = point.cosine(v / distance);
     if (height <= -(sine + horizon_slack)) return 0;
-    const double lifted =
-        std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), least_height);
+    const double lifted = std::fmax(cosine_beyond(std::fmin(height, 1), cosine, sine), min_height);
     const Vec3 axis(node.axis);
     double turned = 1;
     if (axis != Vec3(0)) {
@@ -43,7 +44,7 @@ double importance(const LightNode& node, const Receiver& point) {
         const double cos_both = node.cos_spread * cosine - node.sin_spread * sine;
         const double sin_both = node.sin_spread * cosine + node.cos_spread * sine;
         const double seen = std::fmin(std::abs(dot(axis, v)) / distance, 1);
-        if (cos_both > 0) turned = std::fmax(cosine_beyond(seen, cos_both, sin_both), least_facing);
+        if (cos_both > 0) turned = std::fmax(cosine_beyond(seen, cos_both, sin_both), min_facing);
     }
     return node.intensity * lifted * turned / d2;
 }
@@ -110,3 +111,5 @@ std::size_t BuiltLightBvh::memory_bytes() const {
 BuiltLightBvh build(const LightBvh& settings, const LightScene& scene, int) {
     return BuiltLightBvh(scene.luminaires, settings.mis);
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include "lighting/light_query.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 /// A node of the hierarchy: a sphere around its luminaires, and how they shine.
 struct LightNode {
     Vec3 centre = Vec3(0);
@@ -68,3 +70,5 @@ private:
 };
 
 BuiltLightBvh build(const LightBvh&, const LightScene&, int threads);
+
+}  // namespace candelabra

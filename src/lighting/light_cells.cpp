@@ -7,13 +7,15 @@
 #include <numbers>
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
 
 /// Entries that all lists together may have. A cell's share of them goes to its children by the
 /// length of their lists.
-double most_entries(std::size_t luminaires) {
+double max_entries(std::size_t luminaires) {
     return std::fmin(1e6, 1e5 + 128 * static_cast<double>(luminaires));
 }
 /// Length of a list; of more luminaires the brightest are taken, and the others count as dim.
@@ -236,7 +238,7 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
         centres.push_back(light.centre);
     }
     Region root;
-    root.entries = most_entries(lights.size());
+    root.entries = max_entries(lights.size());
     root.box = cube_to_light(scene, lights);
     if (lights.empty() || root.box.empty()) return {};
     for (std::uint32_t i = 0; i < scene.surfaces.size() + scene.planes.size(); ++i)
@@ -264,3 +266,5 @@ LightCells build_light_cells(const LightOctree& settings, const LightScene& scen
     for (std::uint32_t i = 0; i < 8; ++i) splice(top.tree, 1 + i, std::move(growers[i].tree));
     return std::move(top.tree);
 }
+
+}  // namespace candelabra

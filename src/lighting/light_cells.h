@@ -7,6 +7,8 @@
 #include "lighting/pick.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 /// Greatest distance from the luminaire's centre at which a white diffuse surface that faces it may
 /// have at least that radiance by its light alone; below 0: nowhere.
 double bright_reach(const LightBounds&, double radiance);
@@ -34,3 +36,5 @@ struct LightCells {
 
 LightCells build_light_cells(const LightOctree&, const LightScene&, std::span<const LightBounds>,
                              int threads);
+
+}  // namespace candelabra

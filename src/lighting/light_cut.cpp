@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_cut.h"
 
-#include "base/every_machine.h"
+#include "base/target_clones.h"
 
 #include <algorithm>
 #include <bit>
 
+namespace candelabra {
+
 namespace {
 
 /// Shares of the whole strength below this one count as this: single precision would lose them.
-constexpr double least_strength = 1e-24;
+constexpr double min_strength = 1e-24;
 /// Radius over distance at which rounding in single precision may still lift an entry over the
 /// horizon.
 constexpr float slack = 1e-6f;
 /// What a surface without a diffuse part is thought to answer at least: highlights are not quite
 /// what the formula says.
-constexpr double least_dull = 0.02;
+constexpr double min_dull = 0.02;
 /// Of entries that are lower over the horizon, weights are not divided by the cosine, but by this.
-constexpr float least_cosine = 0.05f;
+constexpr float min_cosine = 0.05f;
 
 struct EntryColumns {
     const float *x, *y, *z, *radius, *strength;
@@ -76,7 +78,7 @@ template <Horizon horizon>
 
 [[gnu::always_inline]] inline void turn_to_point(const EntryColumns& c, std::size_t first,
                                                  const Place& p, Rows& out) {
-    constexpr auto kept = static_cast<float>(least_leaning);
+    constexpr auto kept = static_cast<float>(min_leaning);
     for (std::size_t i = 0; i < block; ++i) {
         const std::size_t row = first + i;
         const float vx = c.x[row] - p.x, vy = c.y[row] - p.y, vz = c.z[row] - p.z;
@@ -154,7 +156,7 @@ struct Look {
 };
 
 /// Weighs all rows, and adds up each block of them.
-CANDELABRA_EVERY_MACHINE
+CANDELABRA_TARGET_CLONES
 void weigh_rows(const EntryColumns& c, std::size_t count, const Place& place, const Look& look,
                 CutWeights& result) {
     const Place p = place;
@@ -189,7 +191,7 @@ struct Peak {
         const float off = 1 - (peak.x * vx + peak.y * vy + peak.z * vz) * inverse;
         const float height = std::abs(p.nx * vx + p.ny * vy + p.nz * vz) * inverse;
         const float size = c.radius[row] * inverse;
-        const float lowest = size > least_cosine ? size : least_cosine;
+        const float lowest = size > min_cosine ? size : min_cosine;
         const float cosine = height > lowest ? height : lowest;
         const float spread = 1 + 0.5f * peak.sharpness * size * size;
         const float fallen = 1 + 0.5f * peak.sharpness * (off > 0 ? off : 0) / spread;
@@ -197,7 +199,7 @@ struct Peak {
     }
 }
 
-CANDELABRA_EVERY_MACHINE
+CANDELABRA_TARGET_CLONES
 void weigh_answers_of_rows(const EntryColumns& c, std::size_t count, const Place& place, float dull,
                            std::span<const Peak> peaks, CutWeights& result) {
     const Place p = place;
@@ -218,9 +220,9 @@ double total(const CutWeights& weights, std::size_t rows) {
     return sum;
 }
 
-Glow exact_glow(const Luminaire& luminaire) {
+LightProxy exact_proxy(const Luminaire& luminaire) {
     const LightBounds b = bounds(luminaire);
-    return leaning(glow(b), b.lean);
+    return leaning(light_proxy(b), b.lean);
 }
 
 }  // namespace
@@ -231,7 +233,7 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     RefinedCut refined = refined_cut(tree, cell, rule);
     noise_ = refined.noise;
     clusters_ = std::move(refined.clusters);
-    const Glow all = tree.glow(tree.root());
+    const LightProxy all = tree.light_proxy(tree.root());
     const double whole = all.strength * all.radius;
     rows_ = (clusters_.size() + block - 1) / block * block;
     sources_ = tree.falloff(tree.root()) != nullptr;
@@ -239,14 +241,15 @@ LightCut::LightCut(const LightTree& tree, std::span<const Luminaire> luminaires,
     std::fill_n(column(radius), rows_, 1.0f);
     for (std::size_t i = 0; i < clusters_.size(); ++i) {
         const LightCluster& c = clusters_[i];
-        Glow g = c.count == 1 ? exact_glow(luminaires[tree.light(c.first)]) : tree.glow(c);
+        LightProxy g =
+            c.count == 1 ? exact_proxy(luminaires[tree.light(c.first)]) : tree.light_proxy(c);
         g.strength /= whole;
         fill(i, g);
         if (sources_) fill(i, *tree.falloff(c));
     }
 }
 
-void LightCut::fill(std::size_t entry, const Glow& g) {
+void LightCut::fill(std::size_t entry, const LightProxy& g) {
     const Vec3 place = (g.centre - middle_) * scale_;
     // Rounding must not carry any of it below a horizon that it is above.
     const double rounding = 4e-7 * (max_abs_component(place) + 1e-3);
@@ -255,7 +258,7 @@ void LightCut::fill(std::size_t entry, const Glow& g) {
     column(y)[entry] = static_cast<float>(place.y);
     column(z)[entry] = static_cast<float>(place.z);
     column(radius)[entry] = static_cast<float>(r);
-    const double share = std::fmax(g.strength * g.radius, least_strength);
+    const double share = std::fmax(g.strength * g.radius, min_strength);
     column(strength)[entry] = static_cast<float>(share / r);
     const Vec3 half = glm::min(g.half * scale_ + rounding, r);
     column(half_x)[entry] = static_cast<float>(half.x);
@@ -325,7 +328,7 @@ void LightCut::weigh_answers(const Receiver& point, const BsdfLobes& lobes,
     }
     const Rough all = rough(point);
     weigh_answers_of_rows(all.columns, rows_, all.place,
-                          static_cast<float>(std::fmax(lobes.diffuse, least_dull)),
+                          static_cast<float>(std::fmax(lobes.diffuse, min_dull)),
                           std::span(peaks).first(lobes.count), result);
     result.total = total(result, rows_);
 }
@@ -361,3 +364,5 @@ std::size_t LightCut::find(const CutWeights& weights, double& target) const {
 std::size_t LightCut::memory_bytes() const {
     return clusters_.capacity() * sizeof(LightCluster) + values_.capacity() * sizeof(float);
 }
+
+}  // namespace candelabra

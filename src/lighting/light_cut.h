@@ -8,6 +8,8 @@
 #include "lighting/bsdf_lobes.h"
 #include "lighting/refined_cut.h"
 
+namespace candelabra {
+
 /// What the entries of a cut give at a point, as if nothing were between.
 struct CutWeights {
     static constexpr std::size_t most = 256;
@@ -71,7 +73,7 @@ private:
 
     struct Rough;
     Rough rough(const Receiver&) const;
-    void fill(std::size_t entry, const Glow&);
+    void fill(std::size_t entry, const LightProxy&);
     void fill(std::size_t entry, const Falloff&);
     float* column(Column c) { return values_.data() + c * rows_; }
     const float* column(Column c) const { return values_.data() + c * rows_; }
@@ -85,3 +87,5 @@ private:
     std::vector<LightCluster> clusters_;  ///< in the tree's order
     std::vector<float> values_;           ///< column by column
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -209,3 +211,5 @@ private:
 std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire> luminaires) {
     return Builder(luminaires).build();
 }
+
+}  // namespace candelabra

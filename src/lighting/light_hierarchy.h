@@ -5,6 +5,10 @@
 
 #include "lighting/light_bvh.h"
 
+namespace candelabra {
+
 /// Nodes depth first; none when there are no luminaires. The tree is never much deeper than 64
 /// levels plus a balanced one, however the luminaires lie.
 std::vector<LightNode> build_light_hierarchy(std::span<const Luminaire>);
+
+}  // namespace candelabra

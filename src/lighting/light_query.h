@@ -6,11 +6,13 @@
 
 #include "base/random.h"
 #include "lighting/bsdf_lobes.h"
+#include "lighting/light_guide.h"
 #include "lighting/light_tree.h"
-#include "lighting/outlook.h"
 #include "lighting/pick.h"
 
 #include <concepts>
+
+namespace candelabra {
 
 struct LightQuery {
     const Receiver& receiver;
@@ -69,3 +71,5 @@ private:
     const Built& built_;
     const Receiver& receiver_;
 };
+
+}  // namespace candelabra

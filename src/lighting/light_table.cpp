@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_table.h"
 
-#include "base/every_machine.h"
+#include "base/target_clones.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -37,7 +39,7 @@ template <Horizon horizon>
     }
 }
 
-CANDELABRA_EVERY_MACHINE
+CANDELABRA_TARGET_CLONES
 void estimate_rows(const GlowColumns& c, std::size_t count, const Receiver& point, double* out) {
     if (point.horizon == Horizon::one_side)
         estimate_even<Horizon::one_side>(c, count, point, out);
@@ -66,8 +68,8 @@ std::size_t padded(std::size_t count) {
 LightTable::LightTable(std::span<const Luminaire> luminaires)
     : luminaires_(luminaires), records_(luminaires.size()) {
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
-        records_[i].glow = ::glow(bounds(luminaires[i]));
-        records_[i].glow.half = Glow().half;  // the rows know spheres only
+        records_[i].glow = candelabra::light_proxy(bounds(luminaires[i]));
+        records_[i].glow.half = LightProxy().half;  // the rows know spheres only
         const double reach = exact_radii * records_[i].glow.radius;
         if (std::holds_alternative<TriangleEmitter>(luminaires[i].emitter))
             records_[i].exact_within2 = reach * reach;
@@ -97,7 +99,7 @@ LightList LightTable::append(std::span<const LightIndex> lights) {
     Record nothing;
     for (std::size_t i = 0; i < padded(lights.size()); ++i) {
         const Record& record = i < lights.size() ? records_[lights[i]] : nothing;
-        const Glow& g = record.glow;
+        const LightProxy& g = record.glow;
         lights_.push_back(i < lights.size() ? lights[i] : 0);
         x_.push_back(g.centre.x);
         y_.push_back(g.centre.y);
@@ -129,8 +131,8 @@ void LightTable::estimate_block(std::size_t first, std::size_t count, const Rece
 }
 
 std::size_t LightTable::part_length(const LightList& list) {
-    if (padded(list.count) <= most_parts) return 1;
-    return ((list.count + most_parts - 1) / most_parts + block - 1) / block * block;
+    if (padded(list.count) <= max_parts) return 1;
+    return ((list.count + max_parts - 1) / max_parts + block - 1) / block * block;
 }
 
 void LightTable::sum(const LightList& list, const Receiver& point, Sums& sums) const {
@@ -195,3 +197,5 @@ std::size_t LightTable::memory_bytes() const {
     return columns * sizeof(double) + lights_.capacity() * sizeof(LightIndex) +
            records_.capacity() * sizeof(Record);
 }
+
+}  // namespace candelabra

@@ -5,9 +5,11 @@
 #pragma once
 
 #include "lighting/pick.h"
-#include "luminaire/glow.h"
+#include "luminaire/light_proxy.h"
 
 #include <array>
+
+namespace candelabra {
 
 /// A list in a table.
 struct LightList {
@@ -20,12 +22,12 @@ public:
     static constexpr std::size_t lanes =
         8;  ///< rows are added up in so many strands; lists are padded to full ones
     static constexpr std::size_t block = 64;  ///< rows estimated at once
-    static constexpr std::size_t most_parts = 512;
+    static constexpr std::size_t max_parts = 512;
 
     /// Sums of the estimates of a list: of its parts of equal length (the rows themselves when they
     /// are not too many), and of all.
     struct Sums {
-        std::array<double, most_parts> part;
+        std::array<double, max_parts> part;
         double total = 0;
     };
     /// A row with its estimate.
@@ -44,7 +46,7 @@ public:
 
     /// Estimate for one luminaire: what a list gives for it, to the last bit.
     double estimate(LightIndex, const Receiver&) const;
-    const Glow& glow(LightIndex light) const { return records_[light].glow; }
+    const LightProxy& light_proxy(LightIndex light) const { return records_[light].glow; }
     LightIndex light(std::size_t row) const { return lights_[row]; }
     std::span<const LightIndex> lights(const LightList& list) const {
         return {lights_.data() + list.first, list.count};
@@ -61,7 +63,7 @@ public:
 private:
     /// What the estimates need to know of a luminaire.
     struct Record {
-        Glow glow;
+        LightProxy glow;
         double exact_within2 = 0;  ///< squared distance below which the luminaire itself is asked:
                                    ///< the estimate is too rough there
     };
@@ -86,3 +88,5 @@ private:
     bool flat_ = false;  ///< whether some luminaire is; the other columns are empty if not
     std::vector<double> axis_x_, axis_y_, axis_z_, evenness_, exact_within2_;
 };
+
+}  // namespace candelabra

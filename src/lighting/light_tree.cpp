@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int tree_bins = 16;
@@ -281,7 +283,7 @@ Box LightTree::box(const LightCluster& c) const {
             origin_ + Vec3(n.high[0], n.high[1], n.high[2])};
 }
 
-Glow LightTree::glow(const LightCluster& c) const {
+LightProxy LightTree::light_proxy(const LightCluster& c) const {
     const LightTreeNode& n = nodes_[c.node];
     const Box around = box(c);
     const double rounding =
@@ -321,3 +323,5 @@ std::size_t LightTree::memory_bytes() const {
            order_.capacity() * sizeof(LightIndex) + place_of_.capacity() * sizeof(std::uint32_t) +
            strengths_.memory_bytes();
 }
+
+}  // namespace candelabra

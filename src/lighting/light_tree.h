@@ -6,9 +6,11 @@
 
 #include "lighting/dim_set.h"
 #include "lighting/pick.h"
-#include "luminaire/glow.h"
+#include "luminaire/light_proxy.h"
 
 #include <array>
+
+namespace candelabra {
 
 /// A node: its box in single precision, around its luminaires and from the tree's origin, and how
 /// they shine on the whole.
@@ -16,9 +18,9 @@ struct LightTreeNode {
     std::array<float, 3> low, high;
     std::array<std::int8_t, 3>
         axis{};                    ///< mean axis of the flat ones, 127 long if all are parallel
-    std::uint8_t evenness = 255;   ///< see Glow; in 255ths
+    std::uint8_t evenness = 255;   ///< see LightProxy; in 255ths
     std::uint32_t first_half = 0;  ///< luminaires in the first half; 0: it is a single one
-    std::array<std::int8_t, 3> lean{};  ///< see Glow; 254 long for 1
+    std::array<std::int8_t, 3> lean{};  ///< see LightProxy; 254 long for 1
 };
 static_assert(sizeof(LightTreeNode) == 36);
 
@@ -46,7 +48,7 @@ public:
     std::uint32_t place_of(LightIndex light) const { return place_of_[light]; }
 
     /// The cluster as one luminaire; a sphere around all of it.
-    Glow glow(const LightCluster&) const;
+    LightProxy light_proxy(const LightCluster&) const;
     Box box(const LightCluster&) const;
     /// Of a cluster of light sources; null where there are luminaires only.
     const Falloff* falloff(const LightCluster& c) const {
@@ -145,3 +147,5 @@ void LightTree::along(const Vec3& origin, const Vec3& direction, Visit&& visit) 
         here = waiting[--count];
     }
 }
+
+}  // namespace candelabra

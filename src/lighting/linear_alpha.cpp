@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+namespace candelabra {
+
 BuiltLinearAlpha::BuiltLinearAlpha(const LightScene& scene) : table_(scene.luminaires) {
     std::vector<LightIndex> lights(scene.luminaires.size());
     std::iota(lights.begin(), lights.end(), LightIndex{0});
@@ -28,3 +30,5 @@ double BuiltLinearAlpha::expected(const Receiver& point, const Key&, LightIndex 
 BuiltLinearAlpha build(const LinearAlpha&, const LightScene& scene, int) {
     return BuiltLinearAlpha(scene);
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 class BuiltLinearAlpha {
 public:
     explicit BuiltLinearAlpha(const LightScene&);
@@ -26,3 +28,5 @@ private:
 };
 
 BuiltLinearAlpha build(const LinearAlpha&, const LightScene&, int threads);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Share of the dim luminaires' probability that all of them have alike; the rest goes by
@@ -19,7 +21,7 @@ constexpr double even_share = 0.1;
 constexpr double min_dim_height = 0.05;
 
 /// What a luminaire gives a surface that faces it, nearly.
-double straight_on_bound(const Glow& g, const Vec3& position) {
+double straight_on_bound(const LightProxy& g, const Vec3& position) {
     const Vec3 v = g.centre - position;
     return g.strength * g.radius / std::fmax(dot(v, v), g.radius * g.radius);
 }
@@ -75,7 +77,7 @@ double BuiltPaperOctree::guess_dim(const Receiver& point, const Key& key, const 
                                                      static_cast<std::uint64_t>(i), dim.places()));
         const auto places = static_cast<double>(places_.of(light));
         given += table_.estimate(light, point) / places;
-        straight_on += straight_on_bound(table_.glow(light), point.position) / places;
+        straight_on += straight_on_bound(table_.light_proxy(light), point.position) / places;
     }
     return std::fmax(given, min_dim_height * straight_on) * static_cast<double>(dim.places()) /
            representatives_;
@@ -122,3 +124,5 @@ std::size_t BuiltPaperOctree::memory_bytes() const {
            table_.memory_bytes() + dim_before_.capacity() * sizeof(std::uint64_t) +
            places_.memory_bytes();
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include "lighting/light_table.h"
 #include "lighting/settings.h"
 
+namespace candelabra {
+
 class BuiltPaperOctree {
 public:
     BuiltPaperOctree(const LightOctree&, const LightScene&, int threads);
@@ -52,3 +54,5 @@ private:
     LightPlaces places_;
     std::vector<std::uint64_t> dim_before_;  ///< per row of the table: see DimSet
 };
+
+}  // namespace candelabra

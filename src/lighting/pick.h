@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 using LightIndex = std::uint32_t;
 
 /// A luminaire to send a shadow ray to.
@@ -26,3 +28,5 @@ struct LightScene {
     std::optional<Vec3> eye = {};        ///< where most points to be lit are seen from
     double pixel = 0.004;                ///< angle that a pixel of the picture fills, in radians
 };
+
+}  // namespace candelabra

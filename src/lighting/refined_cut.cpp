@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Single luminaires that outshine all clusters so many times are left out when the noise of these
@@ -28,7 +30,7 @@ public:
         : tree_(tree), centre_(cell.centre()), radius_(0.5 * length(cell.size())) {}
 
     void refine(const CutRule& rule) {
-        const auto most = std::min(static_cast<std::size_t>(rule.most_entries), CutWeights::most);
+        const auto most = std::min(static_cast<std::size_t>(rule.max_entries), CutWeights::most);
         add(tree_.root());
         // A block of entries takes the same time whether it is full or not.
         while (heap_.size() < most && (heap_.size() < CutWeights::block || noise() > rule.noise)) {
@@ -57,7 +59,7 @@ public:
 private:
     void add(const LightCluster& cluster) {
         if (tree_.dark(cluster)) return;
-        const Glow g = tree_.glow(cluster);
+        const LightProxy g = tree_.light_proxy(cluster);
         const double d = length(g.centre - centre_);
         Entry entry{cluster, 0, 0};
         entry.weight = g.strength * g.radius / (d * d + radius_ * radius_ + g.radius * g.radius);
@@ -89,3 +91,5 @@ RefinedCut refined_cut(const LightTree& tree, const Box& cell, const CutRule& ru
     for (const Entry& entry : refinement.entries()) result.clusters.push_back(entry.cluster);
     return result;
 }
+
+}  // namespace candelabra

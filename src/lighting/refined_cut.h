@@ -5,10 +5,12 @@
 
 #include "lighting/light_tree.h"
 
+namespace candelabra {
+
 /// How fine a cut is.
 struct CutRule {
     double noise = 0.01;  ///< variance over squared mean that the choice alone may have, unoccluded
-    int most_entries = 64;
+    int max_entries = 64;
 };
 
 struct RefinedCut {
@@ -18,3 +20,5 @@ struct RefinedCut {
 
 /// A pure function of its arguments.
 RefinedCut refined_cut(const LightTree&, const Box& cell, const CutRule&);
+
+}  // namespace candelabra

@@ -16,6 +16,8 @@
 #include <span>
 #include <variant>
 
+namespace candelabra {
+
 /// What every strategy can do once it is built for a set of luminaires. Deterministic for a given
 /// key.
 template <class T>
@@ -50,3 +52,5 @@ inline BuiltLightSampler build(const LightSampler& settings, const LightScene& s
     return std::visit([&](const auto& s) { return BuiltLightSampler(build(s, scene, threads)); },
                       settings);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo EveryLight::vocabulary = described<EveryLight>([] {
     return schema<EveryLight>("every_light",
                               "A shadow ray to every luminaire at every hit: exact, slow.");
@@ -54,3 +56,5 @@ const ItemInfo LightOctree::vocabulary = described<LightOctree>([] {
         F{"representatives", &LightOctree::representatives, item,
           "paper: dim luminaires that are asked at each hit", between(1, 64)});
 });
+
+}  // namespace candelabra

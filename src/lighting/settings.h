@@ -5,6 +5,8 @@
 
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 /// A shadow ray to every luminaire: the conventional way, and the oracle that the others are tested
 /// against.
 struct EveryLight {
@@ -44,3 +46,5 @@ struct LightOctree {
 };
 /// Every strategy there is. GlobalSettings says which one is the default.
 using LightSampler = std::variant<EveryLight, ConstantAlpha, LinearAlpha, LightBvh, LightOctree>;
+
+}  // namespace candelabra

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/area.h"
 
-#include "luminaire/glow.h"
+#include "luminaire/emit.h"
+#include "luminaire/light_proxy.h"
 #include "luminaire/seen_faces.h"
 #include "shape/area.h"
+
+namespace candelabra {
 
 namespace {
 
@@ -214,7 +217,7 @@ LightBounds bounds(const AreaEmitter& e, double luminance) {
 }
 
 double unoccluded(const AreaEmitter& e, double luminance, const Receiver& point) {
-    return irradiance(glow(bounds(e, luminance)), point);
+    return irradiance(light_proxy(bounds(e, luminance)), point);
 }
 
 std::optional<LightPoint> sample(const AreaEmitter& e, const Receiver& point, const Vec2& u) {
@@ -225,8 +228,8 @@ std::optional<LightPoint> sample(const AreaEmitter& e, const Vec3& from, const V
     return sample(e, from, nullptr, u);
 }
 
-void meet(const AreaEmitter& e, const Receiver& point, const Vec3& direction,
-          LightMeetings& found) {
+void intersect(const AreaEmitter& e, const Receiver& point, const Vec3& direction,
+               LightHits& found) {
     const Ray ray{point.position, direction};
     Crossings met;
     crossings(e.shape, e.transform ? e.transform->inverse_ray(ray) : ray, met);
@@ -247,6 +250,14 @@ void meet(const AreaEmitter& e, const Receiver& point, const Vec3& direction,
                                      : solid_angle_density(per_area, distance, seen);
         if (density > 0) found.push_back({distance, density});
     }
+}
+
+std::optional<EmittedRay> emit(const AreaEmitter& e, const Vec2& where, const Vec2& direction) {
+    const SurfacePoint drawn = sample_area(e.shape, where);
+    const Vec3 stretched = stretched_normal(e, drawn.normal);
+    const double per_area = 1 / (surface_area(e.shape) * length(stretched));
+    return emitted_ray(to_world_point(e, drawn.position), unit(stretched), per_area, direction,
+                       true);
 }
 
 double emitting_area(const AreaEmitter& e) {
@@ -277,3 +288,5 @@ std::vector<BrightFace> flat_faces(const AreaEmitter& e) {
     }
     return faces;
 }
+
+}  // namespace candelabra

@@ -5,10 +5,15 @@
 #include "luminaire/brightness.h"
 #include "luminaire/luminaire.h"
 
+namespace candelabra {
+
 LightBounds bounds(const AreaEmitter&, double luminance);
 double unoccluded(const AreaEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const AreaEmitter&, const Vec3& from, const Vec2& u);
 std::optional<LightPoint> sample(const AreaEmitter&, const Receiver&, const Vec2& u);
-void meet(const AreaEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
+void intersect(const AreaEmitter&, const Receiver&, const Vec3& direction, LightHits&);
+std::optional<EmittedRay> emit(const AreaEmitter&, const Vec2& where, const Vec2& direction);
 double emitting_area(const AreaEmitter&);
 std::vector<BrightFace> flat_faces(const AreaEmitter&);
+
+}  // namespace candelabra

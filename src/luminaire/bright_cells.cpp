@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// Points that each cell is asked at, in each direction.
@@ -91,3 +93,5 @@ double BrightCells::share(std::size_t row, std::size_t column) const {
     return share_of(Sums(rows_), row) * share_of(columns, column) *
            static_cast<double>(row_count_ * column_count_);
 }
+
+}  // namespace candelabra

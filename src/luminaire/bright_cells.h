@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+namespace candelabra {
+
 class BrightCells {
 public:
     /// `luminance` is asked at four points of each cell of the unit square; it has none where there
@@ -39,3 +41,5 @@ private:
     std::vector<double> rows_ = {},
                         columns_ = {};  ///< sums of brightness: up to each row, and within each
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -209,3 +211,5 @@ std::size_t Brightness::View::face_at(const Vec3& position) const {
     }
     return nearest;
 }
+
+}  // namespace candelabra

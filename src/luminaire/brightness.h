@@ -12,6 +12,8 @@
 #include <span>
 #include <variant>
 
+namespace candelabra {
+
 /// A flat face: a parallelogram, or what its outline leaves of one.
 struct BrightFace {
     enum Outline {
@@ -31,7 +33,7 @@ public:
     /// From this unevenness on a map is better for curved surfaces than their formula.
     static constexpr double uneven = 3;
     /// Cells of a face in each direction are at most this many; each is asked at four points.
-    static constexpr int most_cells = 128;
+    static constexpr int max_cells = 128;
 
     /// Of a solid, the cross product of the sides points outwards, and only faces that are turned
     /// to a point shine there. `luminance` is asked at points of the faces; 0 everywhere makes a
@@ -121,3 +123,5 @@ private:
     bool solid_;
     double mean_ = 0, mean_square_ = 0;
 };
+
+}  // namespace candelabra

@@ -2,12 +2,14 @@
 #include "luminaire/composite.h"
 
 #include "base/random.h"
-#include "luminaire/glow.h"
 #include "luminaire/guide.h"
+#include "luminaire/light_proxy.h"
 #include "shape/tessellation.h"
 
 #include <map>
 #include <numbers>
+
+namespace candelabra {
 
 namespace {
 
@@ -34,7 +36,7 @@ double rim(const Around& ball, double distance) {
     return sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 
-std::optional<double> meet(const CompositeEmitter& e, const Ray& ray, double from) {
+std::optional<double> intersect(const CompositeEmitter& e, const Ray& ray, double from) {
     const auto own = [&](std::uint32_t leaf) { return leaf == e.leaf; };
     const auto met = e.composite->first(ray, Interval{from}, own);
     return met ? std::optional(met->t) : std::nullopt;
@@ -64,14 +66,14 @@ double density(const CompositeEmitter& e, const Around& ball, const Vec3& from,
 }
 
 /// Parallel rays through the ball from all sides, and those of them that meet the leaf.
-struct Survey {
+struct SeenRays {
     static constexpr std::uint32_t rays = 512;
     std::vector<Ray> met;
 
-    Survey(const CompositeEmitter& e, const Around& ball) {
+    SeenRays(const CompositeEmitter& e, const Around& ball) {
         for (std::uint32_t i = 0; i < rays; ++i) {
             const auto number = [&](std::uint32_t branch, Purpose purpose) {
-                return uniform(Key{0, i, 0, branch}, purpose);
+                return uniform(Key::of(Survey::seen_area, 0, i, branch), purpose);
             };
             const Vec3 direction = in_cone(
                 Vec3(0, 0, 1), 2, {number(0, Purpose::light_u), number(0, Purpose::light_v)});
@@ -80,7 +82,7 @@ struct Survey {
             const double angle = 2 * pi * number(1, Purpose::light_v);
             const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
             const Ray ray{through - 2 * ball.radius * direction, direction};
-            if (meet(e, ray, 0)) met.push_back(ray);
+            if (intersect(e, ray, 0)) met.push_back(ray);
         }
     }
 };
@@ -101,7 +103,7 @@ Mesh grown(Mesh mesh, double by) {
 /// Adds the guide of triangles that nearly all rays meet which meet the leaf, the first of those
 /// with so many cells that does. What they do not cover makes noise, what they cover beyond it
 /// costs rays.
-void guide(CompositeEmitter& e, const Around& ball, const Survey& survey,
+void guide(CompositeEmitter& e, const Around& ball, const SeenRays& survey,
            std::initializer_list<int> cell_numbers, FunctionRef<Guide(const Mesh&)> make) {
     double most = 0.9;
     for (const int cells : cell_numbers) {
@@ -190,12 +192,12 @@ struct Brightnesses {
 struct Measured {
     CompositeEmitter emitter;
     Around ball;
-    Survey survey;
+    SeenRays survey;
 
     Measured(Handle<Composite> composite, std::uint32_t leaf)
         : emitter{std::move(composite), leaf, 0}, ball(emitter), survey(emitter, ball) {
         const auto met = static_cast<double>(survey.met.size());
-        emitter.seen_area = std::fmax(met, 0.5) / Survey::rays * pi * ball.radius * ball.radius;
+        emitter.seen_area = std::fmax(met, 0.5) / SeenRays::rays * pi * ball.radius * ball.radius;
     }
 };
 
@@ -205,7 +207,7 @@ CompositeEmitter composite_emitter(Handle<Composite> composite, std::uint32_t le
     Measured made(std::move(composite), leaf);
     const auto met = static_cast<double>(made.survey.met.size());
     // What nearly fills the cone is found there soon enough.
-    if (guided && met > 0 && met < 0.75 * Survey::rays)
+    if (guided && met > 0 && met < 0.75 * SeenRays::rays)
         guide(made.emitter, made.ball, made.survey, {12, 24, 48},
               [](const Mesh& mesh) { return Guide(mesh); });
     return made.emitter;
@@ -242,7 +244,7 @@ LightBounds bounds(const CompositeEmitter& e, double luminance) {
 }
 
 double unoccluded(const CompositeEmitter& e, double luminance, const Receiver& point) {
-    return irradiance(glow(bounds(e, luminance)), point);
+    return irradiance(light_proxy(bounds(e, luminance)), point);
 }
 
 std::optional<LightDirection> draw_direction(const CompositeEmitter& e, const Vec3& from,
@@ -270,16 +272,38 @@ std::optional<LightPoint> sample(const CompositeEmitter& e, const Vec3& from, co
     const auto drawn = draw_direction(e, from, u);
     if (!drawn) return {};
     const Ray ray{from, drawn->direction};
-    const auto distance = meet(e, ray, clearance * Around(e).radius);
+    const auto distance = intersect(e, ray, clearance * Around(e).radius);
     if (!distance) return {};
     return LightPoint{ray.at(*distance), ray.direction, *distance, drawn->density};
 }
 
-void meet(const CompositeEmitter& e, const Receiver& point, const Vec3& direction,
-          LightMeetings& met) {
+void intersect(const CompositeEmitter& e, const Receiver& point, const Vec3& direction,
+               LightHits& met) {
     const Around ball(e);
-    const auto distance = meet(e, {point.position, direction}, clearance * ball.radius);
+    const auto distance = intersect(e, {point.position, direction}, clearance * ball.radius);
     if (distance) met.push_back({*distance, density(e, ball, point.position, direction)});
 }
 
+std::optional<EmittedRay> emit(const CompositeEmitter& e, const Vec2& where,
+                               const Vec2& direction) {
+    // As seen from far away: a line through the ball, from its first point on the leaf back out.
+    const Around ball(e);
+    const Vec3 inward = in_cone(Vec3(0, 0, 1), 2, direction);
+    const auto [x, y] = perpendiculars(inward);
+    const double off = ball.radius * std::sqrt(where.x), angle = 2 * pi * where.y;
+    const Vec3 through = ball.centre + off * (std::cos(angle) * x + std::sin(angle) * y);
+    const Ray line{through - 2 * ball.radius * inward, inward};
+    const auto own = [&](std::uint32_t leaf) { return leaf == e.leaf; };
+    const auto met = e.composite->first(line, Interval{0}, own);
+    if (!met) return {};
+    Vec3 normal = unit(met->normal);
+    if (dot(normal, inward) > 0) normal = -normal;
+    // Lines are drawn evenly per area that they cross at a right angle.
+    const double per_crossed_area = 1 / (pi * ball.radius * ball.radius);
+    return EmittedRay{
+        {line.at(met->t), -inward}, normal, per_crossed_area * -dot(normal, inward) / (4 * pi)};
+}
+
 double emitting_area(const CompositeEmitter& e) { return 4 * e.seen_area; }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "luminaire/luminaire.h"
 
+namespace candelabra {
+
 /// The emitter, with its size as seen from far away, which is measured once by some rays. With
 /// `guided` it also gets triangles to look at, if its surface can be made of some; that takes
 /// milliseconds and some hundred kilobytes.
@@ -22,5 +24,8 @@ std::optional<LightDirection> draw_direction(const CompositeEmitter&, const Vec3
                                              const Vec2& u);
 double direction_density(const CompositeEmitter&, const Vec3& from, const Vec3& direction);
 std::optional<LightPoint> sample(const CompositeEmitter&, const Vec3& from, const Vec2& u);
-void meet(const CompositeEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
+void intersect(const CompositeEmitter&, const Receiver&, const Vec3& direction, LightHits&);
+std::optional<EmittedRay> emit(const CompositeEmitter&, const Vec2& where, const Vec2& direction);
 double emitting_area(const CompositeEmitter&);
+
+}  // namespace candelabra

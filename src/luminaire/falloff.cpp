@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -52,3 +54,5 @@ Falloff join(const Falloff& a, const Falloff& b) {
     result.bright = std::fmin(std::fmax(turn_a + a.bright, turn_b + b.bright), result.dark);
     return result;
 }
+
+}  // namespace candelabra

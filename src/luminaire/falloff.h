@@ -9,6 +9,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 struct Falloff {
     double fade_distance = 0;  ///< 0: it does not fade
     double fade_power = 0;     ///< 0: it does not fade
@@ -31,3 +33,5 @@ double against_square_law(const Falloff&, const Vec3& v, double radius);
 
 /// Of both together in one ball: as the one that reaches further; not 0 where one of them is not.
 Falloff join(const Falloff&, const Falloff&);
+
+}  // namespace candelabra

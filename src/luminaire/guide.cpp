@@ -3,6 +3,8 @@
 
 #include "shape/area.h"
 
+namespace candelabra {
+
 Guide::Guide(const Mesh& mesh, std::vector<double> luminance)
     : mesh_(build(mesh)), luminance_(std::move(luminance)), area_(mesh, luminance_) {}
 
@@ -32,3 +34,5 @@ double Guide::density(const Vec3& from, const Vec3& direction) const {
     }
     return sum / area_.total();
 }
+
+}  // namespace candelabra

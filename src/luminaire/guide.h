@@ -6,6 +6,8 @@
 
 #include "shape/mesh_area.h"
 
+namespace candelabra {
+
 class Guide {
 public:
     /// `luminance`: of each face, for luminaires whose glow varies; none: they are all the same.
@@ -27,3 +29,5 @@ private:
     std::vector<double> luminance_;
     MeshArea area_;
 };
+
+}  // namespace candelabra

@@ -11,20 +11,22 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Share of the points of a luminaire that are drawn as if it glowed evenly when a map says where
 /// it is bright. What the map misses makes noise by one over this.
 constexpr double evenly = 0.25;
 /// The least that the mean brightness counts for, as a share of the greatest.
-constexpr double least_mean = 1e-3;
+constexpr double min_mean = 1e-3;
 
 /// What the luminance of the brightest point must be multiplied by to have the mean.
 double mean_share(const Luminaire& luminaire) {
     const auto* e = std::get_if<CompositeEmitter>(&luminaire.emitter);
     if (!luminaire.brightness && !(e && e->mean)) return 1;
     const double mean = luminaire.brightness ? luminaire.brightness->mean() : *e->mean;
-    return std::clamp(mean / luminance(luminaire.radiance), least_mean, 1.0);
+    return std::clamp(mean / luminance(luminaire.radiance), min_mean, 1.0);
 }
 
 std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiver& point,
@@ -37,9 +39,9 @@ std::optional<LightPoint> sample_evenly(const Luminaire& luminaire, const Receiv
                       luminaire.emitter);
 }
 
-void meet_evenly(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
-                 LightMeetings& met) {
-    std::visit([&](const auto& e) { meet(e, point, direction, met); }, luminaire.emitter);
+void intersect_evenly(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
+                      LightHits& met) {
+    std::visit([&](const auto& e) { intersect(e, point, direction, met); }, luminaire.emitter);
 }
 
 /// By the map or evenly, with the density that both have together.
@@ -55,9 +57,9 @@ std::optional<LightPoint> sample_bright(const Luminaire& luminaire, const Bright
     const Vec3 offset = drawn.position - point.position;
     const double distance = length(offset);
     if (!(drawn.density > 0)) return {};
-    LightMeetings met;
-    meet_evenly(luminaire, point, offset / distance, met);
-    for (const LightMeeting& meeting : met)
+    LightHits met;
+    intersect_evenly(luminaire, point, offset / distance, met);
+    for (const LightHit& meeting : met)
         if (std::abs(meeting.distance - distance) < 1e-6 * distance)
             return LightPoint{drawn.position, offset / distance, distance,
                               evenly * meeting.density + (1 - evenly) * drawn.density};
@@ -111,10 +113,10 @@ std::optional<LightPoint> sample(const Luminaire& luminaire, const Receiver& poi
     return sample_evenly(luminaire, point, u);
 }
 
-void meet(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
-          LightMeetings& met) {
+void intersect(const Luminaire& luminaire, const Receiver& point, const Vec3& direction,
+               LightHits& met) {
     const std::size_t before = met.size();
-    meet_evenly(luminaire, point, direction, met);
+    intersect_evenly(luminaire, point, direction, met);
     if (!luminaire.brightness || met.size() == before) return;
     const Brightness::View view(*luminaire.brightness, point.position);
     if (!view.any()) return;
@@ -155,3 +157,5 @@ std::optional<LightDirection> SearchedLuminaire::draw(const Vec3& from, const Ve
 double SearchedLuminaire::density(const Vec3& from, const Vec3& direction) const {
     return direction_density(*emitter_, from, direction);
 }
+
+}  // namespace candelabra

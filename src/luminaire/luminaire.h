@@ -19,6 +19,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 /// From where light counts at a point.
 enum class Horizon : std::uint8_t {
     one_side,    ///< above its plane, by the cosine to the normal
@@ -163,14 +165,29 @@ private:
 };
 
 /// Where a direction meets a luminaire.
-struct LightMeeting {
+struct LightHit {
     double distance;
     double density;  ///< with which sample() gives this point for the shading point, per steradian
 };
-using LightMeetings = std::vector<LightMeeting>;
+using LightHits = std::vector<LightHit>;
 
 /// Appends the points that sample() may give in this direction from the shading point.
-void meet(const Luminaire&, const Receiver&, const Vec3& direction, LightMeetings&);
+void intersect(const Luminaire&, const Receiver&, const Vec3& direction, LightHits&);
+
+/// A ray that leaves a luminaire.
+struct EmittedRay {
+    Ray ray;      ///< from its surface; the direction is a unit vector
+    Vec3 normal;  ///< unit, of the surface there, on the side of the ray; 0 of sources
+    /// Of point and direction together, per area and steradian; of sources, which have no area, per
+    /// steradian.
+    double density;
+};
+
+/// A point of the luminaire and a direction that leaves it there, about in proportion to the power
+/// that goes there; points of `where` and `direction` are in [0, 1)^2. The radiance along the ray
+/// times the cosine to the normal, over the density, is an unbiased estimate of the power. Nothing
+/// when nothing leaves the drawn point. All sides of a surface emit.
+std::optional<EmittedRay> emit(const Luminaire&, const Vec2& where, const Vec2& direction);
 
 /// Area of the emitting surface in world units; 0 when it cannot glow (a degenerate triangle).
 double emitting_area(const Emitter&);
@@ -182,3 +199,5 @@ std::size_t face_count(const Emitter&);
 /// glows so evenly that its formula is better. Precondition: face_count() > 0.
 Handle<Brightness> brightness_of(const Luminaire&, int cells,
                                  FunctionRef<double(const Vec3&)> luminance);
+
+}  // namespace candelabra

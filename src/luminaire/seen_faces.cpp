@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Squared diagonal over squared distance from which on a face is sampled by solid angle: below,
@@ -15,7 +17,7 @@ constexpr double large = 0.1;
 constexpr double surface = 1e-9;
 /// What a face counts for that is seen along the surface, as if it stood so much higher (a sine):
 /// it may light what is not matt.
-constexpr double least_height = 0.05;
+constexpr double min_height = 0.05;
 
 /// The part of a side that has something above the horizon, where it begins and ends as shares of
 /// the side: height + share * rise is the greatest height there.
@@ -80,9 +82,8 @@ SeenFaces::SeenFaces(const Box& box, const Transform* map, const Vec3& from, con
             }
         }
         if (normal)
-            share_[axis] *=
-                least_height + (is_large ? f.height(from, *normal)
-                                         : std::fmax(dot(*normal, offset) / distance, 0));
+            share_[axis] *= min_height + (is_large ? f.height(from, *normal)
+                                                   : std::fmax(dot(*normal, offset) / distance, 0));
         sum += share_[axis];
     }
     for (double& share : share_) share = sum > 0 ? share / sum : 0;
@@ -115,3 +116,5 @@ std::optional<SeenFaces::Drawn> SeenFaces::draw(Vec2 u) const {
     if (!(found > 0)) return {};
     return Drawn{last, {position, direction, distance, found}};
 }
+
+}  // namespace candelabra

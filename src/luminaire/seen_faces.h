@@ -6,6 +6,8 @@
 #include "luminaire/luminaire.h"
 #include "luminaire/spherical_rectangle.h"
 
+namespace candelabra {
+
 class SeenFaces {
 public:
     /// Of a box in its own space, which the map takes to the world's (null: it is there). Where the
@@ -39,3 +41,5 @@ private:
     std::array<double, 3> share_{};  ///< how probably a point is drawn from it
     Vec3 from_;
 };
+
+}  // namespace candelabra

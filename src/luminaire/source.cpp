@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/source.h"
 
-#include "luminaire/glow.h"
+#include "luminaire/light_proxy.h"
+
+namespace candelabra {
 
 LightBounds bounds(const SourceEmitter& source, double luminance) {
     LightBounds result;
@@ -15,7 +17,7 @@ LightBounds bounds(const SourceEmitter& source, double luminance) {
 }
 
 double unoccluded(const SourceEmitter& source, double luminance, const Receiver& point) {
-    const Glow g = glow(bounds(source, luminance));
+    const LightProxy g = light_proxy(bounds(source, luminance));
     return irradiance(g, point) *
            against_square_law(source.falloff, source.centre - point.position, g.radius);
 }
@@ -27,6 +29,16 @@ std::optional<LightPoint> sample(const SourceEmitter& source, const Vec3& from, 
     return LightPoint{source.centre, offset / distance, distance, 1};
 }
 
-void meet(const SourceEmitter&, const Receiver&, const Vec3&, LightMeetings&) {}
+void intersect(const SourceEmitter&, const Receiver&, const Vec3&, LightHits&) {}
+
+std::optional<EmittedRay> emit(const SourceEmitter& source, const Vec2&, const Vec2& direction) {
+    const double height = 1 - 2 * direction.x,
+                 across = std::sqrt(std::fmax(1 - height * height, 0)),
+                 angle = 2 * std::numbers::pi * direction.y;
+    const Vec3 towards(across * std::cos(angle), across * std::sin(angle), height);
+    return EmittedRay{{source.centre, towards}, Vec3(0), 1 / (4 * std::numbers::pi)};
+}
 
 double emitting_area(const SourceEmitter&) { return 0; }
+
+}  // namespace candelabra

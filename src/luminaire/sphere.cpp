@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/sphere.h"
 
-#include "luminaire/glow.h"
+#include "luminaire/emit.h"
+#include "luminaire/light_proxy.h"
 
 #include <numbers>
+
+namespace candelabra {
 
 namespace {
 
@@ -115,7 +118,7 @@ LightBounds bounds(const SphereEmitter& s, double luminance) {
 }
 
 double unoccluded(const SphereEmitter& s, double luminance, const Receiver& point) {
-    return irradiance(glow(bounds(s, luminance)), point);
+    return irradiance(light_proxy(bounds(s, luminance)), point);
 }
 
 std::optional<LightPoint> sample(const SphereEmitter& s, const Vec3& from, const Vec2& u) {
@@ -134,8 +137,8 @@ std::optional<LightPoint> sample(const SphereEmitter& s, const Receiver& point, 
     return drawn.density > 0 ? std::optional(drawn) : std::nullopt;
 }
 
-void meet(const SphereEmitter& s, const Receiver& point, const Vec3& direction,
-          LightMeetings& met) {
+void intersect(const SphereEmitter& s, const Receiver& point, const Vec3& direction,
+               LightHits& met) {
     const Vec3 offset = s.centre - point.position;
     const double along = dot(offset, direction);
     const Vec3 beside = offset - along * direction;
@@ -157,4 +160,13 @@ void meet(const SphereEmitter& s, const Receiver& point, const Vec3& direction,
     met.push_back({along - half_chord, density});
 }
 
+std::optional<EmittedRay> emit(const SphereEmitter& s, const Vec2& where, const Vec2& direction) {
+    const double across = 2 * std::sqrt(where.x * (1 - where.x)), angle = 2 * pi * where.y;
+    const Vec3 normal(across * std::cos(angle), across * std::sin(angle), 1 - 2 * where.x);
+    return emitted_ray(s.centre + s.radius * normal, normal, 1 / emitting_area(s), direction,
+                       false);
+}
+
 double emitting_area(const SphereEmitter& s) { return 4 * pi * s.radius * s.radius; }
+
+}  // namespace candelabra

@@ -4,9 +4,14 @@
 
 #include "luminaire/luminaire.h"
 
+namespace candelabra {
+
 LightBounds bounds(const SphereEmitter&, double luminance);
 double unoccluded(const SphereEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const SphereEmitter&, const Vec3& from, const Vec2& u);
 std::optional<LightPoint> sample(const SphereEmitter&, const Receiver&, const Vec2& u);
-void meet(const SphereEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
+void intersect(const SphereEmitter&, const Receiver&, const Vec3& direction, LightHits&);
+std::optional<EmittedRay> emit(const SphereEmitter&, const Vec2& where, const Vec2& direction);
 double emitting_area(const SphereEmitter&);
+
+}  // namespace candelabra

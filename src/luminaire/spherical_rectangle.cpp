@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 double angle_between(const Vec3& a, const Vec3& b) {
@@ -49,3 +51,5 @@ Vec3 SphericalRectangle::sample(const Vec2& u) const {
     const double y = below > 1e-14 ? std::clamp(h * std::sqrt(d2 / below), y0_, y1_) : y1_;
     return from_ + x * x_ + y * y_ + z0_ * z_;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 class SphericalRectangle {
 public:
     /// The sides must be at right angles, and the point not in the rectangle's plane.
@@ -20,3 +22,5 @@ private:
     double x0_, x1_, y0_, y1_, z0_;
     double b0_, b1_, k_, solid_angle_;
 };
+
+}  // namespace candelabra

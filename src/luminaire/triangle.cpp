@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/triangle.h"
 
-#include "luminaire/glow.h"
+#include "luminaire/emit.h"
+#include "luminaire/light_proxy.h"
 #include "shape/triangle.h"
 
 #include <array>
 #include <numbers>
+
+namespace candelabra {
 
 namespace {
 
@@ -14,7 +17,7 @@ using std::numbers::pi;
 /// Outside these solid angles the triangle is sampled by its area: a small one looks the same all
 /// over, and angles of spherical triangles lose their digits there; a huge one is as good as a
 /// plane through the point.
-constexpr double least_solid_angle = 3e-4, greatest_solid_angle = 6.22;
+constexpr double min_solid_angle = 3e-4, greatest_solid_angle = 6.22;
 /// Radius over distance from which on the irradiance is that of a small patch, which by then is
 /// right to six digits.
 constexpr double small = 1e-3;
@@ -46,7 +49,7 @@ struct TriangleView {
 /// The solid angle if it is what the triangle is sampled by, else 0.
 double sampled_solid_angle(const TriangleView& view) {
     const double solid_angle = view.solid_angle();
-    return solid_angle > least_solid_angle && solid_angle < greatest_solid_angle ? solid_angle : 0;
+    return solid_angle > min_solid_angle && solid_angle < greatest_solid_angle ? solid_angle : 0;
 }
 
 double area_density(const TriangleView& view, const Vec3& direction, double distance) {
@@ -173,7 +176,7 @@ LightBounds bounds(const TriangleEmitter& t, double luminance) {
 double unoccluded(const TriangleEmitter& t, double luminance, const Receiver& point) {
     const LightBounds b = bounds(t, luminance);
     // The estimate keeps the answer above 0 where the exact one is lost in rounding.
-    const double estimate = irradiance(glow(b), point);
+    const double estimate = irradiance(light_proxy(b), point);
     if (estimate == 0) return 0;
     const TriangleView view(t, point.position);
     const bool far = b.radius < small * length(b.centre - point.position);
@@ -203,8 +206,8 @@ std::optional<LightPoint> sample(const TriangleEmitter& t, const Vec3& from, con
     return LightPoint{from + offset, direction, distance, density};
 }
 
-void meet(const TriangleEmitter& t, const Receiver& point, const Vec3& direction,
-          LightMeetings& met) {
+void intersect(const TriangleEmitter& t, const Receiver& point, const Vec3& direction,
+               LightHits& met) {
     const TriangleHit hit =
         first_crossing(t.corner1, t.corner2, t.corner3, {point.position, direction}, {});
     if (!(hit.t < std::numeric_limits<double>::infinity())) return;
@@ -214,6 +217,16 @@ void meet(const TriangleEmitter& t, const Receiver& point, const Vec3& direction
         {hit.t, solid_angle > 0 ? 1 / solid_angle : area_density(view, direction, hit.t)});
 }
 
+std::optional<EmittedRay> emit(const TriangleEmitter& t, const Vec2& where, const Vec2& direction) {
+    const double area = emitting_area(t), root = std::sqrt(where.x);
+    if (!(area > 0)) return {};
+    const Vec3 edge1 = t.corner2 - t.corner1, edge2 = t.corner3 - t.corner1;
+    const Vec3 position = t.corner1 + root * ((1 - where.y) * edge1 + where.y * edge2);
+    return emitted_ray(position, unit(cross(edge1, edge2)), 1 / area, direction, true);
+}
+
 double emitting_area(const TriangleEmitter& t) {
     return length(cross(t.corner2 - t.corner1, t.corner3 - t.corner1)) / 2;
 }
+
+}  // namespace candelabra

@@ -4,8 +4,13 @@
 
 #include "luminaire/luminaire.h"
 
+namespace candelabra {
+
 LightBounds bounds(const TriangleEmitter&, double luminance);
 double unoccluded(const TriangleEmitter&, double luminance, const Receiver&);
 std::optional<LightPoint> sample(const TriangleEmitter&, const Vec3& from, const Vec2& u);
-void meet(const TriangleEmitter&, const Receiver&, const Vec3& direction, LightMeetings&);
+void intersect(const TriangleEmitter&, const Receiver&, const Vec3& direction, LightHits&);
+std::optional<EmittedRay> emit(const TriangleEmitter&, const Vec2& where, const Vec2& direction);
 double emitting_area(const TriangleEmitter&);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 const ItemInfo Fog::vocabulary = described<Fog>([] {
     using F = Field<Fog>;
     return schema<Fog>(
@@ -92,3 +94,5 @@ Veil veil_of(std::span<const Fog> fogs, const Ray& ray, double distance, NoiseGe
     }
     return {behind, own};
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 struct Fog {
     Colour colour;
     int fog_type = 1;  ///< 2: thins out above fog_offset
@@ -37,3 +39,5 @@ Vec3 left_by(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
 /// What all fogs make of the radiance that comes along the ray, from its origin to the distance,
 /// which may be infinite. Precondition: no fog has a problem.
 Veil veil_of(std::span<const Fog>, const Ray&, double distance, NoiseGenerator);
+
+}  // namespace candelabra

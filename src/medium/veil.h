@@ -4,6 +4,8 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 struct Veil {
     Vec3 transmittance = Vec3(1);
     Vec3 added = Vec3(0);  ///< radiance
@@ -14,3 +16,5 @@ struct Veil {
         return {transmittance * other.transmittance, through(other.added)};
     }
 };
+
+}  // namespace candelabra

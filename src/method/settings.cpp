@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo PovRay::vocabulary = described<PovRay>([] {
     return schema<PovRay>("pov_ray",
                           "Reflections and refractions, and light that comes straight from lights "
@@ -16,6 +18,7 @@ const ItemInfo PathTraced::vocabulary = described<PathTraced>([] {
         "Light that surfaces have reflected lights others, too. From `#version 3.7` on, which the "
         "scene says, `ambient` has no part in it.",
         F{"bounces", &PathTraced::bounces, item,
-          "diffuse reflections on the way of light to a surface that is seen",
-          between(0, 1000)});
+          "diffuse reflections on the way of light to a surface that is seen", between(0, 1000)});
 });
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 /// POV-Ray's: all reflections and refractions of a ray, and light that comes straight from lights.
 struct PovRay {
     static const ItemInfo vocabulary;
@@ -18,3 +20,5 @@ struct PathTraced {
 };
 /// Every integrator there is; the first one is the default.
 using IntegratorSettings = std::variant<PovRay, PathTraced>;
+
+}  // namespace candelabra

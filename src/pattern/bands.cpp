@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo Gradient::vocabulary = described<Gradient>([] {
     using F = Field<Gradient>;
     return schema<Gradient>(
@@ -107,3 +109,5 @@ double evaluate(const Spiral2& kind, const PatternPoint& at) {
     const Vec3& p = at.position;
     return triangle(std::sqrt(p.x * p.x + p.y * p.y)) + triangle(spiral(kind.arms, at));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "pattern/waveform.h"
 
+namespace candelabra {
+
 struct Gradient {
     Vec3 direction = Vec3(0, 1, 0);
 
@@ -61,3 +63,5 @@ double evaluate(const Leopard&, const Vec3& point);
 double evaluate(const Radial&, const Vec3& point);
 double evaluate(const Spiral1&, const PatternPoint&);
 double evaluate(const Spiral2&, const PatternPoint&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo Cells::vocabulary =
     described<Cells>([] { return schema<Cells>("cells", "Unit cubes with a random value each."); });
 
@@ -164,3 +166,5 @@ Vec3 nearest_nucleus(const Vec3& point, double metric) {
                });
     return point + result;
 }
+
+}  // namespace candelabra

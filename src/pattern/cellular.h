@@ -5,6 +5,8 @@
 
 #include "pattern/modifiers.h"
 
+namespace candelabra {
+
 struct Cells {
     static const ItemInfo vocabulary;
 };
@@ -35,3 +37,5 @@ double evaluate(const Facets&, const Vec3& point);
 /// The nucleus that is nearest to a point. Metric 2: straight; 1: the signed sum of the offsets;
 /// other: the sum of their sizes to that power. As POV-Ray's facets have it.
 Vec3 nearest_nucleus(const Vec3& point, double metric);
+
+}  // namespace candelabra

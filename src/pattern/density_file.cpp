@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo DensityFile::vocabulary = described<DensityFile>([] {
     using F = Field<DensityFile>;
     return schema<DensityFile>(
@@ -66,11 +68,11 @@ struct Sampler {
         for (std::size_t i = 0; i < 4; ++i) {
             for (std::size_t j = 0; j < 4; ++j) {
                 for (std::size_t k = 0; k < 4; ++k) points[k] = at(i, j, k);
-                lines[j] = ::cubic(points, z.fraction);
+                lines[j] = candelabra::cubic(points, z.fraction);
             }
-            planes[i] = ::cubic(lines, y.fraction);
+            planes[i] = candelabra::cubic(lines, y.fraction);
         }
-        return std::max(0.0, ::cubic(planes, x.fraction));
+        return std::max(0.0, candelabra::cubic(planes, x.fraction));
     }
 };
 
@@ -109,3 +111,5 @@ double evaluate(const DensityFile& file, const Vec3& point) {
             return sampler.cubic();
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/handle.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// The numbers of a file, from 0 to 1, x fastest.
 struct DensityGrid {
     std::array<std::size_t, 3> size{};
@@ -24,3 +26,5 @@ struct DensityFile {
 };
 
 double evaluate(const DensityFile&, const Vec3& point);
+
+}  // namespace candelabra

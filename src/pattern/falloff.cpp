@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Boxed::vocabulary = described<Boxed>([] {
     return schema<Boxed>("boxed", "1 at the origin, 0 from the faces of a cube of side 2 on.");
 });
@@ -35,3 +37,5 @@ double evaluate(const CylindricalPattern&, const Vec3& point) {
 }
 
 double evaluate(const SphericalPattern&, const Vec3& point) { return fallen(length(point)); }
+
+}  // namespace candelabra

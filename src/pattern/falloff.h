@@ -4,6 +4,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 struct Boxed {
     static const ItemInfo vocabulary;
 };
@@ -24,3 +26,5 @@ double evaluate(const Boxed&, const Vec3& point);
 double evaluate(const PlanarPattern&, const Vec3& point);
 double evaluate(const CylindricalPattern&, const Vec3& point);
 double evaluate(const SphericalPattern&, const Vec3& point);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// The vocabulary of a fractal with the words that all have.
@@ -31,7 +33,7 @@ const ItemInfo Mandel::vocabulary = described<Mandel>([] {
     return described_fractal<Mandel>(
         "mandel", "The Mandelbrot set in the x-y plane.",
         F{"iterations", &Mandel::iterations, positional, "most steps of an orbit",
-          between(0, most_iterations)},
+          between(0, max_iterations)},
         F{"exponent", &Mandel::exponent, item, "the power in z^n + c", between(2, 33)});
 });
 
@@ -41,7 +43,7 @@ const ItemInfo JuliaPattern::vocabulary = described<JuliaPattern>([] {
         "julia", "A Julia set in the x-y plane.",
         F{"constant", &JuliaPattern::constant, positional, "c in z^n + c"},
         F{"iterations", &JuliaPattern::iterations, positional, "most steps of an orbit",
-          between(0, most_iterations)},
+          between(0, max_iterations)},
         F{"exponent", &JuliaPattern::exponent, item, "the power in z^n + c", between(2, 33)});
 });
 
@@ -51,10 +53,10 @@ const ItemInfo Magnet::vocabulary = described<Magnet>([] {
         "magnet", "A set from the theory of magnetism in the x-y plane.",
         F{"type", &Magnet::type, positional, "which of two formulas", between(1, 2)},
         F{"mandel", &Magnet::mandel, item, "orbits of 0; most steps of an orbit",
-          between(0, most_iterations)},
+          between(0, max_iterations)},
         F{"julia", &Magnet::julia, item, "orbits of the point, with this constant"},
         F{"julia_iterations", &Magnet::julia_iterations, following, "most steps of an orbit",
-          between(0, most_iterations)});
+          between(0, max_iterations)});
 });
 
 namespace {
@@ -182,3 +184,5 @@ double evaluate(const Magnet& magnet, const Vec3& point) {
             return z.squared_size() > 10000 || (z + -1).squared_size() < 1.0 / 10000;
         });
 }
+
+}  // namespace candelabra

@@ -5,8 +5,10 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// How many iterations a pattern may ask for.
-inline constexpr double most_iterations = 1e6;
+inline constexpr double max_iterations = 1e6;
 
 /// What values points have inside and outside of the set, from the last point of their orbit, a+bi.
 struct FractalColouring {
@@ -43,3 +45,5 @@ struct Magnet : FractalColouring {
 double evaluate(const Mandel&, const Vec3& point);
 double evaluate(const JuliaPattern&, const Vec3& point);
 double evaluate(const Magnet&, const Vec3& point);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 const ItemInfo FunctionPattern::vocabulary = described<FunctionPattern>([] {
     return schema<FunctionPattern>("function",
                                    "A function of x, y and z: function { expression }.");
@@ -17,3 +19,5 @@ double evaluate(const FunctionPattern& kind, const Vec3& point) {
     if (std::isnan(value)) return 0;
     return value > 1 ? std::fmod(value, 1.0) : value;
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo PatternModifiers::vocabulary = described<PatternModifiers>([] {
     using F = Field<PatternModifiers>;
     return schema<PatternModifiers>(
@@ -20,3 +22,5 @@ const ItemInfo PatternModifiers::vocabulary = described<PatternModifiers>([] {
           "repeats of the map while the pattern's value grows by 1"},
         F{"phase", &PatternModifiers::phase, item, "part of the map by which each repeat shifts"});
 });
+
+}  // namespace candelabra

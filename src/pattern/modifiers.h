@@ -7,6 +7,8 @@
 #include "base/noise.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// As POV-Ray stores some numbers: it shows where values meet the keys of a map.
 constexpr double single_precision(double x) { return static_cast<float>(x); }
 
@@ -48,7 +50,10 @@ struct PatternPoint {
     const PatternScene& scene;
 
     NoiseGenerator noise_generator() const {
-        return modifiers.noise_generator == 0 ? scene.noise_generator
-                                              : ::noise_generator(modifiers.noise_generator);
+        return modifiers.noise_generator == 0
+                   ? scene.noise_generator
+                   : candelabra::noise_generator(modifiers.noise_generator);
     }
 };
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 const ItemInfo Bozo::vocabulary =
     described<Bozo>([] { return schema<Bozo>("bozo", "Smooth noise: soft spots of all values."); });
 
@@ -102,3 +104,5 @@ double evaluate(const Agate& agate, const PatternPoint& at) {
     const double band = 0.5 * (cycle(1.3 * disturbed + 1.1 * at.position.z) + 1);
     return std::pow(std::clamp(band, 0.0, 1.0), 0.77);
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "pattern/modifiers.h"
 
+namespace candelabra {
+
 struct Bozo {
     static const ItemInfo vocabulary;
 };
@@ -42,3 +44,5 @@ double evaluate(const Wrinkles&, const PatternPoint&);
 /// May exceed 1.
 double evaluate(const Granite&, const PatternPoint&);
 double evaluate(const Agate&, const PatternPoint&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <concepts>
 
+namespace candelabra {
+
 namespace {
 
 /// Depends on the point alone.
@@ -85,3 +87,5 @@ void name_pattern(const Pattern& pattern, PatternModifiers& modifiers, Waveform&
         },
         pattern);
 }
+
+}  // namespace candelabra

@@ -20,6 +20,8 @@
 #include "pattern/tiling.h"
 #include "pattern/waveform.h"
 
+namespace candelabra {
+
 using Pattern =
     std::variant<Agate, Aoi, Average, Boxed, Bozo, Brick, BumpMap, Bumps, Cells, Checker, Crackle,
                  CubicPattern, CylindricalPattern, Dents, DensityFile, Facets, FunctionPattern,
@@ -47,3 +49,5 @@ bool displaced(const Pattern&);
 /// What naming the pattern sets in its statement. What it does not set stays as it was, as in
 /// POV-Ray 3.7.
 void name_pattern(const Pattern&, PatternModifiers&, Waveform&);
+
+}  // namespace candelabra

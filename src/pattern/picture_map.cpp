@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/picture_map.h"
 
-#include "base/turn.h"
+#include "base/revolution.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
 #include <numbers>
+
+namespace candelabra {
 
 namespace {
 
@@ -293,3 +295,5 @@ double evaluate(const MaterialMap& map, const Vec3& point) {
     if (number == map.textures) return map.textures - 1;
     return number > map.textures ? number % map.textures : number;
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include "base/texels.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// What all four have in common: which picture, and how it lies.
 struct PictureMap {
     std::string file;
@@ -71,3 +73,5 @@ double evaluate(const ImageMap&, const Vec3& point);  ///< brightness; 0 where i
 double evaluate(const ImagePattern&, const Vec3& point);
 double evaluate(const BumpMap&, const Vec3& point);      ///< the same as an image_pattern's
 double evaluate(const MaterialMap&, const Vec3& point);  ///< number of the texture
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Quilted::vocabulary = described<Quilted>([] {
     using F = Field<Quilted>;
     return schema<Quilted>("quilted", "A cushion in each unit cube.",
@@ -39,3 +41,5 @@ double evaluate(const Quilted& quilted, const Vec3& point) {
     return std::abs(height(quilted, length(offset))) *
            (std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z)) / 3;
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "pattern/modifiers.h"
 
+namespace candelabra {
+
 struct Quilted {
     static constexpr double frequency = 0;
     double control0 = 1;
@@ -17,3 +19,5 @@ double evaluate(const Quilted&, const Vec3& point);
 /// The offset from the middle of the point's cube, times the height of the cushion there: how a
 /// normal is tilted.
 Vec3 quilted_tilt(const Quilted&, const Vec3& point);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo Ripples::vocabulary = described<Ripples>(
     [] { return schema<Ripples>("ripples", "Rings around random points, as of drops in water."); });
 
@@ -24,14 +26,14 @@ double distance_to(const WaveSource& source, const Vec3& point) {
 
 std::span<const WaveSource> wave_sources(int number) {
     static const std::vector<WaveSource> all = [] {
-        std::vector<WaveSource> made(most_wave_sources);
+        std::vector<WaveSource> made(max_wave_sources);
         NoiseSequence sequence(3734115329u);
         for (std::size_t i = 0; i < made.size(); ++i)
             made[i] = {unit(vector_noise(Vec3(static_cast<double>(i), 0, 0))),
                        sequence.next() * 0.000030518509476 + 0.01};
         return made;
     }();
-    return std::span(all).first(static_cast<std::size_t>(std::clamp(number, 1, most_wave_sources)));
+    return std::span(all).first(static_cast<std::size_t>(std::clamp(number, 1, max_wave_sources)));
 }
 
 double ring(const PatternModifiers& modifiers, double frequency, double distance) {
@@ -55,3 +57,5 @@ double evaluate(const Waves&, const PatternPoint& at) {
                source.frequency;
     return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
+
+}  // namespace candelabra

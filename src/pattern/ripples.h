@@ -5,6 +5,8 @@
 
 #include "pattern/modifiers.h"
 
+namespace candelabra {
+
 struct Ripples {
     static const ItemInfo vocabulary;
 };
@@ -23,9 +25,11 @@ struct WaveSource {
     double frequency;  ///< of the rings of `waves`
 };
 
-/// The first `number` sources; below 1 counts as 1, above most_wave_sources as that.
-inline constexpr int most_wave_sources = 1000;
+/// The first `number` sources; below 1 counts as 1, above max_wave_sources as that.
+inline constexpr int max_wave_sources = 1000;
 std::span<const WaveSource> wave_sources(int number);
 
 /// The height of the rings of one source at a distance from it, -1 to 1, not divided by anything.
 double ring(const PatternModifiers&, double frequency, double distance);
+
+}  // namespace candelabra

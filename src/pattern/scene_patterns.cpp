@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo ObjectPattern::vocabulary = described<ObjectPattern>([] {
     return schema<ObjectPattern>(
         "object", "Inside of an object or outside of it; the object in braces, the list as well.");
@@ -15,3 +17,5 @@ const ItemInfo PigmentGrey::vocabulary = described<PigmentGrey>([] {
 const ItemInfo Average::vocabulary = described<Average>([] {
     return schema<Average>("average", "All entries of a map at once, mixed by their numbers.");
 });
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <memory>
 
+namespace candelabra {
+
 /// A number for each point, by code that knows what the data is.
 struct PointFunction {
     std::shared_ptr<const void> data;
@@ -48,3 +50,5 @@ struct Average {
 };
 
 inline double evaluate(const Average&, const Vec3&) { return 0; }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo Slope::vocabulary = described<Slope>([] {
     using F = Field<Slope>;
     return schema<Slope>(
@@ -67,3 +69,5 @@ double evaluate(const Aoi&, const PatternPoint& at) {
     if (!view) return 0;
     return std::acos(std::clamp(dot(view->normal, view->direction), -1.0, 1.0)) / pi;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "pattern/modifiers.h"
 
+namespace candelabra {
+
 struct Slope {
     std::optional<Vec3> direction;
     double low = 0;
@@ -25,3 +27,5 @@ struct Aoi {
 
 double evaluate(const Slope&, const PatternPoint&);
 double evaluate(const Aoi&, const PatternPoint&);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo Checker::vocabulary = described<Checker>(
     [] { return schema<Checker>("checker", "Unit cubes of two colours in turn."); });
 
@@ -121,3 +123,5 @@ double evaluate(const CubicPattern&, const Vec3& point) {
     if (point.y < 0 && size.y >= size.x && size.y >= size.z) return 4;
     return 5;
 }
+
+}  // namespace candelabra

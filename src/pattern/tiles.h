@@ -6,6 +6,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 struct Checker {
     static constexpr int choices = 2;
 
@@ -52,3 +54,5 @@ double evaluate(const Hexagon&, const Vec3& point);
 double evaluate(const Square&, const Vec3& point);
 double evaluate(const Triangular&, const Vec3& point);
 double evaluate(const CubicPattern&, const Vec3& point);
+
+}  // namespace candelabra

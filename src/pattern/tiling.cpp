@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo Tiling::vocabulary = described<Tiling>([] {
     using F = Field<Tiling>;
     return schema<Tiling>(
@@ -341,3 +343,5 @@ double evaluate(const Tiling& tiling, const Vec3& point) {
             return arranged(tiling.type, p);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 struct Tiling {
     int type = 1;
 
@@ -12,3 +14,5 @@ struct Tiling {
 };
 
 double evaluate(const Tiling&, const Vec3& point);
+
+}  // namespace candelabra

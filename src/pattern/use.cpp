@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/use.h"
 
+namespace candelabra {
+
 Vec3 PatternUse::place(const Vec3& point) const {
     const Vec3 p = warped(steps, point);
     if (modifiers.turbulence == Vec3(0) || !displaced(pattern)) return p;
@@ -10,3 +12,5 @@ Vec3 PatternUse::place(const Vec3& point) const {
 double PatternUse::value(const Vec3& place, const PatternScene& scene) const {
     return waved(wave, modifiers, evaluate(pattern, {place, modifiers, scene}));
 }
+
+}  // namespace candelabra

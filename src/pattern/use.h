@@ -6,6 +6,8 @@
 #include "pattern/pattern.h"
 #include "pattern/warp.h"
 
+namespace candelabra {
+
 struct PatternUse {
     Pattern pattern;
     PatternModifiers modifiers;
@@ -17,3 +19,5 @@ struct PatternUse {
     /// The value at such a place.
     double value(const Vec3& place, const PatternScene&) const;
 };
+
+}  // namespace candelabra

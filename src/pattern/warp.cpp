@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pattern/warp.h"
 
-#include "base/turn.h"
+#include "base/revolution.h"
 #include "vocabulary/schema.h"
 
 #include <algorithm>
 #include <numbers>
+
+namespace candelabra {
 
 const ItemInfo CylindricalWarp::vocabulary = described<CylindricalWarp>([] {
     using F = Field<CylindricalWarp>;
@@ -167,8 +169,8 @@ Vec3 moved(const ToroidalWarp& warp, const Vec3& p) {
     const double distance = std::sqrt(outwards * outwards + p.y * p.y);
     if (distance == 0) return p;
     const double factor = stretch(warp, distance);
-    return oriented(warp.orientation, turn(p.x, p.z) * factor,
-                    turn_of_tube(outwards, p.y) * factor, distance);
+    return oriented(warp.orientation, turn(p.x, p.z) * factor, turn_of_tube(outwards, p.y) * factor,
+                    distance);
 }
 
 Vec3 moved(const PlanarWarp& warp, const Vec3& p) {
@@ -220,3 +222,5 @@ void fit_blocks(BlackHole& hole) {
             std::max(hole.repeat[i], hole.centre[i] + hole.radius + hole.turbulence[i]);
     }
 }
+
+}  // namespace candelabra

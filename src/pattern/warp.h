@@ -7,6 +7,8 @@
 #include "pattern/modifiers.h"
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 struct TurbulenceWarp {
     Vec3 amount = Vec3(0);
     int octaves = 6;
@@ -86,3 +88,5 @@ Vec3 warped(std::span<const WarpStep>, Vec3 point);
 
 /// Moves the centre of a repeated black hole to where its blocks can hold it, as POV-Ray does.
 void fit_blocks(BlackHole&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo RampWave::vocabulary = described<RampWave>(
     [] { return schema<RampWave>("ramp_wave", "Straight up, then back at once."); });
 
@@ -60,3 +62,5 @@ double waved(const Waveform& wave, const PatternModifiers& modifiers, double val
     if (value < 0) value -= std::floor(value);
     return std::visit([&](const auto& kind) { return shaped(kind, value); }, wave);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "pattern/modifiers.h"
 #include "vocabulary/kinds.h"
 
+namespace candelabra {
+
 struct RampWave {
     static const ItemInfo vocabulary;
 };
@@ -41,3 +43,5 @@ double waved(const Waveform&, const PatternModifiers&, double value);
 double triangle(double value);
 /// sin(2 pi value), exact for values that are far from 0.
 double cycle(double value);
+
+}  // namespace candelabra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/file.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <cerrno>
 #include <cstring>
@@ -12,6 +12,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+namespace candelabra {
 
 namespace {
 
@@ -89,14 +91,14 @@ int write_to(const std::string& path, std::string_view bytes) {
 bool write_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics) {
     const int failure = write_to(path, bytes);
     if (failure == 0) return true;
-    const std::string what = path == "-" ? "standard output" : message("`", harmless(path), "`");
+    const std::string what = path == "-" ? "standard output" : message("`", printable(path), "`");
     diagnostics.add(error(Fault::io, {}, message("cannot write ", what, ": ", reason(failure))));
     return false;
 }
 
 std::string problem_with_destination(const std::string& path) {
     if (path == "-") return {};
-    const std::string name = harmless(path);
+    const std::string name = printable(path);
     if (const auto old = state_of(path)) {
         if (S_ISDIR(old->st_mode)) return message("cannot write `", name, "`: it is a folder");
         if (::access(path.c_str(), W_OK) != 0)
@@ -107,10 +109,12 @@ std::string problem_with_destination(const std::string& path) {
         fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".";
     const auto there = state_of(folder);
     if (!there)
-        return message("cannot write `", name, "`: there is no folder `", harmless(folder), "`");
+        return message("cannot write `", name, "`: there is no folder `", printable(folder), "`");
     if (!S_ISDIR(there->st_mode))
-        return message("cannot write `", name, "`: `", harmless(folder), "` is not a folder");
+        return message("cannot write `", name, "`: `", printable(folder), "` is not a folder");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         return message("cannot write `", name, "` in its folder: ", reason(errno));
     return {};
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// Writes beside the file and renames; pipes, devices and standard output ("-") are written to as
 /// they are. False, with a diagnostic, when that fails: then there is no new file, and an old one
 /// is as it was.
@@ -16,3 +18,5 @@ bool write_file(const std::string& path, std::string_view bytes, Diagnostics&);
 /// What would keep write_file() from writing there, as a sentence; empty when nothing is known to.
 /// To be asked before long work.
 std::string problem_with_destination(const std::string& path);
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 
+namespace candelabra {
+
 namespace {
 
 unsigned byte_at(const std::string& bytes, std::size_t i) {
@@ -77,3 +79,5 @@ std::size_t ColourNumbers::operator()(std::span<const float> pixel, float alpha)
     const auto found = numbers_.find(std::bit_cast<std::uint32_t>(colour));
     return found == numbers_.end() ? none_ : found->second;
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace candelabra {
+
 struct FileFacts {
     /// Red, green, blue, alpha, as bytes. Empty: the file has no table.
     std::vector<std::array<std::uint8_t, 4>> table;
@@ -36,3 +38,5 @@ private:
     std::size_t none_;
     std::unordered_map<std::uint32_t, std::size_t> numbers_;
 };
+
+}  // namespace candelabra

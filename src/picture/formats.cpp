@@ -4,12 +4,14 @@
 #include "base/loaded_library.h"
 #include "picture/tga.h"
 #include "png/png.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
+
+namespace candelabra {
 
 namespace {
 
@@ -25,7 +27,7 @@ std::string bytes_of(const std::string& path) {
 /// What keeps the picture from being what its reader should give; empty when nothing does.
 std::string problem_of(const StoredPicture& stored) {
     if (stored.width < 1 || stored.height < 1) return "it has no pixels";
-    if (std::int64_t{stored.width} * stored.height > most_pixels) return "it is too large";
+    if (std::int64_t{stored.width} * stored.height > max_pixels) return "it is too large";
     if (stored.channels != 1 && stored.channels != 3) return "its channels cannot be told";
     const std::size_t pixels =
         static_cast<std::size_t>(stored.width) * static_cast<std::size_t>(stored.height);
@@ -55,19 +57,19 @@ std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& d
     std::string problem;
     const std::string bytes = bytes_of(path);
     if (is_png(bytes)) {
-        problem = read_png(bytes, most_pixels, stored);
+        problem = read_png(bytes, max_pixels, stored);
     } else if (reads_tga(bytes)) {
-        if (!read_tga(bytes, most_pixels, stored)) problem = "it is damaged";
+        if (!read_tga(bytes, max_pixels, stored)) problem = "it is damaged";
     } else {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
-        problem = formats->read(path, most_pixels, stored);
+        problem = formats->read(path, max_pixels, stored);
     }
     if (problem.empty()) problem = problem_of(stored);
     if (problem.empty()) return stored;
     diagnostics.add(
         error(Fault::io, asked_at,
-              message("cannot read the picture `", harmless(path), "`: ", harmless(problem))));
+              message("cannot read the picture `", printable(path), "`: ", printable(problem))));
     return std::nullopt;
 }
 
@@ -96,3 +98,5 @@ float whole_brightness(float value) {
     const float brightness = 0.297F * value + 0.589F * value + 0.114F * value;
     return std::trunc(brightness * 255.0F) / 255.0F;
 }
+
+}  // namespace candelabra

@@ -3,14 +3,16 @@
 // opened when it is first needed.
 #pragma once
 
-#include "formats/formats.h"
+#include "oiio/formats.h"
 #include "text/diagnostic.h"
 
 #include <optional>
 #include <string>
 
+namespace candelabra {
+
 /// More have only files that are damaged.
-inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
 /// The entry points; null, with a diagnostic at the span, when the library cannot be opened.
 const Formats* picture_formats(Diagnostics&, Span asked_at = {});
@@ -26,3 +28,5 @@ std::optional<std::string> write_stored(const RawPicture&, Diagnostics&);
 bool keeps_whole_brightness(const StoredPicture&);
 /// Such a grey.
 float whole_brightness(float value);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <span>
 
+namespace candelabra {
+
 namespace {
 
 constexpr double most = 65535;
@@ -55,3 +57,5 @@ std::optional<Heights> read_heights(const std::string& path, double gamma, Diagn
         }
     return result;
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 struct Heights {
     int width = 0, height = 0;
     std::vector<std::uint16_t> values;  ///< row by row from the bottom of the picture
@@ -19,3 +21,5 @@ struct Heights {
 /// unless there is a gamma (above 0).
 std::optional<Heights> read_heights(const std::string& path, double gamma, Diagnostics&,
                                     Span asked_at = {});
+
+}  // namespace candelabra

@@ -2,10 +2,12 @@
 #include "picture/layers.h"
 
 #include "picture/formats.h"
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -27,7 +29,7 @@ std::optional<std::string> encode(const LayeredPicture& picture, Diagnostics& di
     if (problem.empty()) return bytes;
     diagnostics.add(error(Fault::io, {},
                           message("cannot make an exr file of ", picture.width, " by ",
-                                  picture.height, " pixels: ", harmless(problem))));
+                                  picture.height, " pixels: ", printable(problem))));
     return std::nullopt;
 }
 
@@ -38,10 +40,12 @@ std::optional<LayeredPicture> read_layers(const std::string& path,
     if (!formats) return std::nullopt;
     LayeredPicture picture;
     for (const std::string_view name : texts) picture.texts.emplace_back(name, "");
-    std::string problem = formats->read_layers(path, most_pixels, picture);
+    std::string problem = formats->read_layers(path, max_pixels, picture);
     if (problem.empty() && !is_whole(picture)) problem = "it is damaged: pixels of it are missing";
     if (problem.empty()) return picture;
     diagnostics.add(
-        error(Fault::io, {}, message("cannot read `", harmless(path), "`: ", harmless(problem))));
+        error(Fault::io, {}, message("cannot read `", printable(path), "`: ", printable(problem))));
     return std::nullopt;
 }
+
+}  // namespace candelabra

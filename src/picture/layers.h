@@ -3,12 +3,14 @@
 // are not finished. The planes' values are kept bit by bit.
 #pragma once
 
-#include "formats/formats.h"
+#include "oiio/formats.h"
 #include "text/diagnostic.h"
 
 #include <optional>
 #include <span>
 #include <string>
+
+namespace candelabra {
 
 /// The bytes of the file; nothing, with a diagnostic, when it cannot be made.
 std::optional<std::string> encode(const LayeredPicture&, Diagnostics&);
@@ -17,3 +19,5 @@ std::optional<std::string> encode(const LayeredPicture&, Diagnostics&);
 /// diagnostic, when the file is no OpenEXR file, or damaged.
 std::optional<LayeredPicture> read_layers(const std::string& path,
                                           std::span<const std::string_view> texts, Diagnostics&);
+
+}  // namespace candelabra

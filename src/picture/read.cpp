@@ -10,6 +10,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// From a stored value to a linear one, by what the file says about itself.
@@ -138,3 +140,5 @@ std::optional<Image> read_picture(const std::string& path, Diagnostics& diagnost
     }
     return image;
 }
+
+}  // namespace candelabra

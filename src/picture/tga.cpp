@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture/tga.h"
 
+namespace candelabra {
+
 namespace {
 
 using Rgba = std::array<std::uint8_t, 4>;
@@ -47,8 +49,8 @@ private:
 /// Where in the file the pixels are, one after the other; nothing where it ends too early.
 std::vector<std::size_t> places(const Head& file, std::size_t count, std::size_t end) {
     std::vector<std::size_t> result;
-    constexpr std::size_t most_in_packet = 128;
-    const std::size_t fitting = file.packed() ? most_in_packet * end : end;
+    constexpr std::size_t max_in_packet = 128;
+    const std::size_t fitting = file.packed() ? max_in_packet * end : end;
     if (count > fitting) return result;
     const std::size_t step = file.numbered() ? 1 : 2;
     std::size_t at = file.pixels_at();
@@ -85,11 +87,11 @@ bool reads_tga(std::string_view bytes) {
     return file.numbered() || file.short_colours();
 }
 
-bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture& picture) {
+bool read_tga(std::string_view bytes, std::int64_t max_pixels, StoredPicture& picture) {
     const Head file(bytes);
     const std::size_t width = file.word(12), height = file.word(14);
     if (!reads_tga(bytes)) return false;
-    if (static_cast<std::int64_t>(width * height) > most_pixels) return false;
+    if (static_cast<std::int64_t>(width * height) > max_pixels) return false;
     const std::vector<Rgba> table = tga_table(bytes);
     const std::vector<std::size_t> found = places(file, width * height, bytes.size());
     if (found.empty()) return false;
@@ -113,3 +115,5 @@ bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture& p
     picture = std::move(made);
     return true;
 }
+
+}  // namespace candelabra

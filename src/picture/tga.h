@@ -4,9 +4,11 @@
 // others.
 #pragma once
 
-#include "formats/formats.h"
+#include "oiio/formats.h"
 
 #include <array>
+
+namespace candelabra {
 
 /// Whether a file is one by the end of its name: Targa files have no other mark.
 bool is_tga(std::string_view path);
@@ -18,5 +20,7 @@ std::vector<std::array<std::uint8_t, 4>> tga_table(std::string_view bytes);
 bool reads_tga(std::string_view bytes);
 
 /// Reads the bytes of a file. False, and the picture as it was, when the file is none of these, is
-/// damaged, or has more than `most_pixels`.
-bool read_tga(std::string_view bytes, std::int64_t most_pixels, StoredPicture&);
+/// damaged, or has more than `max_pixels`.
+bool read_tga(std::string_view bytes, std::int64_t max_pixels, StoredPicture&);
+
+}  // namespace candelabra

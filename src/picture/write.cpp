@@ -15,6 +15,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 struct TypeInfo {
@@ -203,3 +205,5 @@ bool write_picture(const Image& image, const std::string& path, const PictureFor
     const auto bytes = encode(image, format, diagnostics, alpha);
     return bytes && write_file(path, *bytes, diagnostics);
 }
+
+}  // namespace candelabra

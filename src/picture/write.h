@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 enum class PictureType { png, exr, hdr, ppm, tga, jpeg, bmp };
 
 struct PictureFormat {
@@ -56,3 +58,5 @@ std::optional<std::string> encode(const Image&, const PictureFormat&, Diagnostic
 /// Encodes and writes the file as write_file() does.
 bool write_picture(const Image&, const std::string& path, const PictureFormat&, Diagnostics&,
                    std::span<const double> alpha = {});
+
+}  // namespace candelabra

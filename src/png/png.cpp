@@ -8,6 +8,8 @@
 
 #include <png.h>
 
+namespace candelabra {
+
 namespace {
 
 /// What libpng's calls work on. Where one fails, it jumps back to `failed`: functions that set this
@@ -112,17 +114,17 @@ std::string look_up(PngWork& work, std::span<const png_byte> numbers, StoredPict
     return {};
 }
 
-std::string read(PngWork& work, std::int64_t most_pixels, StoredPicture& picture) {
+std::string read(PngWork& work, std::int64_t max_pixels, StoredPicture& picture) {
     const std::size_t file_bytes = work.input.size();
     if (!read_head(work)) return work.problem;
     const std::int64_t width = png_get_image_width(work.png, work.info),
                        height = png_get_image_height(work.png, work.info);
-    if (width * height > most_pixels)
+    if (width * height > max_pixels)
         return "it says that it has " + std::to_string(width) + " by " + std::to_string(height) +
                " pixels";
     // Deflate makes 258 bytes of two bits at best.
-    constexpr std::size_t most_growth = 1032;
-    if (work.file_row * static_cast<std::size_t>(height) > most_growth * file_bytes)
+    constexpr std::size_t max_growth = 1032;
+    if (work.file_row * static_cast<std::size_t>(height) > max_growth * file_bytes)
         return "it says that it is larger than what its " + std::to_string(file_bytes) +
                " bytes can hold";
     const std::size_t stored = png_get_channels(work.png, work.info);
@@ -205,13 +207,13 @@ png_text text(std::string& key, std::string& value) {
 
 bool is_png(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
 
-std::string read_png(std::string_view bytes, std::int64_t most_pixels, StoredPicture& picture) {
+std::string read_png(std::string_view bytes, std::int64_t max_pixels, StoredPicture& picture) {
     PngWork work;
     work.input = bytes;
     work.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &work, fail, ignore);
     work.info = png_create_info_struct(work.png);
     StoredPicture made;
-    const std::string problem = read(work, most_pixels, made);
+    const std::string problem = read(work, max_pixels, made);
     png_destroy_read_struct(&work.png, &work.info, nullptr);
     if (problem.empty()) picture = std::move(made);
     return problem;
@@ -238,3 +240,5 @@ std::string write_png(const RawPicture& picture, std::string& bytes) {
     png_destroy_write_struct(&work.png, &work.info);
     return written ? std::string() : work.problem;
 }
+
+}  // namespace candelabra

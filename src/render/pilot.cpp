@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 /// What a camera ray costs with shading and weighing of luminaires, in shadow rays.
@@ -16,7 +18,7 @@ constexpr int max_pilot_rays = 4;
 /// Of one sample's displayed value (0 to 1): three steps of a picture of 8 bits.
 constexpr double quiet_deviation = 3.0 / 255;
 /// Pixels that are tried in each direction at most, and the share of all pixels that they may be.
-constexpr int most_across = 16;
+constexpr int max_across = 16;
 constexpr int pixels_for_each = 4;
 
 double squared(double x) { return x * x; }
@@ -60,8 +62,8 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
 }  // namespace
 
 PilotNoise pilot_noise(const World& world, const RenderSettings& settings) {
-    const int columns = std::clamp(settings.width / pixels_for_each, 1, most_across),
-              rows = std::clamp(settings.height / pixels_for_each, 1, most_across);
+    const int columns = std::clamp(settings.width / pixels_for_each, 1, max_across),
+              rows = std::clamp(settings.height / pixels_for_each, 1, max_across);
     std::vector<PilotNoise> noise(static_cast<std::size_t>(rows));
     run_parallel(noise.size(), settings.threads, [&](std::size_t row) {
         Integrator integrator(world, {});
@@ -101,3 +103,5 @@ Pilot pilot(const World& world, const RenderSettings& settings) {
     const HitNoise& hits = noise.of_hits;
     return {{best_shadow_rays(noise), hits.hits > 0 ? hits.sum / hits.hits : 0}, is_quiet(noise)};
 }
+
+}  // namespace candelabra

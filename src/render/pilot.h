@@ -6,6 +6,8 @@
 #include "scene/settings.h"
 #include "transport/integrator.h"
 
+namespace candelabra {
+
 /// Variances of one sample of a pixel, over all pixels that were tried.
 struct PilotNoise {
     double of_light = 0;   ///< by the shadow rays of one hit
@@ -32,3 +34,5 @@ struct Pilot {
     bool quiet = false;  ///< see is_quiet(); false where no pixels were tried
 };
 Pilot pilot(const World&, const RenderSettings&);
+
+}  // namespace candelabra

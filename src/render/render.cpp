@@ -10,6 +10,8 @@
 #include <mutex>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Region> tiles_of(int width, int height, int size) {
@@ -83,8 +85,7 @@ public:
           settings_(plan.settings),
           state_(state),
           hooks_(hooks),
-          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.extras.lights,
-                   hooks.extras.alpha},
+          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, hooks.aovs.alpha},
           fresh_integrators_(integrators_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
@@ -191,22 +192,22 @@ private:
         const Region own = common(tile, state_.share.region);
         const auto apart = [&](int x, int y, std::uint32_t samples) {
             PixelSum pixel;
-            std::vector<ExactSum> extra(state_.film.extras());
+            std::vector<ExactSum> extra(state_.film.aovs());
             for (std::uint32_t sample = 0; sample < samples; ++sample)
                 pixel.add(look(work, x, y, sample, extra).colour);
             return shown(rule.contrast, pixel, extra);
         };
         const auto first = [&](int x, int y) {
             if (!own.contains(x, y) || state_.film.at(x, y).samples != 1) return apart(x, y, 1);
-            return shown(rule.contrast, state_.film.at(x, y), extra_of(x, y));
+            return shown(rule.contrast, state_.film.at(x, y), aovs_of(x, y));
         };
-        const auto all = [&](int x, int y) -> std::optional<Shown> {
+        const auto all = [&](int x, int y) -> std::optional<DisplayValue> {
             if (!own.contains(x, y)) return apart(x, y, all_samples(rule));
             PixelSum& pixel = state_.film.at(x, y);
             pixel.target = all_samples(rule);
             add_samples(work, x, y, pixel.target);
             if (pixel.samples < pixel.target) return {};
-            return shown(rule.contrast, pixel, extra_of(x, y));
+            return shown(rule.contrast, pixel, aovs_of(x, y));
         };
         Wanted before;
         for_pixels(own, [&](PixelSum& pixel) { before.add(pixel); });
@@ -221,25 +222,23 @@ private:
             for (int x = region.left; x < region.right; ++x) use(state_.film.at(x, y));
     }
 
-    Shown shown(const Contrast& contrast, const PixelSum& pixel,
-                std::span<const ExactSum> extra) const {
-        const double clear = hooks_.extras.alpha ? extra[0].value() / pixel.samples : 0;
+    DisplayValue shown(const Contrast& contrast, const PixelSum& pixel,
+                       std::span<const ExactSum> extra) const {
+        const double clear = hooks_.aovs.alpha ? extra[0].value() / pixel.samples : 0;
         return contrast.shown(pixel.mean(), clear);
     }
 
-    std::span<ExactSum> extra_of(int x, int y) {
-        return state_.film.extra(state_.film.index(x, y));
-    }
+    std::span<ExactSum> aovs_of(int x, int y) { return state_.film.extra(state_.film.index(x, y)); }
 
     void add_samples(Work& work, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
-        const std::span<ExactSum> extra = extra_of(x, y);
+        const std::span<ExactSum> extra = aovs_of(x, y);
         for (; pixel.samples < wanted && !stop(work); ++work.made) {
             const std::uint32_t sample = state_.share.first_sample + pixel.samples;
             const Seen seen = look(work, x, y, sample, extra);
             pixel.add(seen.colour);
             pixel.shadow_rays += seen.shadow_rays;
-            if (sample == 0) gather_middle(hooks_.extras, world_, point(x, y), extra);
+            if (sample == 0) gather_middle(hooks_.aovs, world_, point(x, y), extra);
         }
     }
 
@@ -247,20 +246,20 @@ private:
     void add_cell(Work& work, CornerCells& cells, int x, int y, std::uint32_t wanted) {
         PixelSum& pixel = state_.film.at(x, y);
         if (pixel.samples >= wanted || stop(work)) return;
-        const std::span<ExactSum> extra = extra_of(x, y);
+        const std::span<ExactSum> extra = aovs_of(x, y);
         std::vector<ExactSum> shown(extra.size());
-        const Sight seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
+        const PixelSample seen = cells.pixel(x, y, [&](int u, int v, std::uint32_t sample) {
             std::ranges::fill(shown, ExactSum());
             const Seen one = look(work, u, v, sample, shown);
-            Sight sight{one.colour, 0, {}, one.shadow_rays};
+            PixelSample sight{one.colour, 0, {}, one.shadow_rays};
             for (const ExactSum& each : shown) sight.extra.push_back(each.value());
-            if (hooks_.extras.alpha) sight.clear = sight.extra.front();
+            if (hooks_.aovs.alpha) sight.clear = sight.extra.front();
             return sight;
         });
         pixel.add(seen.colour);
         pixel.shadow_rays += seen.shadow_rays;
         for (std::size_t i = 0; i < extra.size(); ++i) extra[i].add(seen.extra[i]);
-        gather_middle(hooks_.extras, world_, point(x, y), extra);
+        gather_middle(hooks_.aovs, world_, point(x, y), extra);
         ++work.made;
     }
 
@@ -285,7 +284,7 @@ private:
         Integrator& integrator = work.integrators[moment];
         const std::uint64_t before_rays = integrator.ledger().shadow;
         const Vec3 colour = integrator.radiance(ray, key);
-        if (!extra.empty()) gather_sample(hooks_.extras, world, ray, integrator, extra);
+        if (!extra.empty()) gather_sample(hooks_.aovs, world, ray, integrator, extra);
         return {colour, static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays)};
     }
 
@@ -342,8 +341,10 @@ bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,
 }
 
 Rendering render(const World& world, const RenderSettings& settings, const RenderHooks& hooks) {
-    RenderState state = begin_picture(settings, hooks.extras.count(world));
+    RenderState state = begin_picture(settings, hooks.aovs.count(world));
     LightLedger rays;
     advance(plan_of(world, settings), state, rays, hooks);
     return {state.film.image(), rays};
 }
+
+}  // namespace candelabra

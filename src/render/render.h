@@ -12,6 +12,8 @@
 
 #include <functional>
 
+namespace candelabra {
+
 /// How a world is rendered, which is settled before the first sample and the same for all parts of
 /// a picture.
 struct RenderPlan {
@@ -22,7 +24,7 @@ struct RenderPlan {
     SampleRule rule;            ///< for those that follow
 
     /// Whether all pixels get the number of samples that is asked for.
-    bool is_even() const { return ::is_even(settings, rule); }
+    bool is_even() const { return candelabra::is_even(settings, rule); }
 };
 
 /// Traces some pixels where the settings leave open what pays best.
@@ -36,7 +38,7 @@ struct RenderHooks {
     /// Called once, when a round has nothing left to begin and the first core becomes free.
     std::function<void()> winds_down;
     bool counts_lights = false;  ///< fills LightLedger::lights
-    Aovs extras = {};            ///< the film has sums for them
+    Aovs aovs = {};              ///< the film has sums for them
 };
 
 struct Rendering {
@@ -50,3 +52,5 @@ Rendering render(const World&, const RenderSettings&, const RenderHooks& = {});
 /// Goes on with a picture until it is finished; false when the hook has stopped it. Adds to the
 /// counts.
 bool advance(const RenderPlan&, RenderState&, LightLedger&, const RenderHooks& = {});
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -17,7 +19,7 @@ using std::numbers::pi;
 constexpr double sharpest = 1e6;
 /// Surfaces without a diffuse part are drawn from as if they had some: away from its middle, a
 /// highlight falls off slower than its density.
-constexpr double most_gloss = 0.9;
+constexpr double max_gloss = 0.9;
 
 /// A direction about an axis, in proportion to a power of the cosine.
 Vec3 draw_about(const Vec3& axis, double exponent, Vec2 u) {
@@ -52,7 +54,7 @@ Bsdf::Bsdf(const Shading& s, const ShadingRules& rules, Part part, double ior)
     }
     for (const Lobe& lobe : highlight_lobes()) highlights_ += lobe.share;
     if (!(highlights_ > 0)) return;
-    gloss_ = std::fmin(highlights_ / (highlights_ + diffuse_), most_gloss);
+    gloss_ = std::fmin(highlights_ / (highlights_ + diffuse_), max_gloss);
     for (std::size_t i = 0; i < count_; ++i) lobes_[i].share *= gloss_ / highlights_;
 }
 
@@ -147,3 +149,5 @@ Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, Lobes lobes, double grain
     const FinishTerms terms{part_ != Part::highlights, lobes == Lobes::all || lobes == Lobes::wide};
     return finish_response(shading_, to_light, terms, grain);
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <optional>
 #include <span>
 
+namespace candelabra {
+
 /// What light is asked for.
 enum class Lobes {
     all,
@@ -99,3 +101,5 @@ private:
     std::array<Lobe, 2> lobes_;
     std::size_t count_ = 0;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -175,3 +177,5 @@ std::optional<Scattered> scatter(const Shading& s, double choice, Vec2 place) {
                            : layers.mirror(between) * ((1 - layers.coat(between)) / (1 - by_coat));
     return Scattered{*direction, share * unseen, w < narrow};
 }
+
+}  // namespace candelabra

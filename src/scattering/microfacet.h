@@ -9,6 +9,8 @@
 #include <array>
 #include <optional>
 
+namespace candelabra {
+
 /// Radiance towards the viewer by light of colour 1 from a unit direction, in the sense of
 /// finish_response(). With `wide_only` without the lobes that are so narrow that scattered rays
 /// find luminaires better. Precondition of all functions here: the finish has facets.
@@ -44,3 +46,5 @@ struct Scattered {
 
 /// Numbers are uniform in [0, 1). Nothing when the facets reflect into the surface.
 std::optional<Scattered> scatter(const Shading&, double choice, Vec2 place);
+
+}  // namespace candelabra

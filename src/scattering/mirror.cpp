@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// POV-Ray's fit of the metallic Fresnel curve: 0 straight on, 1 at grazing angles, and less again
@@ -72,3 +74,5 @@ bool reflects_totally(const Shading& s, double ior_ratio) {
     const double cosine = -dot(s.view, s.normal);
     return ior_ratio * ior_ratio * (1 - cosine * cosine) > 1;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// Share of unpolarised light that a smooth surface reflects; n is the index of refraction behind
 /// it over the one in front.
 double fresnel(double cosine, double n);
@@ -32,3 +34,5 @@ bool reflects_totally(const Shading&, double ior_ratio);
 
 /// What metallic makes of a highlight's or a reflection's colour.
 Vec3 metal_tint(const Vec3& pigment, double metallic, double cosine);
+
+}  // namespace candelabra

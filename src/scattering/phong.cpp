@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// Whether a highlight's cosine to that power is above 10^-20, as far as is quickly told; far from
@@ -60,3 +62,5 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     }
     return result;
 }
+
+}  // namespace candelabra

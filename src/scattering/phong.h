@@ -5,6 +5,8 @@
 
 #include "scattering/shading.h"
 
+namespace candelabra {
+
 /// Radiance that the surface sends to the viewer by itself. With `emission` false without that of
 /// the finish.
 Vec3 own_radiance(const Shading&, const ShadingRules&, bool emission = true);
@@ -23,3 +25,5 @@ struct FinishTerms {
 /// pi) comes from a unit direction; the cosine is in it. Zero where the direction is below the
 /// horizon. `grain` is a random number for `crand`, the same for all channels.
 Vec3 finish_response(const Shading&, const Vec3& to_light, FinishTerms = {}, double grain = 0);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include "base/vector.h"
 #include "surface/finish.h"
 
+namespace candelabra {
+
 struct Shading {
     Vec3 position;
     Vec3 view;              ///< unit, direction of the ray that sees it
@@ -31,3 +33,5 @@ struct ShadingRules {
 inline Vec3 mirrored(const Vec3& direction, const Vec3& normal) {
     return direction - 2 * dot(direction, normal) * normal;
 }
+
+}  // namespace candelabra

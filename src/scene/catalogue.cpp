@@ -7,6 +7,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto surface = std::array{
@@ -59,3 +61,5 @@ constexpr auto groups = std::array{
 }  // namespace
 
 std::span<const ItemGroup> catalogue() { return groups; }
+
+}  // namespace candelabra

@@ -8,4 +8,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 std::span<const ItemGroup> catalogue();
+
+}  // namespace candelabra

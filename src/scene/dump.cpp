@@ -8,6 +8,8 @@
 #include <array>
 #include <unordered_map>
 
+namespace candelabra {
+
 namespace {
 
 /// Deeper objects are declared apart, so that the text stays readable and writing it needs no deep
@@ -326,3 +328,5 @@ std::string in_one_line(const Object& object) { return Dumper().line(object); }
 std::span<const SceneText> scene_texts() { return blocks_of_scenes; }
 
 std::string dump(const Scene& scene) { return Dumper().text(scene); }
+
+}  // namespace candelabra

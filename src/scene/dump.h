@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// What has its default value is left out. Objects that occur more than once, or lie deep, are
 /// declared first as Object_1, ...
 std::string dump(const Scene&);
@@ -22,3 +24,5 @@ struct SceneText {
 };
 /// In the order of the text.
 std::span<const SceneText> scene_texts();
+
+}  // namespace candelabra

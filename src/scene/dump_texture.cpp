@@ -5,6 +5,8 @@
 #include "surface/pigment_map.h"
 #include "surface/texture_map.h"
 
+namespace candelabra {
+
 namespace {
 
 /// What stands in the braces of a picture, up to the textures of a material_map.
@@ -220,3 +222,5 @@ std::string dump(const Rainbow& rainbow) {
     return message("rainbow { ", written_fields(Rainbow::vocabulary, &rainbow),
                    colours_text(rainbow.map), " }\n");
 }
+
+}  // namespace candelabra

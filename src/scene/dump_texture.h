@@ -11,6 +11,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// "pigment { ... }".
 std::string dump(const Pigment&);
 
@@ -36,3 +38,5 @@ std::string item_text(Variant alternative) {
 std::string matrix_text(const Transform&);
 
 std::string colour_text(const Colour&);
+
+}  // namespace candelabra

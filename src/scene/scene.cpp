@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Switches::vocabulary = described<Switches>([] {
     using F = Field<Switches>;
     return schema<Switches>(
@@ -37,3 +39,5 @@ PlacedLight moved(PlacedLight placed, const Transform& transform) {
         if (*object) *object = moved(std::move(*object), transform);
     return placed;
 }
+
+}  // namespace candelabra

@@ -24,6 +24,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 struct Object;
 /// Objects are shared, never changed once they are made: a lamp that stands a million times is
 /// stored once.
@@ -139,3 +141,5 @@ struct Scene {
     bool gamma_handling = true;     ///< false: colours are written as they are (before version 3.7,
                                     ///< without assumed_gamma)
 };
+
+}  // namespace candelabra

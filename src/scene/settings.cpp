@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo GlobalSettings::vocabulary = described<GlobalSettings>([] {
     using F = Field<GlobalSettings>;
     return schema<GlobalSettings>(
@@ -92,3 +94,5 @@ void settle_settings(GlobalSettings& scene, const RenderSettings& run) {
     scene.luminaires_above = *run.luminaires_above;
     scene.luminaires_said = true;
 }
+
+}  // namespace candelabra

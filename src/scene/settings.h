@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <optional>
 
+namespace candelabra {
+
 /// What the scene says about itself. Defaults are POV-Ray 3.7's.
 struct GlobalSettings {
     Vec3 ambient_light = Vec3(1);
@@ -49,7 +51,7 @@ struct RenderSettings {
     int samples = 0;      ///< camera rays for each pixel; 0: as many as each needs
     double noise = 0;     ///< standard error that ends the work, see the vocabulary; 0: no such end
     int shadow_rays = 1;  ///< choices of luminaires at each hit; 0: as many as pay
-    int quality = 9;      ///< POV-Ray's: see surface/simplified.h
+    int quality = 9;      ///< POV-Ray's: see surface/quality.h
     bool ambient_luminaires = false;  ///< as the global setting of that name
     int seed = 0;
     int threads = 0;                               ///< 0: one per core
@@ -63,3 +65,5 @@ struct RenderSettings {
 
 /// Gives the scene what the run says instead: its rule of what is a luminaire, and its integrator.
 void settle_settings(GlobalSettings&, const RenderSettings&);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 class PictureMaker {
@@ -70,3 +72,5 @@ std::optional<Picture> make_picture(const SessionSettings& settings, const Liste
                   [&](std::size_t) { picture = PictureMaker(settings, listener).make(); });
     return picture;
 }
+
+}  // namespace candelabra

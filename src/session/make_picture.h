@@ -4,13 +4,15 @@
 #pragma once
 
 #include "base/image.h"
-#include "transport/light_ledger.h"
 #include "session/session.h"
+#include "transport/light_ledger.h"
 
 #include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
+
+namespace candelabra {
 
 /// Who is told while a picture is made. All may be empty.
 struct Listener {
@@ -33,3 +35,5 @@ struct Picture {
 
 /// Nothing when there was an error, or when the listener has cancelled it.
 std::optional<Picture> make_picture(const SessionSettings&, const Listener& = {});
+
+}  // namespace candelabra

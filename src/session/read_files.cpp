@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 Reader noting(Reader reader, std::vector<ReadFile>& files) {
     const auto read = [reader, &files](const std::string& path) {
         std::optional<std::string> text = reader(path);
@@ -15,3 +17,5 @@ Reader noting(Reader reader, std::vector<ReadFile>& files) {
     };
     return {read, [reader](const std::string& path) { return reader.holds(path); }};
 }
+
+}  // namespace candelabra

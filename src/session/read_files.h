@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 struct ReadFile {
     std::string path;
     std::string digest;  ///< SHA-256
@@ -17,3 +19,5 @@ struct ReadFile {
 /// A reader that notes what it has read, each file once as long as it stays the same. The list
 /// outlives it.
 Reader noting(Reader, std::vector<ReadFile>&);
+
+}  // namespace candelabra

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
-#include "text/harmless.h"
 #include "text/message.h"
+#include "text/printable.h"
 #include "text/sha256.h"
 #include "world/compile.h"
 #include "world/review.h"
 
 #include <filesystem>
 #include <utility>
+
+namespace candelabra {
 
 Session::Session(SessionSettings settings, Diagnostics& diagnostics)
     : settings_(std::move(settings)), diagnostics_(diagnostics) {}
@@ -32,7 +34,7 @@ bool Session::read() {
         const std::string near = similar_file(source.path, {""}, disk_lister());
         diagnostics_.add(
             error(Fault::io, {},
-                  message("there is no scene `", harmless(source.path), "` that can be read"))
+                  message("there is no scene `", printable(source.path), "` that can be read"))
                 .with_help(near.empty() ? "" : message("did you mean `", near, "`?")));
         return false;
     }
@@ -67,7 +69,7 @@ Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     options.facts.image_width = settings_.render.width;
     options.facts.image_height = settings_.render.height;
     if (clock_ahead > 0) options.print = {};
-    Scene scene = ::evaluate(sources_, loader, main_, options, diagnostics);
+    Scene scene = candelabra::evaluate(sources_, loader, main_, options, diagnostics);
     settle_settings(scene.settings, settings_.render);
     return scene;
 }
@@ -83,7 +85,7 @@ std::optional<Scene> Session::scene_at(double clock_ahead) {
 }
 
 void Session::review(const Scene& scene) {
-    ::review(scene, survey(scene, diagnostics_), diagnostics_);
+    candelabra::review(scene, survey(scene, diagnostics_), diagnostics_);
 }
 
 const World Session::compile(Scene&& scene, Shutter shutter) {
@@ -96,6 +98,8 @@ const World Session::compile(Scene&& scene, Shutter shutter) {
                                  r.height,
                                  settings_.remembers_objects};
     const ShutterScenes later{sources_, [this](double ahead) { return scene_at(ahead); }};
-    return ::compile(std::move(scene), options, diagnostics_,
-                     shutter == Shutter::all_samples ? &later : nullptr);
+    return candelabra::compile(std::move(scene), options, diagnostics_,
+                               shutter == Shutter::all_samples ? &later : nullptr);
 }
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// Where a scene is, and which files it may touch.
 struct SceneSource {
     /// Of the scene's file; `.pov` may be left out. The scene finds other files beside it, or, when
@@ -83,3 +85,5 @@ private:
     std::string folder_;  ///< of the scene
     std::vector<ReadFile> files_;
 };
+
+}  // namespace candelabra

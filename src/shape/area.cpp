@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -148,3 +150,5 @@ SurfacePoint sample_area(const BuiltMesh& m, const Vec2& u) {
     const auto [a, b, c] = face(*m.mesh, number).corners;
     return on_triangle(a, b, c, {within, u.y});
 }
+
+}  // namespace candelabra

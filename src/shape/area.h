@@ -6,6 +6,8 @@
 
 #include "shape/built_shape.h"
 
+namespace candelabra {
+
 /// A point of a surface with the outward unit normal there.
 struct SurfacePoint {
     Vec3 position = Vec3(0);
@@ -47,3 +49,5 @@ inline double surface_area(const BuiltShape& shape) {
 inline SurfacePoint sample_area(const BuiltShape& shape, const Vec2& u) {
     return visit_shape([&](const auto& s) { return sample_area(s, u); }, shape);
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include "shape/triangle.h"
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo BicubicPatch::vocabulary = described<BicubicPatch>([] {
     using F = Field<BicubicPatch>;
     return schema<BicubicPatch>(
@@ -186,3 +188,5 @@ void crossings(const BuiltBicubicPatch& patch, const Ray& ray, Crossings& found)
 }
 
 bool inside(const BuiltBicubicPatch&, const Vec3&) { return false; }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include "shape/part_index.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A Bezier patch of degree 3 by 3. Its points come row by row; u goes across the rows, v along
 /// them.
 struct BicubicPatch {
@@ -41,3 +43,5 @@ BuiltBicubicPatch build(const BicubicPatch&, const RayIndex& = {});
 Box bounds(const BuiltBicubicPatch&);
 void crossings(const BuiltBicubicPatch&, const Ray&, Crossings&);
 bool inside(const BuiltBicubicPatch&, const Vec3&);
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <array>
 #include <utility>
 
+namespace candelabra {
+
 const ItemInfo BlobSphere::vocabulary = described<BlobSphere>([] {
     using F = Field<BlobSphere>;
     return schema<BlobSphere>(
@@ -310,7 +312,7 @@ BuiltBlob build(const Blob& blob, const RayIndex& index) {
     for (const BlobComponent& c : blob.components)
         add({Kind::ball, c.centre, Vec3(0), 0, c.radius * c.radius, c.strength, {}, -1});
     for (const BlobCylinder& c : blob.cylinders) {
-        const double length = ::length(c.cap - c.base), radius2 = c.radius * c.radius;
+        const double length = candelabra::length(c.cap - c.base), radius2 = c.radius * c.radius;
         const Vec3 axis = unit(c.cap - c.base);
         const Handle<Transform> place = handle(c.transform);
         if (!(length > 0)) {
@@ -367,3 +369,5 @@ bool inside(const BuiltBlob& blob, const Vec3& point) {
     blob.index.around(point, [&](std::uint32_t i) { sum += strength_at(blob.sources[i], point); });
     return sum > blob.threshold;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include "shape/part_index.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A field that falls from its strength in the centre to 0 at the radius.
 struct BlobSphere {
     Vec3 centre = Vec3(0);
@@ -82,3 +84,5 @@ bool inside(const BuiltBlob&, const Vec3&);
 
 /// What the field of one source is at a point.
 double strength_at(const BuiltBlob::Source&, const Vec3&);
+
+}  // namespace candelabra

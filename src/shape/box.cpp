@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Cuboid::vocabulary = described<Cuboid>([] {
     using F = Field<Cuboid>;
     return schema<Cuboid>(
@@ -43,3 +45,5 @@ void crossings(const Cuboid& cuboid, const Ray& ray, Crossings& found) {
 }
 
 bool inside(const Cuboid& cuboid, const Vec3& point) { return contains(bounds(cuboid), point); }
+
+}  // namespace candelabra

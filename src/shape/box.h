@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A solid between two corners, its faces along the axes.
 struct Cuboid {
     Vec3 corner1 = Vec3(0);
@@ -16,3 +18,5 @@ struct Cuboid {
 Box bounds(const Cuboid&);
 void crossings(const Cuboid&, const Ray&, Crossings&);
 bool inside(const Cuboid&, const Vec3&);
+
+}  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/built_shape.h"
 
+namespace candelabra {
+
 BuiltShape built(const Shape& shape, const RayIndex& index) {
     return std::visit(
         [&](const auto& stored) -> BuiltShape {
@@ -56,3 +58,5 @@ bool inside(const BuiltShape& shape, const Vec3& point) {
 Box inside_bounds(const BuiltShape& shape) {
     return visit_shape([](const auto& s) { return inside_bounds(s); }, shape);
 }
+
+}  // namespace candelabra

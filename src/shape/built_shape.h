@@ -8,6 +8,8 @@
 
 #include <concepts>
 
+namespace candelabra {
+
 /// A kind of shape that is made ready for rays: build() gives what they ask instead of it.
 template <class T>
 concept Prepared = requires(const T& shape) {
@@ -90,3 +92,5 @@ Box inside_bounds(const T& shape) {
     return bounds(shape);
 }
 Box inside_bounds(const BuiltShape& shape);
+
+}  // namespace candelabra

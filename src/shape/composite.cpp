@@ -7,8 +7,10 @@
 #include "index/tree_builder.h"
 #include "shape/moved.h"
 #include "shape/part_index.h"
+#include "shape/segment_bound.h"
 #include "shape/slabs.h"
-#include "shape/stick.h"
+
+namespace candelabra {
 
 namespace {
 
@@ -35,8 +37,8 @@ Interval common(const Interval& a, const Interval& b) {
 /// The part of the line in the half spaces, and a little more for rounding errors. Those that it
 /// runs along, nearly, do not count.
 Interval within(std::span<const Plane> half_spaces, const Ray& ray) {
-    constexpr double slack = 1e-9, least_rise = 1e-5;
-    const double size = l1_norm(ray.origin), least = least_rise * l1_norm(ray.direction);
+    constexpr double slack = 1e-9, min_rise = 1e-5;
+    const double size = l1_norm(ray.origin), least = min_rise * l1_norm(ray.direction);
     Interval left{-infinity, infinity};
     for (const Plane& plane : half_spaces) {
         const double rise = dot(ray.direction, plane.normal);
@@ -156,7 +158,7 @@ void CompositeBuilder::settle(std::uint32_t index) {
         const PartRef& ref = node.boxed[i].ref;
         if (!ref.leaf) return cell;
         const CompositeLeaf& leaf = made_.leaves_[ref.index];
-        return part_in(leaf, ::inside_bounds(leaf.shape), cell);
+        return part_in(leaf, candelabra::inside_bounds(leaf.shape), cell);
     });
 }
 
@@ -164,9 +166,9 @@ void CompositeBuilder::settle(std::uint32_t index) {
 void CompositeBuilder::show(const PartRef& part, const Box& within) {
     if (part.leaf) {
         const CompositeLeaf& leaf = made_.leaves_[part.index];
-        const Box box = ::bounds(leaf.shape);
+        const Box box = candelabra::bounds(leaf.shape);
         made_.seen_[part.index] =
-            ::within(leaf, clip(leaf.transform ? leaf.transform->box(box) : box, within));
+            candelabra::within(leaf, clip(leaf.transform ? leaf.transform->box(box) : box, within));
         return;
     }
     Composite::Node& node = made_.nodes_[part.index];
@@ -213,7 +215,7 @@ Composite CompositeBuilder::finish(PartRef root) {
     if (boxes.size() > few_parts)
         made_.tree_ = tree_of(boxes, [&](std::uint32_t i, const Box& cell) {
             const CompositeLeaf& leaf = made_.leaves_[i];
-            return part_in(leaf, ::bounds(leaf.shape), cell);
+            return part_in(leaf, candelabra::bounds(leaf.shape), cell);
         });
     return std::move(made_);
 }
@@ -225,9 +227,9 @@ bool Composite::inside_part(const Part& part, const Vec3& point) const {
     if (!part.ref.leaf) return inside_node(nodes_[part.ref.index], point, nullptr);
     const CompositeLeaf& leaf = leaves_[part.ref.index];
     const Plane* plane = std::get_if<Plane>(&leaf.shape);
-    if (plane && !leaf.transform) return ::inside(*plane, point) != leaf.inverse;
-    return ::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point) : point) !=
-           leaf.inverse;
+    if (plane && !leaf.transform) return candelabra::inside(*plane, point) != leaf.inverse;
+    return candelabra::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point)
+                                                         : point) != leaf.inverse;
 }
 
 bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* aside) const {
@@ -257,8 +259,8 @@ bool Composite::inside_node(const Node& node, const Vec3& point, const PartRef* 
 bool Composite::inside(const Vec3& point) const {
     if (!root_.leaf) return inside_node(nodes_[root_.index], point, nullptr);
     const CompositeLeaf& leaf = leaves_[root_.index];
-    return ::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point) : point) !=
-           leaf.inverse;
+    return candelabra::inside(leaf.shape, leaf.transform ? leaf.transform->inverse_point(point)
+                                                         : point) != leaf.inverse;
 }
 
 bool Composite::seen_at(std::uint32_t leaf, const Vec3& point) const {
@@ -290,7 +292,7 @@ bool Composite::within_limits(std::uint32_t leaf, const Ray& ray) const {
 const Interval& Composite::cut(std::uint32_t leaf, const Ray& ray, Cut& last) const {
     if (cut_by_[leaf] == last.node) return last.left;
     last.node = cut_by_[leaf];
-    last.left = last.node == nothing ? Cut().left : ::within(nodes_[last.node].cuts, ray);
+    last.left = last.node == nothing ? Cut().left : candelabra::within(nodes_[last.node].cuts, ray);
     return last.left;
 }
 
@@ -376,3 +378,5 @@ void Composite::all(const Ray& ray, const Interval& range, Wanted wanted,
         if (wanted(leaf)) meet_leaf(leaf, ray, here, slabs.within(seen_[leaf], here), take);
     }
 }
+
+}  // namespace candelabra

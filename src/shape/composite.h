@@ -9,12 +9,14 @@
 #include "base/function_ref.h"
 #include "base/handle.h"
 #include "base/transform.h"
-#include "index/pieces.h"
 #include "index/settings.h"
+#include "index/spatial_splits.h"
 #include "shape/built_shape.h"
 
 #include <cstdint>
 #include <optional>
+
+namespace candelabra {
 
 /// How the parts of a node make one solid.
 enum class Combination : std::uint8_t {
@@ -146,3 +148,5 @@ private:
     std::vector<std::vector<PartRef>> parts_;  ///< of the nodes
     std::vector<Composite::Region> leaf_regions_, node_regions_;
 };
+
+}  // namespace candelabra

@@ -4,7 +4,9 @@
 #include "base/infinity.h"
 #include "vocabulary/schema.h"
 
-#include "shape/ends.h"
+#include "shape/slab_interval.h"
+
+namespace candelabra {
 
 const ItemInfo Cone::vocabulary = described<Cone>([] {
     using F = Field<Cone>;
@@ -174,3 +176,5 @@ std::string problem(const Cone& cone) {
 std::string vanishes(const Cone& cone) {
     return cone.base_radius == 0 && cone.cap_radius == 0 ? "both its radii are 0" : "";
 }
+
+}  // namespace candelabra

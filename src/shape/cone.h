@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A cone: its radius goes linearly from one end to the other.
 struct Cone {
     Vec3 base = Vec3(0);
@@ -24,3 +26,5 @@ bool inside(const Cone&, const Vec3&);
 std::string problem(const Cone&);
 /// See shape.h.
 std::string vanishes(const Cone&);
+
+}  // namespace candelabra

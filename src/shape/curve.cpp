@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/curve.h"
 
+namespace candelabra {
+
 namespace {
 
 /// Points so near to each other are the same to loops.
@@ -82,7 +84,7 @@ CurvePiece conic_piece(const Vec2& from, const Vec2& control, const Vec2& to) {
     return {{from, 2.0 * (control - from), from - 2.0 * control + to, Vec2(0)}, from, to};
 }
 
-std::size_t least_points(CurveKind kind) { return used(kind); }
+std::size_t min_points(CurveKind kind) { return used(kind); }
 
 std::vector<CurvePiece> curve(CurveKind kind, std::span<const Vec2> points) {
     std::vector<CurvePiece> pieces;
@@ -112,3 +114,5 @@ Loops closed_curves(CurveKind kind, std::span<const Vec2> points) {
     result.loops.push_back(std::move(loop));
     return result;
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 /// How a curve goes through its control points.
 enum CurveKind : int {
     linear_curve,     ///< straight from point to point
@@ -45,9 +47,9 @@ CurvePiece line_piece(const Vec2& from, const Vec2& to);
 CurvePiece conic_piece(const Vec2& from, const Vec2& control, const Vec2& to);
 
 /// How many points a curve of the kind needs at least.
-std::size_t least_points(CurveKind);
+std::size_t min_points(CurveKind);
 
-/// The pieces of one curve. Precondition: as many points as least_points() says, and a multiple of
+/// The pieces of one curve. Precondition: as many points as min_points() says, and a multiple of
 /// four for bezier_curve.
 std::vector<CurvePiece> curve(CurveKind, std::span<const Vec2> points);
 
@@ -58,3 +60,5 @@ struct Loops {
     bool closed = true;  ///< false: the last loop does not come back to its start
 };
 Loops closed_curves(CurveKind, std::span<const Vec2> points);
+
+}  // namespace candelabra

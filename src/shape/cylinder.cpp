@@ -5,7 +5,9 @@
 #include "vocabulary/schema.h"
 
 #include "shape/cone.h"
-#include "shape/ends.h"
+#include "shape/slab_interval.h"
+
+namespace candelabra {
 
 const ItemInfo Cylinder::vocabulary = described<Cylinder>([] {
     using F = Field<Cylinder>;
@@ -89,3 +91,5 @@ std::string problem(const Cylinder& cylinder) {
 std::string vanishes(const Cylinder& cylinder) {
     return cylinder.radius == 0 ? "its radius is 0" : "";
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A cylinder with flat ends, or a tube without them.
 struct Cylinder {
     Vec3 base = Vec3(0);
@@ -23,3 +25,5 @@ bool inside(const Cylinder&, const Vec3&);
 std::string problem(const Cylinder&);
 /// See shape.h.
 std::string vanishes(const Cylinder&);
+
+}  // namespace candelabra

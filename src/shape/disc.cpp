@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Disc::vocabulary = described<Disc>([] {
     using F = Field<Disc>;
     return schema<Disc>(
@@ -49,3 +51,5 @@ std::string vanishes(const Disc& disc) {
     if (disc.radius == 0) return "its radius is 0";
     return disc.hole < disc.radius ? "" : "its hole is as wide as itself";
 }
+
+}  // namespace candelabra

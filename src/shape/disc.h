@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A flat ring or full disc. Its inside is the half space behind it, as in POV-Ray 3.7.
 struct Disc {
     Vec3 centre = Vec3(0);
@@ -25,3 +27,5 @@ Box inside_bounds(const Disc&);
 std::string problem(const Disc&);
 /// See shape.h.
 std::string vanishes(const Disc&);
+
+}  // namespace candelabra

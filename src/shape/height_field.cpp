@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo HeightField::vocabulary = described<HeightField>([] {
     using F = Field<HeightField>;
     constexpr auto file = &HeightField::file;
@@ -300,3 +302,5 @@ bool inside(const BuiltHeightField& field, const Vec3& point) {
 Box inside_bounds(const BuiltHeightField& field) {
     return {Vec3(0, -std::numeric_limits<double>::infinity(), 0), Vec3(1, bounds(field).high.y, 1)};
 }
+
+}  // namespace candelabra

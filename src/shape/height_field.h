@@ -10,6 +10,8 @@
 
 #include <cstdint>
 
+namespace candelabra {
+
 /// Heights in units of 1/65536, row by row from z = 0, x along the rows.
 struct HeightGrid {
     int width = 0, height = 0;
@@ -73,3 +75,5 @@ void nearest_crossings(const BuiltHeightField&, const Ray&, const Interval& rang
 void crossings(const BuiltHeightField&, const Ray&, Crossings&);
 bool inside(const BuiltHeightField&, const Vec3&);
 Box inside_bounds(const BuiltHeightField&);
+
+}  // namespace candelabra

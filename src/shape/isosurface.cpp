@@ -5,6 +5,8 @@
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Container::vocabulary = described<Container>([] {
     return schema<Container>("contained_by", "What a surface is cut off by.",
                              parts<&Container::boxes>("box", "a box"),
@@ -169,3 +171,5 @@ bool inside(const BuiltIsosurface& surface, const Vec3& point) {
     return std::visit([&](const auto& shape) { return inside(shape, point); }, surface.container) &&
            !(value_at(surface, point) > 0);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include "shape/box.h"
 #include "shape/sphere.h"
 
+namespace candelabra {
+
 /// What an isosurface, or a parametric surface, is cut off by.
 struct Container {
     std::vector<Cuboid> boxes;
@@ -53,3 +55,5 @@ void crossings_between(const BuiltIsosurface&, const Ray&, const Interval& range
 void nearest_crossings(const BuiltIsosurface&, const Ray&, const Interval& range, Crossings&);
 void crossings(const BuiltIsosurface&, const Ray&, Crossings&);
 bool inside(const BuiltIsosurface&, const Vec3&);
+
+}  // namespace candelabra

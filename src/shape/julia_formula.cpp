@@ -3,6 +3,8 @@
 
 #include <complex>
 
+namespace candelabra {
+
 namespace {
 
 using Complex = std::complex<double>;
@@ -115,3 +117,5 @@ Vec3 formula_slope(const JuliaSet& set, const Vec3& point) {
         product(last, Halves(std::conj(derivative.a), std::conj(derivative.b))).joined();
     return Vec3(slope) - slope.w / set.slice.w * Vec3(set.slice);
 }
+
+}  // namespace candelabra

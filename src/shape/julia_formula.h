@@ -9,6 +9,8 @@
 
 #include "shape/julia_orbit.h"
 
+namespace candelabra {
+
 /// `pwr` is known by its exponent.
 int function_of(const JuliaFractal&);
 bool is_by_formula(const JuliaFractal&);
@@ -21,3 +23,5 @@ Vec3 formula_place(const JuliaFractal&, const Vec3&);
 
 /// Up the size at the end of the orbit, which after its escape is that of the point itself.
 Vec3 formula_slope(const JuliaSet&, const Vec3&);
+
+}  // namespace candelabra

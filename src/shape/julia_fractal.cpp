@@ -7,6 +7,8 @@
 #include "shape/sphere.h"
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo JuliaFractal::vocabulary = described<JuliaFractal>([] {
     using F = Field<JuliaFractal>;
     constexpr auto function = &JuliaFractal::function;
@@ -45,7 +47,7 @@ const ItemInfo JuliaFractal::vocabulary = described<JuliaFractal>([] {
 namespace {
 
 /// Steps along one ray.
-constexpr int most_steps = 100'000;
+constexpr int max_steps = 100'000;
 
 Vec3 normal_at(const JuliaSet& julia, const Vec3& p, const Vec3& direction, bool entering) {
     Vec3 slope;
@@ -78,7 +80,7 @@ double border(const JuliaSet& julia, const Ray& ray, double first, double last, 
 /// is quickly known; gives the number of steps.
 int pass_inside(const JuliaSet& julia, const Ray& ray, double step, double end, double& t) {
     int steps = 0;
-    for (int stays = 4; stays == 4 && steps < most_steps; steps += stays) {
+    for (int stays = 4; stays == 4 && steps < max_steps; steps += stays) {
         std::array<double, 4> places;
         for (double before = t; double& place : places) before = place = before + step;
         if (!(places[3] < end)) break;
@@ -115,7 +117,7 @@ void walk(const JuliaFractal& fractal, const Ray& ray, const Interval& range, St
     // A ray that leaves the surface may begin in a part of it that is smaller than what is seen.
     if (here.stays && begins == Start::surface)
         here = julia_orbit(julia, near.at(t = std::fmin(t + least, until)));
-    for (int n = 0; n < most_steps && t < until; ++n) {
+    for (int n = 0; n < max_steps && t < until; ++n) {
         if (here.stays) n += pass_inside(julia, near, least, std::fmin(until, last), t);
         const double next = std::fmin(last, t + std::fmax(least, here.stays ? 0 : here.step));
         if (goes_on && next == last) return;
@@ -174,3 +176,5 @@ bool inside(const JuliaFractal& julia, const Vec3& point) {
     return dot(point, point) <= julia_radius(julia) * julia_radius(julia) &&
            julia_contains(julia, point);
 }
+
+}  // namespace candelabra

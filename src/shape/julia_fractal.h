@@ -6,6 +6,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 enum JuliaAlgebra : int { quaternions, hypercomplex_numbers };
 
 enum JuliaFunction : int {
@@ -50,3 +52,5 @@ void crossings(const JuliaFractal&, const Ray&, Crossings&);
 void crossings_between(const JuliaFractal&, const Ray&, const Interval&, Crossings&);
 void nearest_crossings(const JuliaFractal&, const Ray&, const Interval&, Crossings&);
 bool inside(const JuliaFractal&, const Vec3&);
+
+}  // namespace candelabra

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/julia_orbit.h"
 
-#include "base/every_machine.h"
+#include "base/target_clones.h"
 #include "shape/julia_formula.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -107,15 +109,15 @@ template <class Image>
     return stays;
 }
 
-CANDELABRA_EVERY_MACHINE int squares_stay(const JuliaSet& set, const Ray& ray,
+CANDELABRA_TARGET_CLONES int squares_stay(const JuliaSet& set, const Ray& ray,
                                           const std::array<double, 4>& places) {
     return staying(set, ray, places, [](const FourPoints& q) { return square(q); });
 }
-CANDELABRA_EVERY_MACHINE int cubes_stay(const JuliaSet& set, const Ray& ray,
+CANDELABRA_TARGET_CLONES int cubes_stay(const JuliaSet& set, const Ray& ray,
                                         const std::array<double, 4>& places) {
     return staying(set, ray, places, [](const FourPoints& q) { return cube(q); });
 }
-CANDELABRA_EVERY_MACHINE int hypercomplex_squares_stay(const JuliaSet& set, const Ray& ray,
+CANDELABRA_TARGET_CLONES int hypercomplex_squares_stay(const JuliaSet& set, const Ray& ray,
                                                        const std::array<double, 4>& places) {
     return staying(set, ray, places, [](const FourPoints& q) { return hypercomplex_square(q); });
 }
@@ -137,7 +139,7 @@ JuliaSet::JuliaSet(const JuliaFractal& fractal)
     : julia(fractal),
       by_formula(is_by_formula(fractal)),
       slice(fractal.slice / std::sqrt(size2(fractal.slice))),
-      limit2(::limit2(fractal)) {}
+      limit2(candelabra::limit2(fractal)) {}
 
 Vec4 JuliaSet::place(const Vec3& p) const {
     return {p.x, p.y, p.z,
@@ -181,3 +183,5 @@ double julia_size(const JuliaSet& set, const Vec3& point) {
         return size2(q);
     });
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 struct JuliaOrbit {
     bool stays = false;    ///< within max_iteration steps the orbit does not get far
     double distance2 = 0;  ///< from 0, of the last point
@@ -41,3 +43,5 @@ double julia_size(const JuliaSet&, const Vec3&);
 
 /// No point outside of the sphere with this radius is in the set.
 double julia_radius(const JuliaFractal&);
+
+}  // namespace candelabra

@@ -3,7 +3,9 @@
 
 #include "vocabulary/schema.h"
 
-#include "shape/ends.h"
+#include "shape/slab_interval.h"
+
+namespace candelabra {
 
 const ItemInfo Lathe::vocabulary = described<Lathe>([] {
     using F = Field<Lathe>;
@@ -161,7 +163,7 @@ BuiltLathe build(const Lathe& lathe) {
 
 std::string problem(const Lathe& lathe) {
     const auto kind = static_cast<CurveKind>(lathe.spline);
-    const std::size_t least = least_points(kind);
+    const std::size_t least = min_points(kind);
     if (lathe.points.size() < least)
         return "a `lathe` with this spline needs at least " + std::to_string(least) + " points";
     if (kind == bezier_curve && lathe.points.size() % 4 != 0)
@@ -218,3 +220,5 @@ bool inside(const BuiltLathe& lathe, const Vec3& point) {
     }
     return result;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "shape/curve.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A curve of points <radius, height>, turned around the y axis. It need not be closed: what lies
 /// on the axis' side of it is inside.
 struct Lathe {
@@ -34,3 +36,5 @@ std::string problem(const Lathe&);
 Box bounds(const BuiltLathe&);
 void crossings(const BuiltLathe&, const Ray&, Crossings&);
 bool inside(const BuiltLathe&, const Vec3&);
+
+}  // namespace candelabra

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/leaf_pack.h"
 
-#include "base/every_machine.h"
 #include "base/lanes.h"
-#include "base/single.h"
+#include "base/round_outward.h"
+#include "base/target_clones.h"
 
 #include <cstring>
+
+namespace candelabra {
 
 namespace {
 
@@ -203,7 +205,7 @@ template <bool sure>
     const Lanes u = x[2] * y[1] - y[2] * x[1];
     const Lanes v = x[0] * y[2] - y[0] * x[2];
     const Lanes w = x[1] * y[0] - y[1] * x[0];
-    const Lanes least = least_of(least_of(u, v), w), most = greatest_of(greatest_of(u, v), w);
+    const Lanes least = min_of(min_of(u, v), w), most = greatest_of(greatest_of(u, v), w);
     const std::uint32_t near = bits(count) & marked(~((least < -margin) & (most > margin)));
     if (near == 0) return {0, 0};
     const Marks within = (least > margin) | (most < -margin);
@@ -240,7 +242,7 @@ template <bool sure>
         const Lanes out =
             load_lanes(backward ? low : high) - (here.point[static_cast<int>(axis)] - wider);
         near = greatest_of(in * step, near);
-        far = least_of(out * step, far);
+        far = min_of(out * step, far);
     }
     return bits(count) & marked(~(near > far + pad));
 }
@@ -265,12 +267,14 @@ template <bool sure>
     return answer;
 }
 
-CANDELABRA_EVERY_MACHINE std::uint32_t PackRay::near(const TreeLeaf& leaf,
+CANDELABRA_TARGET_CLONES std::uint32_t PackRay::near(const TreeLeaf& leaf,
                                                      const Interval& range) const {
     return look_at<false>(leaf, range).near;
 }
 
-CANDELABRA_EVERY_MACHINE PackRay::Answer PackRay::near_or_sure(const TreeLeaf& leaf,
+CANDELABRA_TARGET_CLONES PackRay::Answer PackRay::near_or_sure(const TreeLeaf& leaf,
                                                                const Interval& range) const {
     return look_at<true>(leaf, range);
 }
+
+}  // namespace candelabra

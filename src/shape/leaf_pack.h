@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <bit>
 
+namespace candelabra {
+
 /// What items are: spheres below `triangles_begin`, triangles below `others_begin`.
 struct PackedKinds {
     struct Ball {
@@ -103,3 +105,5 @@ private:
     std::array<float, 2> shear_;  ///< of the axes x_ and y_ along the longest one, z_
     std::size_t x_, y_, z_;
 };
+
+}  // namespace candelabra

@@ -8,10 +8,12 @@
 #include <limits>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Stretches that are looked at along one line.
-constexpr int most_stretches = 10'000;
+constexpr int max_stretches = 10'000;
 
 /// Of stretches without values, in parts of the whole line, that are looked into.
 constexpr double smallest_gap = 0.01;
@@ -55,7 +57,7 @@ public:
                          stays_away(first.value, last.value, known.slope, length)))
             return;
         const bool one_way = known.slope.low >= 0 || known.slope.high <= 0;
-        if (one_way || length < detail_ || ++stretches_ > most_stretches) {
+        if (one_way || length < detail_ || ++stretches_ > max_stretches) {
             if (crosses) take({solve(first, last), is_below(last.value)});
             return;
         }
@@ -139,3 +141,5 @@ std::vector<SignChange> nearest_changes(const LineFunction& f, const Interval& r
     search.want(wanted, true);
     return found_by(std::move(search), range);
 }
+
+}  // namespace candelabra

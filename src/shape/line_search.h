@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 struct LineFunction {
     FunctionRef<double(double)> at;
     /// Between which numbers its values and slopes lie in a range.
@@ -42,3 +44,5 @@ std::vector<SignChange> changes_between(const LineFunction&, const Interval& ran
 /// one.
 std::vector<SignChange> nearest_changes(const LineFunction&, const Interval& range, double detail,
                                         const Interval& wanted);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "shape/mesh_area.h"
 #include "shape/triangle.h"
 
+namespace candelabra {
+
 const ItemInfo Mesh::vocabulary = described<Mesh>([] {
     using F = Field<Mesh>;
     return schema<Mesh>(
@@ -191,3 +193,5 @@ bool inside(const BuiltMesh& built, const Vec3& point) {
     for (std::size_t i = 0; i < found.size(); ++i) result ^= found[i].t > 0;
     return result;
 }
+
+}  // namespace candelabra

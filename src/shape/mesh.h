@@ -8,6 +8,8 @@
 #include "shape/part_index.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// Triangles over shared vertices (POV-Ray's mesh2). Without an inside_vector, or with one of
 /// length 0, it has no inside.
 struct Mesh {
@@ -58,3 +60,5 @@ void crossings(const BuiltMesh&, const Ray&, Crossings&);
 /// The first of them in the range, and maybe others.
 void nearest_crossings(const BuiltMesh&, const Ray&, const Interval& range, Crossings&);
 bool inside(const BuiltMesh&, const Vec3&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "shape/area.h"
 
+namespace candelabra {
+
 MeshArea::MeshArea(const Mesh& mesh, std::span<const double> worth) {
     double sum = 0;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -15,3 +17,5 @@ MeshArea::MeshArea(const Mesh& mesh, std::span<const double> worth) {
 DrawnShare MeshArea::at(double share) const {
     return drawn_share(std::span<const double>(sums_), share);
 }
+
+}  // namespace candelabra

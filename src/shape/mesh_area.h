@@ -6,6 +6,8 @@
 #include "base/running_sums.h"
 #include "shape/mesh.h"
 
+namespace candelabra {
+
 class MeshArea {
 public:
     /// `worth`: how much each face's area counts, 0 or more; none: 1 of all.
@@ -20,3 +22,5 @@ public:
 private:
     std::vector<double> sums_;  ///< of each face and those before it
 };
+
+}  // namespace candelabra

@@ -5,5 +5,9 @@
 #include "base/transform.h"
 #include "shape/plane.h"
 
+namespace candelabra {
+
 /// The plane under a map; its normal is a unit vector.
 Plane moved(const Plane&, const Transform&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 double length(const Vec2& v) { return std::hypot(v.x, v.y); }
@@ -14,7 +16,7 @@ Vec2 right_of(const Vec2& direction) { return {direction.y, -direction.x}; }
 Vec2 Outline::Edge::normal(double u) const {
     Vec2 slope = piece.slope(u);
     if (slope == Vec2(0)) slope = piece.end - piece.start;
-    const Vec2 right = ::right_of(slope) / length(slope);
+    const Vec2 right = candelabra::right_of(slope) / length(slope);
     return outside_right ? right : -right;
 }
 
@@ -41,7 +43,7 @@ void Outline::add(const std::vector<CurvePiece>& loop) {
     Loop all{{}, {count(groups_), count(groups_)}};
     for (std::size_t i = 0; i < loop.size(); ++i) {
         if (i % group_size == 0) groups_.push_back({{}, {count(edges_), 0}, {count(strands_), 0}});
-        edges_.push_back({loop[i], ::bounds(loop[i])});
+        edges_.push_back({loop[i], candelabra::bounds(loop[i])});
         add_strands(count(edges_) - 1);
         Group& group = groups_.back();
         group.bounds = join(group.bounds, edges_.back().bounds);
@@ -104,3 +106,5 @@ bool Outline::contains(const Vec2& p) const {
     }
     return result;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "shape/curve.h"
 
+namespace candelabra {
+
 class Outline {
 public:
     Outline() = default;
@@ -70,3 +72,5 @@ private:
     std::vector<Loop> loops_;
     Rectangle bounds_;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "shape/sphere.h"
 #include "shape/torus.h"
 
+namespace candelabra {
+
 const ItemInfo Ovus::vocabulary = described<Ovus>([] {
     using F = Field<Ovus>;
     return schema<Ovus>(
@@ -89,3 +91,5 @@ bool inside(const Ovus& ovus, const Vec3& point) {
 std::string vanishes(const Ovus& ovus) {
     return ovus.bottom_radius == 0 && ovus.top_radius == 0 ? "its radii are 0" : "";
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A sphere around the origin, one around a point above it at the distance of the first one's
 /// radius, and the smooth solid of revolution between them. With a top of twice the bottom's radius
 /// or more, only the sphere at the top is left, as in POV-Ray.
@@ -21,3 +23,5 @@ bool inside(const Ovus&, const Vec3&);
 
 /// Why there is nothing of it; empty otherwise.
 std::string vanishes(const Ovus&);
+
+}  // namespace candelabra

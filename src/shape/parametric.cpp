@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 const ItemInfo Parametric::vocabulary = described<Parametric>([] {
     using F = Field<Parametric>;
     return schema<Parametric>(
@@ -37,7 +39,7 @@ bool finite(const Vec3& v) {
 }
 
 /// How often a mesh is divided.
-constexpr int most_divisions = 12;
+constexpr int max_divisions = 12;
 
 bool contains(const ContainerShape& container, const Vec3& p) {
     return std::visit([&](const auto& shape) { return inside(shape, p); }, container);
@@ -161,7 +163,7 @@ BuiltParametric build(const Parametric& surface, const RayIndex& index) {
             const Vec2 first = result.first + result.step * Vec2(u, v);
             const auto& net = result.net;
             add(result, {first, result.step, {net[i], net[i + 1], net[i + row + 1], net[i + row]}},
-                most_divisions);
+                max_divisions);
         }
     std::vector<Box> boxes;
     for (const ParametricPiece& piece : result.pieces) boxes.push_back(box_of(piece));
@@ -222,3 +224,5 @@ Vec2 parameters_at(const BuiltParametric& surface, const Vec3& point,
     }
     return at;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include "shape/isosurface.h"
 #include "shape/part_index.h"
 
+namespace candelabra {
+
 struct Parametric {
     Handle<Formula> x, y, z;  ///< of u, v
     Vec2 first = Vec2(0);     ///< u and v from here
@@ -51,3 +53,5 @@ bool inside(const BuiltParametric&, const Vec3&);
 
 /// u and v of a point of the surface; the mesh of the net, when it is known.
 Vec2 parameters_at(const BuiltParametric&, const Vec3& point, std::optional<std::uint32_t> part);
+
+}  // namespace candelabra

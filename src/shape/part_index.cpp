@@ -7,6 +7,8 @@
 #include <array>
 #include <bit>
 
+namespace candelabra {
+
 namespace {
 
 /// One bit for each part: of a few thousand parts this puts them in order sooner than sorting
@@ -64,3 +66,5 @@ ShortList<std::uint32_t, 512> PartIndex::near(const Ray& ray, const Interval& ra
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
+
+}  // namespace candelabra

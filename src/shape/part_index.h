@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 /// So many parts are asked one by one; more are found through an index.
 inline constexpr std::size_t few_parts = 8;
 
@@ -89,3 +91,5 @@ private:
     WideTree tree_;           ///< empty when the parts are few
     Box bounds_;
 };
+
+}  // namespace candelabra

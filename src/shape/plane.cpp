@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Plane::vocabulary = described<Plane>([] {
     using F = Field<Plane>;
     return schema<Plane>("plane", "An unbounded plane; its inside is the half space behind it.",
@@ -55,3 +57,5 @@ std::string problem(const Plane& plane) {
                ? ""
                : "a `plane` needs a normal with a length above 0 and below 1e150";
 }
+
+}  // namespace candelabra

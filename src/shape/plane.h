@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// The half space behind a plane.
 struct Plane {
     Vec3 normal = Vec3(0, 1, 0);
@@ -21,3 +23,5 @@ Box inside_bounds(const Plane&);
 /// What is wrong beyond the ranges of single fields (normal without a direction), as a sentence;
 /// empty when nothing is.
 std::string problem(const Plane&);
+
+}  // namespace candelabra

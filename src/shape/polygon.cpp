@@ -5,6 +5,8 @@
 
 #include <tuple>
 
+namespace candelabra {
+
 const ItemInfo Polygon::vocabulary = described<Polygon>([] {
     using F = Field<Polygon>;
     return schema<Polygon>("polygon", "A flat area between straight edges.",
@@ -75,3 +77,5 @@ void crossings(const BuiltPolygon& polygon, const Ray& ray, Crossings& found) {
 }
 
 bool inside(const BuiltPolygon&, const Vec3&) { return false; }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "shape/outline.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// Loops of corners in one plane: a loop ends where it comes back to its first corner. Points
 /// within an even number of loops are holes.
 struct Polygon {
@@ -29,3 +31,5 @@ std::string problem(const Polygon&);
 Box bounds(const BuiltPolygon&);
 void crossings(const BuiltPolygon&, const Ray&, Crossings&);
 bool inside(const BuiltPolygon&, const Vec3&);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo Cubic::vocabulary = described<Cubic>([] {
     using F = Field<Cubic>;
     return schema<Cubic>("cubic", "The surface of a polynomial of degree 3; inside it is below 0.",
@@ -203,3 +205,5 @@ void crossings_between(const AlgebraicSurface& surface, const Ray& ray, const In
 bool inside(const AlgebraicSurface& surface, const Vec3& point) {
     return horner(surface, Plain{point}) <= 0;
 }
+
+}  // namespace candelabra

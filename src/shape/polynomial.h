@@ -7,6 +7,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// The points where a polynomial is not above 0. The factors come in this order: powers of x fall
 /// from the degree to 0; for each, powers of y fall from what is left; for each, powers of z. The
 /// constant is last.
@@ -75,3 +77,5 @@ Box bounds(const AlgebraicSurface&);
 void crossings(const AlgebraicSurface&, const Ray&, Crossings&);
 void crossings_between(const AlgebraicSurface&, const Ray&, const Interval&, Crossings&);
 bool inside(const AlgebraicSurface&, const Vec3&);
+
+}  // namespace candelabra

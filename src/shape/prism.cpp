@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/prism.h"
 
-#include "shape/drawn_side.h"
+#include "shape/winding.h"
 #include "vocabulary/schema.h"
+
+namespace candelabra {
 
 const ItemInfo Prism::vocabulary = described<Prism>([] {
     using F = Field<Prism>;
@@ -142,9 +144,9 @@ BuiltPrism build(const Prism& prism) {
 
 std::string problem(const Prism& prism) {
     const auto kind = static_cast<CurveKind>(prism.spline);
-    const std::size_t least = least_points(kind) + (kind == bezier_curve   ? 0
-                                                    : kind == linear_curve ? 1
-                                                                           : 2);
+    const std::size_t least = min_points(kind) + (kind == bezier_curve   ? 0
+                                                  : kind == linear_curve ? 1
+                                                                         : 2);
     if (prism.points.size() < least)
         return "a `prism` with this spline needs at least " + std::to_string(least) + " points";
     if (kind == bezier_curve && prism.points.size() % 4 != 0)
@@ -195,3 +197,5 @@ bool inside(const BuiltPrism& prism, const Vec3& point) {
     return point.y >= prism.bottom && point.y < prism.top &&
            in_section(prism, flat(point), point.y);
 }
+
+}  // namespace candelabra

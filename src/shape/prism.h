@@ -6,6 +6,8 @@
 #include "shape/outline.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 enum SweepKind : int {
     linear_sweep,  ///< the same outline at all heights
     conic_sweep,   ///< the outline grows with y: a point at 0, its own size at 1
@@ -37,3 +39,5 @@ std::string problem(const Prism&);
 Box bounds(const BuiltPrism&);
 void crossings(const BuiltPrism&, const Ray&, Crossings&);
 bool inside(const BuiltPrism&, const Vec3&);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 const ItemInfo Quadric::vocabulary = described<Quadric>([] {
     using F = Field<Quadric>;
     return schema<Quadric>("quadric",
@@ -66,7 +68,7 @@ Box ellipsoid_bounds(const Quadric& q, const std::array<bool, 3>& uses) {
 }
 
 /// The least value of c t^2 + l t for t from low to high.
-double least_square(double c, double l, double low, double high) {
+double min_square(double c, double l, double low, double high) {
     const auto at = [&](double t) {
         if (c == 0 && l == 0) return 0.0;
         if (std::isfinite(t)) return (c * t + l) * t;
@@ -97,8 +99,8 @@ Interval range_within(const Quadric& q, int axis, const Box& box) {
     const int b = (axis + 1) % 3, c = (axis + 2) % 3;
     const auto product = [&](int i, int j) { return q.products[i + j - 1]; };
     const double rest = q.constant +
-                        least_square(q.squares[b], q.linear[b], box.low[b], box.high[b]) +
-                        least_square(q.squares[c], q.linear[c], box.low[c], box.high[c]) +
+                        min_square(q.squares[b], q.linear[b], box.low[b], box.high[b]) +
+                        min_square(q.squares[c], q.linear[c], box.low[c], box.high[c]) +
                         (product(b, c) == 0 ? 0 : -infinity);
     const Interval slope_b = times(product(axis, b), box.low[b], box.high[b]),
                    slope_c = times(product(axis, c), box.low[c], box.high[c]);
@@ -174,3 +176,5 @@ std::string problem(const Quadric& q) {
     const bool some = q.squares != Vec3(0) || q.products != Vec3(0) || q.linear != Vec3(0);
     return some ? "" : "a `quadric` needs a factor that is not 0 besides the constant";
 }
+
+}  // namespace candelabra

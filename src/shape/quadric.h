@@ -6,6 +6,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// The points with A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J <= 0, where
 /// squares = <A, B, C>, products = <D, E, F>, linear = <G, H, I>.
 struct Quadric {
@@ -27,3 +29,5 @@ Box bounds_within(const Quadric&, const Box&);
 /// What is wrong beyond the ranges of single fields (no factor but the constant), as a sentence;
 /// empty when nothing is.
 std::string problem(const Quadric&);
+
+}  // namespace candelabra

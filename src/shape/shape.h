@@ -33,6 +33,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// Shapes as they are written. Those that take much room are shared by their copies.
 using Shape =
     std::variant<Sphere, Cuboid, Plane, Disc, Cylinder, Cone, Shared<Triangle>,
@@ -84,3 +86,5 @@ std::string vanishes(const T&) {
 
 /// The same for any shape.
 std::string vanishes(const Shape& shape);
+
+}  // namespace candelabra

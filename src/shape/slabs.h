@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+namespace candelabra {
+
 /// One ray and its boxes. As in clip(), what is no number does not count.
 class Slabs {
 public:
@@ -45,3 +47,5 @@ private:
     double size_;
     std::array<bool, 3> backward_;
 };
+
+}  // namespace candelabra

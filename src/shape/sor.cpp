@@ -3,9 +3,11 @@
 
 #include "vocabulary/schema.h"
 
-#include "shape/ends.h"
+#include "shape/slab_interval.h"
 
 #include "base/roots.h"
+
+namespace candelabra {
 
 const ItemInfo Sor::vocabulary = described<Sor>([] {
     using F = Field<Sor>;
@@ -170,3 +172,5 @@ bool inside(const BuiltSor& sor, const Vec3& point) {
             return radius2 <= polynomial(p.factors, point.y - p.low);
     return false;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// Radii at heights, turned around the y axis. The first and the last point only shape the curve.
 struct Sor {
     std::vector<Vec2> points;
@@ -38,3 +40,5 @@ std::string problem(const Sor&);
 Box bounds(const BuiltSor&);
 void crossings(const BuiltSor&, const Ray&, Crossings&);
 bool inside(const BuiltSor&, const Vec3&);
+
+}  // namespace candelabra

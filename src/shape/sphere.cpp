@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Sphere::vocabulary = described<Sphere>([] {
     using F = Field<Sphere>;
     return schema<Sphere>("sphere", "All points at one distance from a centre.",
@@ -60,3 +62,5 @@ Box clipped_bounds(const Sphere& sphere, const Box& cell) {
     }
     return part;
 }
+
+}  // namespace candelabra

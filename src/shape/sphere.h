@@ -6,6 +6,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// All points at one distance from a centre.
 struct Sphere {
     Vec3 centre = Vec3(0);
@@ -40,3 +42,5 @@ inline double first_crossing(const Vec3& centre, double radius, const Ray& ray,
     if (near > range.min) return near < range.max ? near : range.max;
     return far > range.min && far < range.max ? far : range.max;
 }
+
+}  // namespace candelabra

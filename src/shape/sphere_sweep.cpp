@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 const ItemInfo SphereSweep::vocabulary = described<SphereSweep>([] {
     using F = Field<SphereSweep>;
     return schema<SphereSweep>(
@@ -237,3 +239,5 @@ bool inside(const BuiltSphereSweep& sweep, const Vec3& point) {
     });
     return result;
 }
+
+}  // namespace candelabra

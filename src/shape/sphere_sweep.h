@@ -7,6 +7,8 @@
 #include "shape/part_index.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 enum SweepWay : int {
     no_way = -1,
     linear_way,  ///< straight from sphere to sphere
@@ -50,3 +52,5 @@ std::string vanishes(const SphereSweep&);
 Box bounds(const BuiltSphereSweep&);
 void crossings(const BuiltSphereSweep&, const Ray&, Crossings&);
 bool inside(const BuiltSphereSweep&, const Vec3&);
+
+}  // namespace candelabra

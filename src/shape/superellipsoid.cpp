@@ -6,6 +6,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 const ItemInfo Superellipsoid::vocabulary = described<Superellipsoid>([] {
     using F = Field<Superellipsoid>;
     return schema<Superellipsoid>(
@@ -247,3 +249,5 @@ void nearest_crossings(const Superellipsoid& s, const Ray& ray, const Interval& 
 }
 
 bool inside(const Superellipsoid& s, const Vec3& point) { return Depth(s).value(point) <= 0; }
+
+}  // namespace candelabra

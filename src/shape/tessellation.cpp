@@ -6,6 +6,8 @@
 #include <numbers>
 #include <unordered_map>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -324,3 +326,5 @@ Mesh seen_tessellation(const Composite& whole, int cells) {
         append(seen_tessellation(whole, leaf, cells), nullptr, all);
     return all;
 }
+
+}  // namespace candelabra

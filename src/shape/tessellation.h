@@ -9,6 +9,8 @@
 #include "shape/built_shape.h"
 #include "shape/composite.h"
 
+namespace candelabra {
+
 /// Triangles near the surface, counterclockwise as seen from outside in a right-handed space, with
 /// their corners on it. Closed where the shape is a bounded solid. `cells` is how many cells lie
 /// along the longest side of the shape's box, or half as many as there are sides around what is
@@ -33,3 +35,5 @@ Mesh seen_tessellation(const Composite&, int cells);
 /// The seen surface where a triangle near it is, followed along the triangle's normal.
 std::optional<Composite::Meeting> surface_near(const Composite&, const std::array<Vec3, 3>& corners,
                                                const Vec3& point, Composite::Wanted);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Text::vocabulary = described<Text>([] {
     using F = Field<Text>;
     return schema<Text>(
@@ -50,3 +52,5 @@ void crossings(const BuiltText& text, const Ray& ray, Crossings& found) {
 bool inside(const BuiltText& text, const Vec3& point) {
     return inside(text.prism, exchanged(point));
 }
+
+}  // namespace candelabra

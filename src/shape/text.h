@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// The outlines of a text's letters, as closed curves.
 struct Letters {
     std::vector<std::vector<CurvePiece>> loops;
@@ -39,3 +41,5 @@ BuiltText build(const Text&);
 Box bounds(const BuiltText&);
 void crossings(const BuiltText&, const Ray&, Crossings&);
 bool inside(const BuiltText&, const Vec3&);
+
+}  // namespace candelabra

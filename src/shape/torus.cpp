@@ -6,6 +6,8 @@
 #include "base/roots.h"
 #include "shape/sphere.h"
 
+namespace candelabra {
+
 const ItemInfo Torus::vocabulary = described<Torus>([] {
     using F = Field<Torus>;
     return schema<Torus>(
@@ -85,3 +87,5 @@ bool inside(const Torus& torus, const Vec3& point) {
 std::string vanishes(const Torus& torus) {
     return torus.minor == 0 ? "the radius of its tube is 0" : "";
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A ring around the y axis. A tube wider than the ring passes through itself: all of its surface
 /// is met, also the part within.
 struct Torus {
@@ -19,3 +21,5 @@ void crossings(const Torus&, const Ray&, Crossings&);
 bool inside(const Torus&, const Vec3&);
 /// See shape.h.
 std::string vanishes(const Torus&);
+
+}  // namespace candelabra

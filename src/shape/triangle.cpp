@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Triangle::vocabulary = described<Triangle>([] {
     using F = Field<Triangle>;
     return schema<Triangle>("triangle", "A flat triangle.",
@@ -167,3 +169,5 @@ Vec3 corner_weights(const std::array<Vec3, 3>& corners, const Vec3& point) {
     const double third = dot(cross(corners[1] - corners[0], point - corners[0]), normal) / size;
     return {1 - second - third, second, third};
 }
+
+}  // namespace candelabra

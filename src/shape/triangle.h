@@ -5,6 +5,8 @@
 #include "base/ray.h"
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// A flat triangle.
 struct Triangle {
     Vec3 corner1 = Vec3(0);
@@ -143,3 +145,5 @@ private:
 /// The same for one triangle.
 TriangleHit first_crossing(const Vec3& corner1, const Vec3& corner2, const Vec3& corner3,
                            const Ray&, const Interval& range);
+
+}  // namespace candelabra

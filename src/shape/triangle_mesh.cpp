@@ -4,6 +4,8 @@
 #include "vocabulary/parts.h"
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo FlatFacet::vocabulary = described<FlatFacet>([] {
     using F = Field<FlatFacet>;
     return schema<FlatFacet>("triangle", "A flat triangle of a mesh.",
@@ -97,3 +99,5 @@ Mesh as_mesh(const TriangleMesh& mesh) {
     if (none(result.looks, Face{-1, -1, -1})) result.looks.clear();
     return result;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "shape/mesh.h"
 
+namespace candelabra {
+
 /// A triangle of a mesh; `looks` are the numbers of its corners' textures, -1 for none.
 struct FlatFacet {
     Vec3 corner1 = Vec3(0), corner2 = Vec3(1, 0, 0), corner3 = Vec3(0, 1, 0);
@@ -44,3 +46,5 @@ struct TriangleMesh {
 std::string problem(const TriangleMesh&);
 Mesh as_mesh(const TriangleMesh&);
 BuiltMesh build(const TriangleMesh&);
+
+}  // namespace candelabra

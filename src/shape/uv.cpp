@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "shape/uv.h"
 
-#include "base/turn.h"
+#include "base/revolution.h"
 #include "shape/triangle.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -159,3 +161,5 @@ std::optional<Vec2> uv(const BuiltParametric& surface, const Vec3& point, std::u
 std::optional<Vec2> uv(const BuiltShape& shape, const Vec3& point, std::uint32_t part) {
     return visit_shape([&](const auto& s) { return uv(s, point, part); }, shape);
 }
+
+}  // namespace candelabra

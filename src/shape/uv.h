@@ -5,6 +5,8 @@
 
 #include "shape/built_shape.h"
 
+namespace candelabra {
+
 /// A part that is not known and has to be found.
 inline constexpr std::uint32_t any_part = ~0u;
 
@@ -28,3 +30,5 @@ std::uint32_t face_at(const BuiltMesh&, const Vec3& point);
 
 /// u and v of a point of the surface; `part` is that of its Crossing, or any_part.
 std::optional<Vec2> uv(const BuiltShape&, const Vec3& point, std::uint32_t part);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo BumpSettings::vocabulary = described<BumpSettings>([] {
     using F = Field<BumpSettings>;
     return schema<BumpSettings>(
@@ -172,7 +174,7 @@ PatternedBump::PatternedBump(PatternUse the_use, const BumpSettings& the_setting
     : use(std::move(the_use)), settings(the_settings), map(std::move(the_map)) {
     nesting = {1, 1};
     if (const auto* normals = std::get_if<NormalMap>(&map))
-        for (const NormalStop& stop : *normals) nesting.add(::nesting(stop.bump));
+        for (const NormalStop& stop : *normals) nesting.add(candelabra::nesting(stop.bump));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
         nesting.add({grey->depth, grey->entries, grey->uv});
 }
@@ -196,3 +198,5 @@ double look_up(const SlopeMap& map, double value) {
 Vec3 bumped(const Bump& bump, const Vec3& normal, const Vec3& point, const PatternScene& scene) {
     return unit(changed(bump, normal, point, scene, false));
 }
+
+}  // namespace candelabra

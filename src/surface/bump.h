@@ -7,6 +7,8 @@
 #include "pattern/modifiers.h"
 #include "surface/nesting.h"
 
+namespace candelabra {
+
 struct PatternedBump;  // this, its settings and the entries of maps: normal_map.h
 struct BumpSettings;
 struct NormalStop;
@@ -28,3 +30,5 @@ Nesting nesting(const Bump&);
 /// The unit normal at a point of the surface, in the space that the bump's transform leads to.
 /// `normal` is unit and on the side of the viewer.
 Vec3 bumped(const Bump&, const Vec3& normal, const Vec3& point, const PatternScene& = {});
+
+}  // namespace candelabra

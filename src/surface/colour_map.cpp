@@ -3,6 +3,8 @@
 
 #include "surface/map_place.h"
 
+namespace candelabra {
+
 Colour look_up(const ColourMap& map, double value) {
     const MapPlace at = place_in(map, value);
     if (at.share == 0) return map[at.below].colour;
@@ -14,3 +16,5 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
     return {between(from.rgb, to.rgb), between(from.filter, to.filter),
             between(from.transmit, to.transmit)};
 }
+
+}  // namespace candelabra

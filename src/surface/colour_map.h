@@ -6,6 +6,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 /// One entry of a colour map.
 struct ColourStop {
     double value = 0;
@@ -21,3 +23,5 @@ Colour look_up(const ColourMap&, double value);
 
 /// From one colour to another, all components linearly.
 Colour mixed(const Colour& from, const Colour& to, double share);
+
+}  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/default_maps.h"
 
+namespace candelabra {
+
 namespace {
 
 Colour rgb(double red, double green, double blue) { return {Vec3(red, green, blue)}; }
@@ -66,3 +68,5 @@ ColourMap default_map(const Pattern& pattern) {
     for (ColourStop& stop : map) stop.value = single_precision(stop.value);
     return map;
 }
+
+}  // namespace candelabra

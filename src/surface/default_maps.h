@@ -6,6 +6,10 @@
 #include "pattern/pattern.h"
 #include "surface/colour_map.h"
 
+namespace candelabra {
+
 /// Never empty. For a pattern that takes a list, the colours of the list, with their places as
 /// values.
 ColourMap default_map(const Pattern&);
+
+}  // namespace candelabra

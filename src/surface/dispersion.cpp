@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 /// Mean colours of POV-Ray's spectrum, in steps of 5 nm from 380 nm on, as measured.
@@ -46,3 +48,5 @@ Vec3 hue(const SpectralBand& band) {
     }
     return sum / size;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 /// One of several equal bands of the visible spectrum, counted from violet.
 struct SpectralBand {
     int number = 0;
@@ -17,3 +19,5 @@ struct SpectralBand {
 
 /// The band's colour, so that all bands together have the mean of white (nearly: as in POV-Ray).
 Vec3 hue(const SpectralBand&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Reflection::vocabulary = described<Reflection>([] {
     using F = Field<Reflection>;
     return schema<Reflection>(
@@ -75,3 +77,5 @@ const ItemInfo Finish::vocabulary = described<Finish>([] {
         F{"refraction", &Finish::refraction, item, "share of what is seen through it, as old",
           at_least(0)});
 });
+
+}  // namespace candelabra

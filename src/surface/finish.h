@@ -4,6 +4,8 @@
 
 #include "surface/subsurface.h"
 
+namespace candelabra {
+
 /// The block form of reflection: from straight on to grazing.
 struct Reflection {
     Vec3 least = Vec3(0);     ///< seen straight on
@@ -67,3 +69,5 @@ struct Finish {
     static const ItemInfo vocabulary;
     friend bool operator==(const Finish&, const Finish&) = default;
 };
+
+}  // namespace candelabra

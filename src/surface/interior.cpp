@@ -3,6 +3,8 @@
 
 #include "vocabulary/schema.h"
 
+namespace candelabra {
+
 const ItemInfo Interior::vocabulary = described<Interior>([] {
     using F = Field<Interior>;
     return schema<Interior>(
@@ -29,3 +31,5 @@ Vec3 attenuation(const Interior& interior, double distance) {
     if (interior.fade_power >= 1000) return glm::exp((kept - Vec3(1)) * way);
     return kept + (Vec3(1) - kept) / (1 + std::pow(way, interior.fade_power));
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 struct Interior {
     double ior = 0;            ///< 0: that of the air, and no dispersion
     double fade_distance = 0;  ///< 0: light is not dimmed
@@ -23,3 +25,5 @@ constexpr double caustics_power = 45;
 /// The share of light that is left after a distance inside, per channel. From a power of 1000 on it
 /// falls exponentially, else by 1 / (1 + (distance / fade_distance)^fade_power).
 Vec3 attenuation(const Interior&, double distance);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "surface/pigment_map.h"
 
+namespace candelabra {
+
 namespace {
 
 Colour converted(Colour colour) {
@@ -31,3 +33,5 @@ Texture with_filter_as_transmit(Texture texture) {
         texture.below = make_handle<Texture>(with_filter_as_transmit(*texture.below));
     return texture;
 }
+
+}  // namespace candelabra

@@ -4,6 +4,10 @@
 
 #include "surface/texture.h"
 
+namespace candelabra {
+
 /// The texture with all filter of its pigments as transmit: what lies under it shows through in its
 /// own colours.
 Texture with_filter_as_transmit(Texture);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace candelabra {
+
 /// The result is entry `below` and, by the share, entry `above`; the share is 0 where one entry
 /// counts alone, and both are it.
 struct MapPlace {
@@ -27,3 +29,5 @@ MapPlace place_in(const std::vector<Entry>& map, double value) {
     const double start = map[next - 1].value;
     return {next - 1, next, (value - start) / (map[next].value - start)};
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 struct Nesting {
     int depth = 0;       ///< maps within each other: each may double the work at a point
     double entries = 1;  ///< of all maps written out, however often one part is used
@@ -19,3 +21,5 @@ struct Nesting {
         uv |= part.uv;
     }
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "pattern/use.h"
 #include "surface/bump.h"
 
+namespace candelabra {
+
 /// Height and slope that a pattern's value stands for.
 struct SlopeStop {
     double value = 0;
@@ -41,3 +43,5 @@ struct PatternedBump {
 
 /// The height at a value: along cubic curves between the stops.
 double look_up(const SlopeMap&, double value);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include "pattern/warp.h"
 
+namespace candelabra {
+
 class NormalSpace {
 public:
     /// `frame` is around all; it may be null.
@@ -32,3 +34,5 @@ private:
     const Transform& outside_;
     const Transform* frame_;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 bool passes_light(const Colour& c) { return c.filter != 0 || c.transmit != 0; }
@@ -89,7 +91,8 @@ PatternedPigment::PatternedPigment(PatternUse the_use, Map the_map)
         for (const ColourStop& stop : *colours) add(stop.colour.rgb, passes_light(stop.colour), {});
     else
         for (const PigmentStop& stop : std::get<PigmentMap>(map))
-            add(::brightest(stop.pigment), transparent(stop.pigment), ::nesting(stop.pigment));
+            add(candelabra::brightest(stop.pigment), transparent(stop.pigment),
+                candelabra::nesting(stop.pigment));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
         nesting.add({grey->depth, grey->entries, grey->uv});
 }
@@ -120,3 +123,5 @@ PigmentGrey grey_of(Pigment pigment) {
             inner.entries,
             inner.uv};
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include "surface/colour_map.h"
 #include "surface/nesting.h"
 
+namespace candelabra {
+
 struct PatternedPigment;  // this and the entries of maps: pigment_map.h
 struct PigmentStop;
 using PigmentMap = std::vector<PigmentStop>;
@@ -38,3 +40,5 @@ bool transparent(const Pigment&);
 
 /// The brightness of the pigment as a function of the point, for pigment_pattern.
 PigmentGrey grey_of(Pigment);
+
+}  // namespace candelabra

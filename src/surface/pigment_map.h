@@ -5,6 +5,8 @@
 #include "pattern/use.h"
 #include "surface/pigment.h"
 
+namespace candelabra {
+
 /// One entry of a pigment map. For `average` the value is a weight.
 struct PigmentStop {
     double value = 0;
@@ -23,3 +25,5 @@ struct PatternedPigment {
     Vec3 brightest;      ///< see below
     bool clear = false;  ///< light can pass somewhere
 };
+
+}  // namespace candelabra

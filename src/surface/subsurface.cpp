@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace candelabra {
+
 const ItemInfo Subsurface::vocabulary = described<Subsurface>([] {
     return schema<Subsurface>(
         "subsurface", "Light that goes in at one point of the surface and comes out at others.",
@@ -72,3 +74,5 @@ Vec3 Dipole::spread(double distance2) const {
     };
     return albedo_ / (4 * std::numbers::pi) * (source(real_) + source(virtual_));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// In a finish.
 struct Subsurface {
     Vec3 translucency = Vec3(0);  ///< mean way between two scatterings in millimetres; 0: opaque
@@ -46,3 +48,5 @@ private:
     Vec3 albedo_;          ///< reduced
     Vec3 real_, virtual_;  ///< depth and height of the two sources
 };
+
+}  // namespace candelabra

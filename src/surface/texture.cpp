@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 /// Calls use(share, texture) for the entries that count at a place; the shares add up to 1.
@@ -102,7 +104,7 @@ bool any_finish(const Texture& texture, const Test& test) {
 
 PatternedTexture::PatternedTexture(PatternUse the_use, const Transform& outside, TextureMap the_map)
     : use(std::move(the_use)), transform(outside), map(std::move(the_map)), nesting{1, 0} {
-    for (const TextureStop& stop : map) nesting.add(::nesting(*stop.texture));
+    for (const TextureStop& stop : map) nesting.add(candelabra::nesting(*stop.texture));
     if (const auto* grey = std::get_if<PigmentGrey>(&use.pattern))
         nesting.add({grey->depth, grey->entries, grey->uv});
 }
@@ -159,27 +161,27 @@ Texture uv_mapped_with_frame(Texture texture) {
 namespace {
 
 /// Of the finishes that count.
-Vec3 most_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
+Vec3 max_emitted(const Texture& texture, bool (*counts)(const Finish&)) {
     if (texture.choice) {
         Vec3 greatest(0);
         for (const TextureStop& stop : texture.choice->map)
-            greatest = glm::max(greatest, most_emitted(*stop.texture, counts));
+            greatest = glm::max(greatest, max_emitted(*stop.texture, counts));
         return greatest;
     }
     Vec3 sum(0);
     if (counts(texture.finish))
         sum = glm::max(brightest(texture.pigment) * texture.finish.emission, Vec3(0));
-    return texture.below ? sum + most_emitted(*texture.below, counts) : sum;
+    return texture.below ? sum + max_emitted(*texture.below, counts) : sum;
 }
 
 }  // namespace
 
 Vec3 greatest_emission(const Texture& texture) {
-    return most_emitted(texture, [](const Finish&) { return true; });
+    return max_emitted(texture, [](const Finish&) { return true; });
 }
 
 Vec3 lighting_emission(const Texture& texture) {
-    return most_emitted(texture, [](const Finish& finish) { return !finish.no_luminaire; });
+    return max_emitted(texture, [](const Finish& finish) { return !finish.no_luminaire; });
 }
 
 Handle<Texture> ambient_as_emission(const Handle<Texture>& texture, const Vec3& ambient_light) {
@@ -273,3 +275,5 @@ Vec3 emission(const Texture& texture, const Vec3& point, const PatternScene& sce
     if (!texture.below) return own;
     return own + colour.passing() * emission(*texture.below, point, scene, opacity);
 }
+
+}  // namespace candelabra

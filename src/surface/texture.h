@@ -10,6 +10,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 struct PatternedTexture;  // this and the entries of maps: texture_map.h
 
 struct Texture {
@@ -88,3 +90,5 @@ bool lets_light_in(const Texture&);
 /// its own, which depends on the version of the language.
 Vec3 emission(const Texture&, const Vec3& point, const PatternScene&,
               FunctionRef<double(const Colour&)> opacity);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "pattern/use.h"
 #include "surface/texture.h"
 
+namespace candelabra {
+
 /// One entry of a texture map. For `average` the value is a weight.
 struct TextureStop {
     double value = 0;
@@ -24,3 +26,5 @@ struct PatternedTexture {
     TextureMap map;
     Nesting nesting;
 };
+
+}  // namespace candelabra

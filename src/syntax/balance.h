@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+namespace candelabra {
+
 /// How many braces are open, where each directive that is closed counts as its first part does.
 class Balance {
 public:
@@ -40,3 +42,5 @@ private:
 
     std::vector<Directive> open_;
 };
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <array>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Which tokens open and close nothing: nearly all.
@@ -398,3 +400,5 @@ std::optional<Span> Brackets::innermost() const {
     if (open_.empty()) return std::nullopt;
     return span(open_.back().token);
 }
+
+}  // namespace candelabra

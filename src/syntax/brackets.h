@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 class Brackets {
 public:
     /// `version`: of the language, until the text names one.
@@ -103,3 +105,5 @@ private:
     bool hangs_ = false;  ///< what the last token closed
     bool skipped_ = false;
 };
+
+}  // namespace candelabra

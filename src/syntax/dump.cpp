@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// A node for dump(): what it is, and the lists below it.
@@ -210,3 +212,5 @@ std::string dump_tokens(SourceId source, const SourceStore& sources, Names& name
     }
     return result;
 }
+
+}  // namespace candelabra

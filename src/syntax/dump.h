@@ -9,7 +9,11 @@
 
 #include <string>
 
+namespace candelabra {
+
 std::string dump(const Tree&, const Names&);
 
 /// All tokens, one a line: place, kind, text.
 std::string dump_tokens(SourceId, const SourceStore&, Names&, Diagnostics&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <charconv>
 
+namespace candelabra {
+
 namespace {
 
 /// The character behind `\` and this letter, or 0.
@@ -63,3 +65,5 @@ std::string unescaped(std::string_view raw, SourceId source, std::uint32_t offse
     }
     return result;
 }
+
+}  // namespace candelabra

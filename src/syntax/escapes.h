@@ -7,6 +7,10 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// Escapes replaced, line ends made one LF. `offset`: of the first byte in its source. An unknown
 /// escape is reported and stays as it is.
 std::string unescaped(std::string_view raw, SourceId source, std::uint32_t offset, Diagnostics&);
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 struct ForeignWord {
@@ -325,3 +327,5 @@ Token Lexer::read_foreign_word(const char* first) {
     const std::string_view spelling(first, static_cast<std::size_t>(cursor_ - first));
     return token(TokenKind::name, first, static_cast<std::uint32_t>(names_.intern(spelling)));
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 struct ForeignSign {
     std::string_view sign;   ///< in UTF-8
     std::string_view what;   ///< "a typographic quote"
@@ -39,3 +41,5 @@ std::string_view foreign_colon(std::string_view before);
 /// A colour of six hexadecimal digits, as web pages have it, in the language; empty for other
 /// words.
 std::string hexadecimal_colour(std::string_view word);
+
+}  // namespace candelabra

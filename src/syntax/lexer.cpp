@@ -16,6 +16,8 @@
 #include <optional>
 #include <utility>
 
+namespace candelabra {
+
 Lexer::Lexer(SourceId source, const SourceStore& sources, Names& names, Tree& tree,
              Diagnostics& diagnostics)
     : begin_(sources.text(source).data()),
@@ -124,19 +126,19 @@ const DirectiveWord* without_hash(std::string_view spelling) {
 /// A number of few digits without an exponent, as nearly all are. Both integers are exact as
 /// doubles, so their quotient is rounded as it has to be.
 std::optional<double> convert_short(const char*& p, const char* end) {
-    constexpr int most_digits = 15;
+    constexpr int max_digits = 15;
     constexpr auto powers = std::array{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                        1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     std::int64_t digits = 0;
     int count = 0, behind_point = 0;
     const char* at = p;
-    for (; at < end && is_digit(*at) && count <= most_digits; ++at, ++count)
+    for (; at < end && is_digit(*at) && count <= max_digits; ++at, ++count)
         digits = 10 * digits + (*at - '0');
     if (at < end && *at == '.')
-        for (++at; at < end && is_digit(*at) && count <= most_digits; ++at, ++count, ++behind_point)
+        for (++at; at < end && is_digit(*at) && count <= max_digits; ++at, ++count, ++behind_point)
             digits = 10 * digits + (*at - '0');
     const bool goes_on = at < end && (*at == 'e' || *at == 'E');
-    if (count == 0 || count > most_digits || goes_on) return std::nullopt;
+    if (count == 0 || count > max_digits || goes_on) return std::nullopt;
     p = at;
     return static_cast<double>(digits) / powers[static_cast<std::size_t>(behind_point)];
 }
@@ -395,3 +397,5 @@ void Lexer::double_sign(const char* first, std::string_view instead) {
                  message("this language writes `", instead, "`, not `", instead, instead, "`"))
                .with_help(message("write `", instead, "`")));
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 class Lexer {
 public:
     /// Numbers and strings are put into the tree, new names into names.
@@ -77,3 +79,5 @@ private:
     TokenKind previous_ = TokenKind::end_of_file;
     TokenKind before_previous_ = TokenKind::end_of_file;
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// The name that a node stands for or calls, if any.
@@ -44,3 +46,5 @@ void lint(const Tree& tree, const Names& names, Diagnostics& diagnostics) {
         }
     }
 }
+
+}  // namespace candelabra

@@ -6,6 +6,10 @@
 #include "syntax/tree.h"
 #include "text/diagnostic.h"
 
+namespace candelabra {
+
 /// Warns of parameters that a macro with a body does not name. Scoping is dynamic, so a macro that
 /// is called may use them nevertheless; then the warning can be switched off.
 void lint(const Tree&, const Names&, Diagnostics&);
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 std::optional<Misindented> misindented(std::string_view text, bool directives) {
     const auto indentation = [&](std::uint32_t at, bool only_blanks) -> int {
         const std::size_t start = at == 0 ? 0 : text.find_last_of("\r\n", at - 1) + 1;
@@ -34,3 +36,5 @@ std::optional<Misindented> misindented(std::string_view text, bool directives) {
     }
     return std::nullopt;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+namespace candelabra {
+
 struct Misindented {
     Token opener, closer;
 };
@@ -14,3 +16,5 @@ struct Misindented {
 /// The first `}` or `#end` at the start of a line that stands further left than the line of what it
 /// closes: one before it is missing. `directives`: look at these, not at braces.
 std::optional<Misindented> misindented(std::string_view text, bool directives);
+
+}  // namespace candelabra

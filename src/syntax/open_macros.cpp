@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 using Tokens = OpenMacros::Tokens;
@@ -174,7 +176,7 @@ bool OpenMacros::define(const Tokens& macro) {
         least = std::min(least, balance.braces);
     }
     const NameId name{macro[1].value};
-    const auto names = ::parameters({macro.begin() + head, closer});
+    const auto names = candelabra::parameters({macro.begin() + head, closer});
     const Tokens body(closer + 1, macro.end() - 1);
     const bool matches = balance.braces == 0 && least == 0;
     std::optional<Token> odd = matches ? odd_parenthesis(body) : odd_brace(body);
@@ -390,3 +392,5 @@ bool OpenMacros::report(const OpenMacro& macro) {
     diagnostics_.add(problem);
     return true;
 }
+
+}  // namespace candelabra

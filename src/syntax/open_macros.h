@@ -24,6 +24,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace candelabra {
+
 /// What any file of a scene has to know of an open macro.
 struct OpenMacro {
     NameId name;
@@ -128,3 +130,5 @@ private:
     /// What has been reported: the same macro may be known from the last time the file was parsed.
     std::vector<Span> told_;
 };
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 List ParseState::append(List list, NodeId node) {
     if (node == no_node) return list.with_comma(false);
     if (list.empty()) return {node, node, false};
@@ -272,3 +274,5 @@ NodeId ParseState::patched_version(NameId program, Stretch place) {
             .with_help("write `#version 3.7;`, and what only that program has will be reported"));
     return add(place, node::Broken{});
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <bitset>
 #include <new>
 
+namespace candelabra {
+
 /// A stretch of the text that is parsed: its place.
 struct Stretch {
     std::uint32_t first = 0;
@@ -159,3 +161,5 @@ struct ParseState {
     /// Says that a token does not fit, and what could stand there.
     void report_unexpected(TokenKind found, Stretch, const TokenKinds& expected) const;
 };
+
+}  // namespace candelabra

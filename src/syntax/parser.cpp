@@ -13,6 +13,8 @@
 #include <span>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// What could stand where an error is.
@@ -256,7 +258,7 @@ void ParseState::report_unexpected(TokenKind found, Stretch place, const TokenKi
         if (expected.name() && reserved)
             says = message(what,
                            " is a word of the language and cannot be the name of something else");
-        Diagnostic problem = ::error(Fault::syntax, span(place), says);
+        Diagnostic problem = candelabra::error(Fault::syntax, span(place), says);
         if (expected.has(TokenKind::greater) && !expected.comparison())
             problem.with_help(
                 "a vector ends in `>`; comparisons are written in parentheses: (a < b)");
@@ -398,3 +400,5 @@ Tree parse(SourceId source, const SourceStore& sources, Names& names, Diagnostic
     diagnostics.add_all(best.found);
     return std::move(best.tree);
 }
+
+}  // namespace candelabra

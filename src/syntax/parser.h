@@ -9,6 +9,8 @@
 #include "text/diagnostic.h"
 #include "text/source.h"
 
+namespace candelabra {
+
 struct ParseOptions {
     /// Of the language, until the text names one; it decides conditions about the version whose
     /// branches are no whole elements.
@@ -23,3 +25,5 @@ struct ParseOptions {
 };
 
 Tree parse(SourceId, const SourceStore&, Names&, Diagnostics&, const ParseOptions& = {});
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+namespace candelabra {
+
 namespace {
 
 /// What is still to be written: text, a node, a list of nodes, or the end of an indentation.
@@ -300,3 +302,5 @@ std::string print(const Tree& tree, const Names& names) {
     const std::size_t first = result.find_first_not_of('\n');
     return first == std::string::npos ? std::string() : result.substr(first);
 }
+
+}  // namespace candelabra

@@ -7,4 +7,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 std::string print(const Tree&, const Names&);
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 inline std::string quoted(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -18,3 +20,5 @@ inline std::string quoted(std::string_view text) {
     }
     return result + '"';
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 /// In the order of TokenKind.
@@ -23,3 +25,5 @@ static_assert(names.size() == static_cast<std::size_t>(TokenKind::leads) + 1);
 }  // namespace
 
 std::string_view name(TokenKind kind) { return names[static_cast<std::size_t>(kind)]; }
+
+}  // namespace candelabra

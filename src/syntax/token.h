@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <string_view>
 
+namespace candelabra {
+
 /// The order is that of the %token lines in grammar/scene.yy.
 enum class TokenKind : std::uint8_t {
     end_of_file,
@@ -99,3 +101,5 @@ struct Token {
 
 /// The name of a kind, for dumps.
 std::string_view name(TokenKind);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include "syntax/token.h"
 
+namespace candelabra {
+
 /// What a block may begin with, in front of its brace.
 constexpr bool is_block_word(TokenKind kind) {
     return kind == TokenKind::word || kind == TokenKind::layer;
@@ -98,3 +100,5 @@ constexpr bool can_be_divided_by(TokenKind opener, TokenKind divider) {
     if (divider == hash_elseif) return is_condition(opener);
     return opener == hash_switch;
 }
+
+}  // namespace candelabra

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 /// Copies double with each condition of this kind behind another; what needs more is not copied.
-constexpr std::size_t most_ahead = 100'000;
+constexpr std::size_t max_ahead = 100'000;
 
 /// Directives of more tokens are no operands.
 constexpr std::size_t longest_value = 500;
@@ -72,7 +74,7 @@ bool TokenStream::define_open_macro(const Token& opener) {
         const TokenKind kind = take(taken).kind;
         if (opens_directive(kind)) ++open;
         if (kind == TokenKind::hash_end) --open;
-        if (kind == TokenKind::end_of_file || taken.size() > most_ahead) break;
+        if (kind == TokenKind::end_of_file || taken.size() > max_ahead) break;
     }
     if (taken.back().kind == TokenKind::hash_end && macros_.define(taken)) return true;
     taken.erase(taken.begin());
@@ -127,7 +129,7 @@ bool TokenStream::keep_else() {
     Balance balance;
     for (;;) {
         const Token token = take(taken);
-        if (token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+        if (token.kind == TokenKind::end_of_file || taken.size() > max_ahead ||
             (balance.directives() == 0 && divides_directive(token.kind)))
             return give_back(taken), false;
         if (balance.directives() == 0 && token.kind == TokenKind::hash_end) break;
@@ -176,7 +178,7 @@ bool TokenStream::choose_branch() {
     for (bool ended = !condition; !ended;) {
         const Token token = take(taken);
         const bool outside = balance.directives() == 0;
-        ended = token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+        ended = token.kind == TokenKind::end_of_file || taken.size() > max_ahead ||
                 (outside && token.kind == TokenKind::hash_end);
         if (outside && (ended || divides_directive(token.kind))) {
             plain = plain && (ended || token.kind == TokenKind::hash_else);
@@ -207,7 +209,7 @@ bool TokenStream::take_branches(std::vector<Tokens>& branches, Tokens& taken, in
         const Token token = take(taken);
         const bool ends = balance.directives() == 0 &&
                           (divides_directive(token.kind) || token.kind == TokenKind::hash_end);
-        if (token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+        if (token.kind == TokenKind::end_of_file || taken.size() > max_ahead ||
             (ends && balance.braces != braces))
             return false;
         if (!ends) {
@@ -234,7 +236,7 @@ std::optional<std::vector<Token>> TokenStream::take_rest(Tokens& taken, int brac
         const Token token = take(taken);
         const bool outside = balance.directives() == 0 &&
                              (divides_directive(token.kind) || token.kind == TokenKind::hash_end);
-        if (token.kind == TokenKind::end_of_file || outside || taken.size() > most_ahead)
+        if (token.kind == TokenKind::end_of_file || outside || taken.size() > max_ahead)
             return std::nullopt;
         balance.add(token.kind);
         rest.push_back(token);
@@ -271,7 +273,7 @@ bool TokenStream::copy_rest_into_branches(const Token& divider, int braces) {
 bool TokenStream::take_parentheses(Tokens& taken) {
     int open = take(taken).kind == TokenKind::open_parenthesis;
     if (open == 0) return false;
-    while (open > 0 && taken.size() <= most_ahead && taken.back().kind != TokenKind::end_of_file) {
+    while (open > 0 && taken.size() <= max_ahead && taken.back().kind != TokenKind::end_of_file) {
         const TokenKind kind = take(taken).kind;
         open += kind == TokenKind::open_parenthesis    ? 1
                 : kind == TokenKind::close_parenthesis ? -1
@@ -302,7 +304,7 @@ bool TokenStream::takes_sign(Tokens& taken, bool or_is_empty) {
         if (or_is_empty && kind == hash_end) return true;
         condition = kind != hash_else && kind != hash_declare && kind != hash_break;
         if (kind == hash_declare) {
-            while (taken.back().kind != semicolon && taken.size() <= most_ahead &&
+            while (taken.back().kind != semicolon && taken.size() <= max_ahead &&
                    taken.back().kind != end_of_file)
                 take(taken);
         } else if (!divides_directive(kind) && kind != hash_break &&
@@ -343,7 +345,7 @@ bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,
         const std::size_t here = taken.size();
         const Token token = take(taken);
         const bool outside = balance.directives() == 0;
-        if (token.kind == TokenKind::end_of_file || taken.size() > most_ahead ||
+        if (token.kind == TokenKind::end_of_file || taken.size() > max_ahead ||
             balance.braces < 0 ||
             (outside && (divides_directive(token.kind) || token.kind == TokenKind::hash_end)))
             return give_back(taken), false;
@@ -367,3 +369,5 @@ bool TokenStream::repeat_without_braces(const Token& opener, const Token& end,
         }
     }
 }
+
+}  // namespace candelabra

@@ -25,6 +25,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 class TokenStream {
 public:
     /// `version`: of the language, until the text names one.
@@ -97,3 +99,5 @@ private:
     TokenKind before_ = TokenKind::end_of_file;  ///< the last token of the text
     std::deque<Token> ahead_;
 };
+
+}  // namespace candelabra

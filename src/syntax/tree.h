@@ -14,6 +14,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 /// The index of a node in its tree.
 enum class NodeId : std::uint32_t {};
 
@@ -295,3 +297,5 @@ struct Body {
     const Tree* tree = nullptr;
     NodeId first = no_node;
 };
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 constexpr char lower_case(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -49,3 +51,5 @@ constexpr bool ends_in_word(std::string_view text, std::string_view word) {
 inline bool same_letters(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return lower_case(x) == lower_case(y); });
 }
+
+}  // namespace candelabra

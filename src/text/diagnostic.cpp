@@ -6,6 +6,8 @@
 #include <array>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto infos = std::array{
@@ -121,14 +123,14 @@ std::size_t Diagnostics::KeyHash::operator()(const Key& key) const {
 
 bool Diagnostics::among_first(Fault fault) {
     auto& [count, rest_at] = warnings_[static_cast<std::size_t>(fault)];
-    if (++count <= most_warnings) return true;
-    if (count == most_warnings + 1) {
+    if (++count <= max_warnings) return true;
+    if (count == max_warnings + 1) {
         rest_at = all_.size();
-        all_.push_back(
-            warning(fault, {}, {})
-                .with_help(message("--warn no-", ::name(fault), " switches all of them off")));
+        all_.push_back(warning(fault, {}, {})
+                           .with_help(message("--warn no-", candelabra::name(fault),
+                                              " switches all of them off")));
     }
-    all_[rest_at].message = message("and ", count - most_warnings, " more of this kind");
+    all_[rest_at].message = message("and ", count - max_warnings, " more of this kind");
     return false;
 }
 
@@ -152,10 +154,12 @@ void Diagnostics::add_all(const Diagnostics& other) {
     for (std::size_t i = 0; i < other.all_.size(); ++i) {
         const Diagnostic& each = other.all_[i];
         const auto& [count, rest_at] = other.warnings_[static_cast<std::size_t>(each.fault)];
-        if (count <= most_warnings || rest_at != i) {
+        if (count <= max_warnings || rest_at != i) {
             add(each);
             continue;
         }
-        for (std::size_t k = most_warnings; k < count; ++k) among_first(each.fault);
+        for (std::size_t k = max_warnings; k < count; ++k) among_first(each.fault);
     }
 }
+
+}  // namespace candelabra

@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 enum class Severity { note, warning, error };
 
 /// The kinds of problem. A test checks that each one can be produced.
@@ -112,8 +114,8 @@ public:
     using Frames = std::function<std::vector<Frame>()>;
     using Settle = std::function<void(Diagnostic&)>;
 
-    static constexpr std::size_t most_errors = 20;
-    static constexpr std::size_t most_warnings = 20;  ///< of a kind
+    static constexpr std::size_t max_errors = 20;
+    static constexpr std::size_t max_warnings = 20;  ///< of a kind
 
     /// Keeps the diagnostic unless the same message was given for the same span, or it is a warning
     /// that is switched off, or an error and the collector is full. One without frames gets those
@@ -139,7 +141,7 @@ public:
     std::size_t error_count() const { return errors_; }
 
     /// So many errors that whoever works on the input should stop.
-    bool full() const { return errors_ >= most_errors; }
+    bool full() const { return errors_ >= max_errors; }
 
     const std::vector<Diagnostic>& all() const { return all_; }
     /// How many were new, whether they were kept or only counted.
@@ -186,3 +188,5 @@ private:
     std::bitset<kinds> muted_;
     bool warnings_are_errors_ = false;
 };
+
+}  // namespace candelabra

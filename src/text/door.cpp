@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,3 +112,5 @@ std::string Door::writing_help(const std::string& name) const {
     return message("`--allow-write ", folder_of(name), "` allows it",
                    there ? ", and to overwrite what others have made" : "");
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 class Door {
 public:
     /// Everything may be read and nothing written: for readers that know no disk.
@@ -64,3 +66,5 @@ private:
     std::shared_ptr<MadeFiles> made_ = std::make_shared<MadeFiles>(std::string());
     bool locked_ = false;
 };
+
+}  // namespace candelabra

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/excerpt.h"
 
-#include "text/harmless.h"
 #include "text/marked_line.h"
 #include "text/message.h"
 #include "text/palette.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+namespace candelabra {
 
 namespace {
 
@@ -114,7 +116,7 @@ private:
 
     std::string where(Span span) const {
         const Place place = sources_.place(span.source, span.first);
-        const std::string name = harmless(sources_.name(span.source));
+        const std::string name = printable(sources_.name(span.source));
         return message(name, ":", place.line, ":", place.column);
     }
 
@@ -123,7 +125,7 @@ private:
         while (text.ends_with('\n')) text.remove_suffix(1);
         for (bool more = true; more;) {
             const std::size_t end = text.find('\n');
-            out_ += palette_.paint(ink, harmless(text.substr(0, end))) + '\n';
+            out_ += palette_.paint(ink, printable(text.substr(0, end))) + '\n';
             more = end != std::string_view::npos;
             if (!more) break;
             text.remove_prefix(end + 1);
@@ -173,7 +175,7 @@ private:
     }
 
     std::string describe(const Frame& frame) const {
-        const std::string name = harmless(frame.name);
+        const std::string name = printable(frame.name);
         const bool known = can_show(frame.called_at, sources_);
         const std::string place = known ? where(frame.called_at) : "an unknown place";
         switch (frame.kind) {
@@ -251,3 +253,5 @@ private:
 std::string format(const Diagnostic& diagnostic, const SourceStore& sources, bool coloured) {
     return Printer(diagnostic, sources, coloured).print();
 }
+
+}  // namespace candelabra

@@ -10,4 +10,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 std::string format(const Diagnostic& diagnostic, const SourceStore& sources, bool coloured);
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 
 #include <fcntl.h>
 
+namespace candelabra {
+
 namespace {
 
 // Places in a text are 32 bit offsets (text/span.h).
@@ -252,3 +254,5 @@ std::string Loader::library_file_declaring(std::string_view name) const {
     }
     return {};
 }
+
+}  // namespace candelabra

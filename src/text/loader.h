@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 /// How texts come from paths: the text, or nothing if there is none that can be read; and whether
 /// there is one, without reading it.
 class Reader {
@@ -147,3 +149,5 @@ private:
     std::map<std::string, std::shared_ptr<const std::string>> written_;  ///< null: on the disk
     bool off_disk_ = false;
 };
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto mark_name = "user.candelabra.scene";
@@ -79,3 +81,5 @@ OpenedFile MadeFiles::open(const std::string& path, bool append, bool any) {
                       (append || ::ftruncate(file.descriptor(), 0) == 0);
     return good ? std::move(file) : OpenedFile();
 }
+
+}  // namespace candelabra

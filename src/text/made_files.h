@@ -15,6 +15,8 @@
 #include <string>
 #include <utility>
 
+namespace candelabra {
+
 class MadeFiles {
 public:
     /// `scene`: the path of the scene that the run is of, perhaps without its .pov; where there is
@@ -37,3 +39,5 @@ private:
     mutable std::mutex mutex_;
     std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  ///< by device and number
 };
+
+}  // namespace candelabra

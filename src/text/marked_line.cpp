@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/marked_line.h"
 
-#include "text/harmless.h"
+#include "text/printable.h"
 
 #include <algorithm>
 #include <utility>
+
+namespace candelabra {
 
 namespace {
 
@@ -74,7 +76,7 @@ private:
 /// The first column to show of a line that is too long.
 std::size_t window_start(const std::vector<Stroke>& strokes, const Stroke& main,
                          std::size_t columns) {
-    constexpr std::size_t room = most_columns - 20;
+    constexpr std::size_t room = max_columns - 20;
     std::size_t first = main.first;
     std::size_t last = main.last;
     for (const Stroke& stroke : strokes) {
@@ -85,16 +87,16 @@ std::size_t window_start(const std::vector<Stroke>& strokes, const Stroke& main,
         first = main.first;
         last = std::min(main.last, first + room);
     }
-    const std::size_t margin = (most_columns - (last - first)) / 2;
-    return std::min(first - std::min(first, margin), columns - most_columns);
+    const std::size_t margin = (max_columns - (last - first)) / 2;
+    return std::min(first - std::min(first, margin), columns - max_columns);
 }
 
 /// Cuts the row to a window and moves the strokes with it; those outside stay at its edges.
 std::vector<std::string> cut(const std::vector<std::string>& shown, std::vector<Stroke>& strokes,
                              const Stroke& main) {
-    if (shown.size() <= most_columns) return shown;
+    if (shown.size() <= max_columns) return shown;
     const std::size_t start = window_start(strokes, main, shown.size());
-    const std::size_t end = start + most_columns;
+    const std::size_t end = start + max_columns;
     const auto at = [&](std::size_t column) {
         return shown.begin() + static_cast<std::ptrdiff_t>(column);
     };
@@ -102,7 +104,7 @@ std::vector<std::string> cut(const std::vector<std::string>& shown, std::vector<
     if (start > 0) row.front() = "…";
     if (end < shown.size()) row.back() = "…";
     // One past the end of the line is a place, too, when the end is shown.
-    const std::size_t rightmost = end < shown.size() ? most_columns - 1 : most_columns;
+    const std::size_t rightmost = end < shown.size() ? max_columns - 1 : max_columns;
     for (Stroke& stroke : strokes) {
         stroke.first = std::clamp(stroke.first, start, start + rightmost) - start;
         stroke.last = std::clamp(stroke.last, start, start + rightmost + 1) - start;
@@ -180,7 +182,7 @@ void hang(std::vector<Stroke> hanging, const Palette& palette, std::vector<std::
         const std::size_t width = left < hanging.size() ? hanging[left].first + 1 : 0;
         row.append(hanging[i].first - width, ' ');
         const Mark& mark = *hanging[i].mark;
-        rows.push_back(row + palette.paint(colour(palette, mark), harmless(mark.text)));
+        rows.push_back(row + palette.paint(colour(palette, mark), printable(mark.text)));
     }
 }
 
@@ -211,7 +213,7 @@ MarkedLine marked_line(std::string_view line, const std::vector<Mark>& marks,
     std::string first_row = underline(strokes, palette);
     if (!aside->mark->text.empty()) {
         const auto ink = colour(palette, *aside->mark);
-        first_row += ' ' + palette.paint(ink, harmless(aside->mark->text));
+        first_row += ' ' + palette.paint(ink, printable(aside->mark->text));
     }
     result.below.push_back(first_row);
     std::vector<Stroke> hanging;
@@ -221,3 +223,5 @@ MarkedLine marked_line(std::string_view line, const std::vector<Mark>& marks,
     hang(std::move(hanging), palette, result.below);
     return result;
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// Bytes [first, last) of the line; an empty range is marked like one character.
 struct Mark {
     std::size_t first = 0;
@@ -26,8 +28,10 @@ struct MarkedLine {
 };
 
 /// The longest line that is shown whole, and the tab stops, in characters.
-inline constexpr std::size_t most_columns = 100;
+inline constexpr std::size_t max_columns = 100;
 inline constexpr std::size_t tab_width = 4;
 
 MarkedLine marked_line(std::string_view line, const std::vector<Mark>& marks,
                        const Palette& palette);
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 inline void append_part(std::string& text, std::string_view part) { text += part; }
 
 template <std::same_as<char> T>
@@ -49,3 +51,5 @@ std::string message(const Parts&... parts) {
     (append_part(text, parts), ...);
     return text;
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 // A slip is a letter left out, added, changed or swapped; all the differences in case that a word
@@ -87,3 +89,5 @@ std::vector<std::string> nearest_few(std::string_view word,
     }
     return few;
 }
+
+}  // namespace candelabra

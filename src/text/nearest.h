@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// The nearest of the names, or "" if none is near. Of equally near names the first is taken.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& names);
 
@@ -17,3 +19,5 @@ std::string nearest(std::string_view word, const std::vector<std::string_view>& 
 std::vector<std::string> nearest_few(std::string_view word,
                                      const std::vector<std::string_view>& names,
                                      std::size_t most = 3);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 OpenedFile::~OpenedFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
@@ -65,3 +67,5 @@ std::optional<std::string> content_of(const OpenedFile& file, std::size_t most) 
     text.resize(filled);
     return text;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+namespace candelabra {
+
 /// A file descriptor of one's own; closed at the end.
 class OpenedFile {
 public:
@@ -42,3 +44,5 @@ bool is_regular_file(const OpenedFile&);
 
 /// All that is in a regular file of up to `most` bytes; nothing for others.
 std::optional<std::string> content_of(const OpenedFile&, std::size_t most);
+
+}  // namespace candelabra

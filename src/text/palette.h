@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 struct Palette {
     std::string_view primary;  ///< the severity, and the carets
     std::string_view frame;    ///< gutter, arrows, secondary marks
@@ -29,3 +31,5 @@ constexpr Palette palette(Severity severity, bool coloured) {
     if (severity == Severity::note) colours.primary = "\x1b[1;36m";
     return colours;
 }
+
+}  // namespace candelabra

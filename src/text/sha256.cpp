@@ -5,6 +5,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 std::string sha256(std::string_view text) {
     sha256_ctx state;
     sha256_init(&state);
@@ -16,3 +18,5 @@ std::string sha256(std::string_view text) {
         for (const int half : {byte >> 4, byte & 15}) digits += "0123456789abcdef"[half];
     return digits;
 }
+
+}  // namespace candelabra

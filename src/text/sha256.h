@@ -7,5 +7,9 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// 64 hexadecimal digits.
 std::string sha256(std::string_view text);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +43,7 @@ struct Likeness {
     std::string name;
 };
 
-Likeness most_like(const std::string& wanted, const std::vector<std::string>& names) {
+Likeness max_like(const std::string& wanted, const std::vector<std::string>& names) {
     Likeness best;
     const auto offer = [&](int rank, const std::string& name) {
         if (rank < best.rank) best = {rank, name};
@@ -89,14 +91,14 @@ Likeness follow(const std::string& folder, std::string wanted, const Lister& lis
         if (part != "..") {
             const std::vector<std::string> folders = entries(joined(folder, path), true, list);
             // What is not listed may still lead to what is.
-            Likeness found = folders.empty() ? Likeness{0, part} : most_like(part, folders);
+            Likeness found = folders.empty() ? Likeness{0, part} : max_like(part, folders);
             worst = std::max(worst, found.rank);
             part = std::move(found.name);
             if (part.empty()) return {};
         }
         path = joined(path, part);
     }
-    const Likeness found = most_like(wanted, entries(joined(folder, path), false, list));
+    const Likeness found = max_like(wanted, entries(joined(folder, path), false, list));
     if (found.name.empty()) return {};
     return {std::max(worst, found.rank), joined(path, found.name)};
 }
@@ -133,3 +135,5 @@ std::string similar_file(const std::string& name, const std::vector<std::string>
     }
     return best.name;
 }
+
+}  // namespace candelabra

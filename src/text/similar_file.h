@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 /// The names in a folder ("" is the current directory); nothing for what is no folder. Folders
 /// among them end in `/`.
 using Lister = std::function<std::vector<std::string>(const std::string& folder)>;
@@ -19,3 +21,5 @@ Lister disk_lister();
 /// "". Of equally good ones the first.
 std::string similar_file(const std::string& name, const std::vector<std::string>& folders,
                          const Lister&);
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -72,3 +74,5 @@ std::string_view SourceStore::line(SourceId id, int line) const {
 int SourceStore::line_count(SourceId id) const {
     return static_cast<int>(source(id).line_starts.size());
 }
+
+}  // namespace candelabra

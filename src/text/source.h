@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// Line and column, both from 1; the column counts characters of UTF-8, not bytes.
 struct Place {
     int line = 1;
@@ -52,3 +54,5 @@ private:
 
     std::deque<Source> sources_;
 };
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdint>
 
+namespace candelabra {
+
 using SourceId = std::uint32_t;
 
 inline constexpr SourceId no_source = ~SourceId{0};
@@ -31,3 +33,5 @@ constexpr Span join(Span a, Span b) {
     if (a.source != b.source) return a;
     return {a.source, std::min(a.first, b.first), std::max(a.last, b.last)};
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+namespace candelabra {
+
 namespace {
 
 struct Lead {
@@ -43,3 +45,5 @@ std::size_t character_count(std::string_view text) {
     for (std::size_t at = 0; at < text.size(); at += character_at(text, at).length) ++count;
     return count;
 }
+
+}  // namespace candelabra

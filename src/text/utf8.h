@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <string_view>
 
+namespace candelabra {
+
 struct Character {
     char32_t code = 0;
     std::size_t length = 1;  ///< in bytes
@@ -17,3 +19,5 @@ struct Character {
 Character character_at(std::string_view text, std::size_t offset);
 
 std::size_t character_count(std::string_view text);
+
+}  // namespace candelabra

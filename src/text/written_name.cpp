@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,3 +73,5 @@ std::string forbidden_name(const fs::path& part) {
         return "states of pictures are never written by a scene: the next run might believe them";
     return {};
 }
+
+}  // namespace candelabra

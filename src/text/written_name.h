@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 /// The absolute path without links and `..`; nothing if that cannot be told, or a link in it leads
 /// to nothing.
 std::optional<std::filesystem::path> path_without_links(const std::string& path);
@@ -25,3 +27,5 @@ std::string forbidden_name(const std::filesystem::path& part);
 /// Whether it is the name of an INI file, or of a scene or a part of one, in any case of letters.
 bool names_settings(std::string_view name);
 bool names_source(std::string_view name);
+
+}  // namespace candelabra

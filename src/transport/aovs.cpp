@@ -3,6 +3,8 @@
 
 #include "transport/integrator.h"
 
+namespace candelabra {
+
 namespace {
 
 void add(std::span<ExactSum> sums, std::size_t first, const Vec3& value) {
@@ -34,3 +36,5 @@ void gather_middle(const Aovs& wanted, const World& world, const PicturePoint& a
     sums[wanted.depth()].add(seen.distance);
     sums[wanted.object()].add(seen.object);
 }
+
+}  // namespace candelabra

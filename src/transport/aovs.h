@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <span>
 
+namespace candelabra {
+
 class Integrator;
 
 struct Aovs {
@@ -41,3 +43,5 @@ void gather_sample(const Aovs&, const World&, const Ray&, Integrator&, std::span
 
 /// Adds what is under the middle of a pixel: once for each pixel.
 void gather_middle(const Aovs&, const World&, const PicturePoint&, std::span<ExactSum>);
+
+}  // namespace candelabra

@@ -5,6 +5,10 @@
 #include "medium/veil.h"
 #include "transport/path.h"
 
+namespace candelabra {
+
 /// What fog and rainbows make of the radiance that comes along the path's ray from so far, which
 /// may be infinite. Nothing where the path is not in the atmosphere.
 Veil veil_along(const World&, const PathState&, double distance);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// As camera_ray(), without a lens.
@@ -48,3 +50,5 @@ Ray middle_ray(const World& world, const PicturePoint& at) {
     const Place p = on_screen(at, {0.5, 0.5});
     return world.view.camera.mesh ? mesh_ray(world, at, p, 0) : pinhole_ray(world, p.u, p.v);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/random.h"
 #include "world/world.h"
 
+namespace candelabra {
+
 /// A pixel of a picture of some size.
 struct PicturePoint {
     int x, y, width, height;
@@ -19,3 +21,5 @@ Ray ray_through(const World&, const PicturePoint&, Vec2 place, const Key&);
 
 /// Through the middle of the pixel, and of a lens.
 Ray middle_ray(const World&, const PicturePoint&);
+
+}  // namespace candelabra

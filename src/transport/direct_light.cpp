@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -202,8 +204,8 @@ void DirectLight::meet_along(const LightTree& tree, const Vertex& vertex, const 
     met_.clear();
     tree.along(point.position, direction, [&](LightIndex light) {
         meetings_.clear();
-        meet(world_.lights.luminaires[light], point, direction, meetings_);
-        for (const LightMeeting& meeting : meetings_)
+        intersect(world_.lights.luminaires[light], point, direction, meetings_);
+        for (const LightHit& meeting : meetings_)
             // The point may lie on a luminaire, which does not light itself there.
             if (meeting.distance > vertex.tolerance()) met_.push_back({meeting, light});
     });
@@ -280,17 +282,17 @@ void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& 
         return;
     }
     meetings_.clear();
-    meet(luminaire, receiver(s), direction, meetings_);
-    for (const LightMeeting& meeting : meetings_)
+    intersect(luminaire, receiver(s), direction, meetings_);
+    for (const LightHit& meeting : meetings_)
         if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
             visit(meeting.density);
 }
 
 /// What a ray that is tried meets first.
-std::optional<LightSight> DirectLight::sight(const Ray& ray, double tolerance) const {
+std::optional<ProbeHit> DirectLight::sight(const Ray& ray, double tolerance) const {
     Hit hit;
     if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
-    LightSight result{
+    ProbeHit result{
         dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
     const LightIndex light = world_.lights.luminaire_of[hit.primitive];
     if (light != no_primitive) {
@@ -350,7 +352,7 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer
 /// Some of many. Sources have no surface that a direction could meet.
 Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer, const Key& key,
                                      LightLedger& ledger) {
-    const Key own = Key{key.pixel, key.sample, key.path * 31u + 5u, 0};
+    const Key own = key.branched(Branch::drawn_sources);
     const Receiver point = set.asked(receiver(layer.bsdf.shading()));
     const BsdfLobes lobes = layer.bsdf.lobes();
     const auto look = [&](const Ray& ray, double tolerance) {
@@ -374,12 +376,14 @@ Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer
 }
 
 /// The first thing on a ray that stops all light.
-std::optional<LightSight> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
-    std::optional<LightSight> seen;
+std::optional<ProbeHit> DirectLight::sight_past_clear(const Ray& ray, double tolerance) const {
+    std::optional<ProbeHit> seen;
     world_.along(ray, tolerance, RayKind::light, [&](const Hit& hit, double distance) {
         if (!world_.material(hit.primitive).stops_light()) return true;
-        seen = LightSight{distance, hit.normal, hit.tolerance, {}, 0};
+        seen = ProbeHit{distance, hit.normal, hit.tolerance, {}, 0};
         return false;
     });
     return seen;
 }
+
+}  // namespace candelabra

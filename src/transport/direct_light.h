@@ -12,6 +12,8 @@
 #include <optional>
 #include <vector>
 
+namespace candelabra {
+
 /// How many shadow rays hits get.
 struct ShadowRays {
     // NOLINTNEXTLINE(google-explicit-constructor): one number for all is the plain case
@@ -60,7 +62,7 @@ public:
 private:
     /// A point of a luminaire on a line, and the density of its direction by that luminaire.
     struct Met {
-        LightMeeting meeting;
+        LightHit meeting;
         LightIndex light;
     };
     struct Distance {
@@ -83,8 +85,8 @@ private:
     Vec3 from_direction(const Vec3&, const LightTree* meetings, const LitLayer&, const Key&,
                         LightLedger&, const Density&);
 
-    std::optional<LightSight> sight(const Ray&, double tolerance) const;
-    std::optional<LightSight> sight_past_clear(const Ray&, double tolerance) const;
+    std::optional<ProbeHit> sight(const Ray&, double tolerance) const;
+    std::optional<ProbeHit> sight_past_clear(const Ray&, double tolerance) const;
     template <class Visit>
     void for_densities(LightIndex, const Shading&, const Vec3& direction, const Distance&,
                        const Visit&);
@@ -110,6 +112,8 @@ private:
     HitNoise noise_;
     // Kept from hit to hit for their memory.
     LightSamples samples_;
-    LightMeetings meetings_;
+    LightHits meetings_;
     std::vector<Met> met_;  ///< along the line that is asked, nearest first
 };
+
+}  // namespace candelabra

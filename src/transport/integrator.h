@@ -10,6 +10,8 @@
 #include <utility>
 #include <variant>
 
+namespace candelabra {
+
 /// What every integrator can do. One for each job: it keeps scratch memory and counts rays.
 template <class T>
 concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&> &&
@@ -53,3 +55,5 @@ private:
 };
 static_assert(IntegratorKind<PovRayIntegrator> && IntegratorKind<PathTracedIntegrator> &&
               IntegratorKind<Integrator>);
+
+}  // namespace candelabra

@@ -2,9 +2,11 @@
 #include "transport/layer_stack.h"
 
 #include "scattering/mirror.h"
-#include "surface/simplified.h"
+#include "surface/quality.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& vertex,
                        std::span<const Layer> layers)
@@ -23,7 +25,8 @@ LayerStack::LayerStack(const World& world, const PathState& path, const Vertex& 
     // A negative share, which takes away what is behind, counts like a positive one.
     clear_ = std::abs(grey(behind_)) > world.rules.settings.adc_bailout &&
              world.rules.quality >= quality_pigments;
-    total_ = clear_ && interface_.bands == 0 && ::reflects_totally(top_, interface_.ratio);
+    total_ =
+        clear_ && interface_.bands == 0 && candelabra::reflects_totally(top_, interface_.ratio);
 }
 
 /// The share of light that a layer leaves to those below it.
@@ -55,3 +58,5 @@ Vec3 left_inside(const World& world, const PathState& path, const Hit& hit) {
         return Vec3(1);
     return attenuation(*interior, length(hit.position - path.ray.origin));
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 class LayerStack {
 public:
     /// Of a path that has met the vertex.
@@ -51,3 +53,5 @@ private:
 /// The share of light that a solid's inside leaves along the part of a path that ends at its
 /// surface.
 Vec3 left_inside(const World&, const PathState&, const Hit&);
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+namespace candelabra {
+
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
                  const Vec3& light) {
     if (ledger.lights.empty() || world.lights.luminaires.empty()) return;
@@ -15,3 +17,5 @@ void take_lights(LightLedger& ledger, FunctionRef<void(std::size_t statement, co
     for (std::size_t i = 0; i + 1 < ledger.lights.size(); ++i)
         use(i, std::exchange(ledger.lights[i].seen, Vec3(0)));
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace candelabra {
+
 /// What lights of one statement of the scene gave and cost.
 struct LightCount {
     ExactSum light;          ///< grey, that came from them to all hits and on to who looks at these
@@ -45,3 +47,5 @@ void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 /// The light of each of Provenance::light_statements in all samples since the last call. Lights
 /// must be counted.
 void take_lights(LightLedger&, FunctionRef<void(std::size_t statement, const Vec3&)> use);
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace candelabra {
+
 const Interior& innermost(const World& world, const MediaStack& media) {
     static const Interior atmosphere{.ior = 1};
     if (media.empty()) return atmosphere;
@@ -48,3 +50,5 @@ Interface interface_at(const World& world, const MediaStack& media, PrimitiveInd
         result.bands = (here.dispersion != 1 ? here : there).dispersion_samples;
     return result;
 }
+
+}  // namespace candelabra

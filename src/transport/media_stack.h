@@ -8,6 +8,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 /// By a primitive of each solid, in the order of entering.
 using MediaStack = EnteredSolids;
 
@@ -32,3 +34,5 @@ struct Interface {
 /// Of a ray in those solids that meets the primitive; `band`: its colour, when it has one.
 Interface interface_at(const World&, const MediaStack&, PrimitiveIndex,
                        const std::optional<SpectralBand>& band);
+
+}  // namespace candelabra

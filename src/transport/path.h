@@ -10,8 +10,7 @@
 #include <algorithm>
 #include <optional>
 
-/// How a path goes on.
-enum class Bounce : std::uint32_t { reflection, refraction, scattering, diffuse };
+namespace candelabra {
 
 struct PathState {
     Ray ray;               ///< its direction is a unit vector
@@ -43,10 +42,12 @@ struct PathState {
     }
 
     /// Goes on from a surface along the ray, one level deeper.
-    void go_on(const Ray& next, double least_distance, Bounce bounce) {
+    void go_on(const Ray& next, double min_distance, Branch branch) {
         ray = next;
-        tolerance = least_distance;
+        tolerance = min_distance;
         ++depth;
-        key = key.bounced(static_cast<std::uint32_t>(bounce));
+        key = key.branched(branch);
     }
 };
+
+}  // namespace candelabra

@@ -4,13 +4,15 @@
 #include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
-#include "surface/simplified.h"
+#include "surface/quality.h"
 #include "transport/atmosphere.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
+
+namespace candelabra {
 
 namespace {
 
@@ -195,7 +197,7 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
             const Vec3 direction = reflected_direction(way.shading);
             if (way.kind == Way::mirror)
                 path = path.dimmed(iridescence(way.shading, rules_, direction));
-            path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::reflection);
+            path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::reflection);
             path.kind = RayKind::reflected;
             path.counted = false;
             return path.depth < world_.rules.settings.max_trace_level;
@@ -233,7 +235,7 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
     // The density is side cosine / pi.
     const Vec3 answer = Bsdf(s, rules_).evaluate(direction, Lobes::diffuse, 0);
     path = path.dimmed(answer / (side * std::fmax(cosine, 1e-9)));
-    path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::diffuse);
+    path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);
     path.depth = 0;
     path.passed = 0;
     path.clear = 0;
@@ -251,7 +253,7 @@ bool PathTracedIntegrator::scatter_by_facets(const Shading& s, const Vertex& ver
                 {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
     if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return false;
     path = path.dimmed(drawn->weight);
-    path.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Bounce::scattering);
+    path.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
     path.kind = RayKind::reflected;
     path.counted = !drawn->narrow;
     return true;
@@ -270,7 +272,7 @@ bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
         ratio *= std::pow(surface.dispersion, path.band->power());
         if (reflects_totally(s, ratio)) {
             path.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(),
-                       Bounce::reflection);
+                       Branch::reflection);
             path.kind = RayKind::reflected;
             path.counted = false;
             return path.depth < world_.rules.settings.max_trace_level;
@@ -279,10 +281,12 @@ bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
     const bool straight = std::abs(ratio - 1) < 1e-10;
     const Vec3 direction = straight ? path.ray.direction : refracted_direction(s, ratio);
     const int depth = path.depth + (straight ? 0 : 1);
-    path.go_on({vertex.position(), direction}, vertex.tolerance(), Bounce::refraction);
+    path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::refraction);
     path.depth = depth;
     path.media = surface.behind;
     // As in POV-Ray, a ray that goes straight on needs a level that is left.
     return ++path.passed <= max_surfaces_along &&
            depth + (straight ? 1 : 0) < world_.rules.settings.max_trace_level;
 }
+
+}  // namespace candelabra

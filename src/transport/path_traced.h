@@ -9,6 +9,8 @@
 #include "transport/layer_stack.h"
 #include "transport/tracing.h"
 
+namespace candelabra {
+
 class PathTracedIntegrator {
 public:
     PathTracedIntegrator(const World&, const Tracing&);
@@ -49,3 +51,5 @@ private:
     bool clear_sky_;
     double clear_ = 0;
 };
+
+}  // namespace candelabra

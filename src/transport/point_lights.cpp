@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 /// As in POV-Ray, clear surfaces do not count that are no further than this, along the way of
@@ -145,9 +147,11 @@ private:
 
 Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
                   LightLedger& ledger) {
-    const Key own{key.pixel, key.sample, key.path * 31u + 7u * (light + 1), 0};
+    const Key own = key.branched(Branch::source, light);
     const Composite* window = world.lights.reach[light].window.get();
     return std::visit(
         [&](const auto& l) { return SourceLight(world, l, window, layer, own, ledger).seen(); },
         world.lights.sources[light]);
 }
+
+}  // namespace candelabra

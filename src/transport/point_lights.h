@@ -5,5 +5,9 @@
 
 #include "transport/direct_light.h"
 
+namespace candelabra {
+
 /// Radiance towards the viewer by a light of the world.
 Vec3 source_light(const World&, std::uint32_t light, const LitLayer&, const Key&, LightLedger&);
+
+}  // namespace candelabra

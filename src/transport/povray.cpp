@@ -4,7 +4,7 @@
 #include "scattering/microfacet.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
-#include "surface/simplified.h"
+#include "surface/quality.h"
 #include "transport/atmosphere.h"
 #include "transport/layer_stack.h"
 #include "transport/subsurface.h"
@@ -12,12 +12,14 @@
 #include <algorithm>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 /// The path that goes on as a mirror sends it; without its throughput.
 PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
     PathState next = path;
-    next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Bounce::reflection);
+    next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);
     next.kind = RayKind::reflected;
     next.counted = false;
     return next;
@@ -169,7 +171,7 @@ Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, co
                 {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
     if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return Vec3(0);
     PathState next = path.dimmed(drawn->weight);
-    next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Bounce::scattering);
+    next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
     next.weight = path.weight * weight * max_component(drawn->weight);
     next.kind = RayKind::reflected;
     next.counted = !drawn->narrow;
@@ -204,7 +206,7 @@ Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, 
     PathState next = path.dimmed(share);
     next.go_on(
         {vertex.position(), straight ? path.ray.direction : refracted_direction(s, surface.ratio)},
-        vertex.tolerance(), Bounce::refraction);
+        vertex.tolerance(), Branch::refraction);
     if (straight) next.depth = path.depth;
     next.passed = path.passed + 1;
     if (next.passed > max_surfaces_along) return Vec3(0);
@@ -213,3 +215,5 @@ Vec3 PovRayIntegrator::transmitted(const PathState& path, const Vertex& vertex, 
     ++ledger_.scattered;
     return share * follow(next);
 }
+
+}  // namespace candelabra

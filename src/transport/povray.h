@@ -9,6 +9,8 @@
 #include "transport/path.h"
 #include "transport/tracing.h"
 
+namespace candelabra {
+
 class PovRayIntegrator {
 public:
     PovRayIntegrator(const World& world, const Tracing&);
@@ -48,3 +50,5 @@ private:
     bool clear_sky_;
     double clear_ = 0;
 };
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "transport/vertex.h"
 
+namespace candelabra {
+
 PrimaryHit primary_hit(const World& world, const Ray& ray) {
     PrimaryHit seen;
     if (ray.direction == Vec3(0)) return seen;
@@ -36,3 +38,5 @@ const Texture* texture_at(const World& world, const PrimaryHit& seen) {
                              });
     return dominant;
 }
+
+}  // namespace candelabra

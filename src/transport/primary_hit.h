@@ -5,6 +5,8 @@
 
 #include "transport/camera_ray.h"
 
+namespace candelabra {
+
 struct PrimaryHit {
     bool met = false;  ///< otherwise all is 0
     Hit hit;
@@ -20,3 +22,5 @@ PrimaryHit primary_hit(const World&, const Ray&);
 
 /// The texture at a place of the surface that counts most there; null when nothing was met.
 const Texture* texture_at(const World&, const PrimaryHit&);
+
+}  // namespace candelabra

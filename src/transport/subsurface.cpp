@@ -2,26 +2,25 @@
 #include "transport/subsurface.h"
 
 #include "scattering/mirror.h"
-#include "surface/simplified.h"
+#include "surface/quality.h"
 #include "transport/point_lights.h"
 
 #include <cmath>
 #include <numbers>
 #include <optional>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
 
 /// Light whose share is smaller than this is asked for more seldom.
-constexpr double least_factor = 0.2;
+constexpr double min_factor = 0.2;
 
 /// The share of the samples asked for that gives POV-Ray's grain with that many: samples that are
 /// spread evenly say more. Measured on a flat surface with 30, 100 and 400 of them.
 constexpr double needed = 1.0 / 3;
-
-/// Kinds of bounces for keys; the tracer's own are smaller.
-enum SubsurfaceBounce : std::uint32_t { spread = 16, once = 17 };
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -51,9 +50,10 @@ public:
             return static_cast<int>(std::ceil(needed * samples * std::fmin(path.weight, 1)));
         };
         const double out = s_.opacity * (1 - fresnel(std::fmax(-dot(s_.view, s_.normal), 0), ior_));
-        return mean(count(wanted.samples), out * times_, path.key.bounced(spread),
+        return mean(count(wanted.samples), out * times_,
+                    path.key.branched(Branch::subsurface_spread),
                     [&](const Draw& d) { return spread_light(d); }) +
-               mean(count(wanted.single_samples), out, path.key.bounced(once),
+               mean(count(wanted.single_samples), out, path.key.branched(Branch::subsurface_once),
                     [&](const Draw& d) { return light_scattered_once(d); });
     }
 
@@ -186,7 +186,7 @@ private:
             Vec3 factor = dipole_.spread(dot(offset, offset)) / density(offset, hit->normal);
             const Key own = draw.key.with_branch(branch);
             // Of what hardly counts, some counts for all.
-            const double kept = std::fmin(1, max_component(factor) / least_factor);
+            const double kept = std::fmin(1, max_component(factor) / min_factor);
             if (!(uniform(own, Purpose::grain) < kept)) continue;
             factor /= kept;
             sum += factor * light_at(entry(*hit), draw.throughput * factor, own);
@@ -273,3 +273,5 @@ Vec3 light_from_inside(const World& world, DirectLight& lights, const LitLayer& 
                        const PathState& path, LightLedger& ledger) {
     return Inside(world, lights, layer, ledger).seen(path);
 }
+
+}  // namespace candelabra

@@ -8,9 +8,13 @@
 #include "transport/direct_light.h"
 #include "transport/path.h"
 
+namespace candelabra {
+
 /// Whether the layer's diffuse light comes from inside.
 bool scatters_inside(const World&, const Shading&);
 
 /// Radiance towards the viewer by light from inside the solid that the path has hit. The path's
 /// weight, the greatest change of the pixel by it, decides how many samples are taken.
 Vec3 light_from_inside(const World&, DirectLight&, const LitLayer&, const PathState&, LightLedger&);
+
+}  // namespace candelabra

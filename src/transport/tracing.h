@@ -4,8 +4,12 @@
 
 #include "transport/direct_light.h"
 
+namespace candelabra {
+
 struct Tracing {
     ShadowRays shadow_rays;      ///< at each hit
     bool counts_lights = false;  ///< one by one
     bool clear_sky = false;      ///< what is behind everything may be clear, as in POV-Ray's +UA
 };
+
+}  // namespace candelabra

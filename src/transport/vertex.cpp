@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/vertex.h"
 
+namespace candelabra {
+
 Vertex vertex_at(const World& world, const Ray& ray, const Hit& hit,
                  std::span<const PrimitiveIndex> around) {
     const auto facing = [&](const Vec3& n) { return dot(n, ray.direction) > 0 ? -n : n; };
@@ -58,3 +60,5 @@ void for_visible_layers(const World& world, const Vertex& vertex, double least,
                 [&](double weight, std::span<const Layer> layers) { use(share * weight, layers); });
         });
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 struct Vertex {
     Hit hit;
     Shading shading;  ///< what all layers have in common; the look of none of them
@@ -40,3 +42,5 @@ void for_visible_layers(const World&, const Vertex&, double least,
 /// Calls use(share, texture) for the textures that show at a hit.
 void for_visible_textures(const World&, const Hit&, bool from_inside,
                           FunctionRef<void(double, const Texture&)> use);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include "vocabulary/item_info.h"
 
+namespace candelabra {
+
 /// For fields that are kept elsewhere than in one member.
 struct NoMember {};
 
@@ -64,3 +66,5 @@ constexpr Field<T> maybe(Field<T> field) {
     field.may_be_left_out = true;
     return field;
 }
+
+}  // namespace candelabra

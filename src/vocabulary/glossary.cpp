@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 constexpr auto entries = std::to_array<GlossaryEntry>({
@@ -188,3 +190,5 @@ const GlossaryEntry* glossary_entry(std::string_view word) {
         entries, [&](const GlossaryEntry& entry) { return has_word(entry.words, word); });
     return found == entries.end() ? nullptr : &*found;
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+namespace candelabra {
+
 struct GlossaryEntry {
     std::string_view words;  ///< all that it explains, one blank between them
     std::string_view form;   ///< how they are written
@@ -16,3 +18,5 @@ std::span<const GlossaryEntry> glossary();
 
 /// The entry for a word, with or without its #; null when there is none.
 const GlossaryEntry* glossary_entry(std::string_view word);
+
+}  // namespace candelabra

@@ -18,6 +18,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 class Formula;
 
 /// Where a parameter stands in its block.
@@ -126,3 +128,5 @@ struct ItemInfo {
     NameId word;     ///< of the name, when it is reserved
     int positional;  ///< how many fields come without a word; they are the first ones
 };
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 
+namespace candelabra {
+
 namespace kinds_detail {
 
 template <class T>
@@ -94,3 +96,5 @@ private:
         return result;
     }
 };
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -382,3 +384,5 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
     }
     return result;
 }
+
+}  // namespace candelabra

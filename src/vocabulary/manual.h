@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 enum class ManualForm { text, roff, json };
 
 /// Items that belong together: all shapes, all patterns ...
@@ -56,9 +58,11 @@ std::string manual(std::span<const ItemGroup>, ManualForm);
 /// A list, in any form.
 std::string manual(std::span<const ManualEntry>, ManualForm);
 
-/// The text with whatever roff would take for a command made harmless.
+/// The text with whatever roff would take for a command made printable.
 std::string roff(std::string_view text);
 
 /// The text broken between words into lines of at most `width` characters, all but the first
 /// indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 80);
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include "base/transform.h"
 #include "vocabulary/field.h"
 
+namespace candelabra {
+
 /// Access to the parts in one list of an item, without their type.
 struct PartsInfo {
     const ItemInfo& (*info)();
@@ -80,3 +82,5 @@ constexpr auto loose_parts(std::string_view name, std::string_view help) {
     field.place = Placement::loose_part;
     return field;
 }
+
+}  // namespace candelabra

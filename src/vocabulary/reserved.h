@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 
+namespace candelabra {
+
 namespace reserved_detail {
 
 struct Group {
@@ -150,3 +152,5 @@ consteval NameId operator""_word(const char* spelling, std::size_t length) {
     if (found == no_name) throw "this is no reserved word";
     return found;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 template <class T, std::size_t N>
 struct Schema {
     std::string_view name;
@@ -190,3 +192,5 @@ template <class T, class Make>
 consteval ItemInfo described(Make) {
     return schema_detail::Access<T, Make>::info;
 }
+
+}  // namespace candelabra

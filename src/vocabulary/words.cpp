@@ -3,6 +3,8 @@
 
 #include "vocabulary/reserved.h"
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::uint32_t hash_of(std::string_view spelling) {
@@ -60,3 +62,5 @@ NameId Names::find(std::string_view spelling) const {
 WordClass Names::word_class(NameId id) const {
     return reserved(id) ? words[static_cast<std::size_t>(id)].word_class : WordClass::name;
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// What a spelling is to the grammar.
 enum class WordClass : std::uint8_t {
     name,              ///< not reserved: whatever a scene declares, and this language's own words
@@ -77,3 +79,5 @@ private:
         slots_;  ///< open addressing; a power of two, at most half full; 0: free, else id + 1
     std::deque<std::string> texts_;  ///< owns the spellings that are not reserved
 };
+
+}  // namespace candelabra

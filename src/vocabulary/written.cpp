@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string numbers(const double* at, std::size_t count) {
@@ -194,3 +196,5 @@ std::string written_fields(const ItemInfo& item, const void* object, WrittenLook
         all += message(all.empty() || part.empty() ? "" : " ", part);
     return all;
 }
+
+}  // namespace candelabra

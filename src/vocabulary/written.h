@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// The value as a scene would give it, numbers in the fewest digits that read back as the same.
 /// Equal components are written as one number, as the language allows. Nothing is written as "".
 std::string written(const FieldValue&, FieldType);
@@ -19,3 +21,5 @@ using WrittenLook = FunctionRef<std::string(int number)>;
 /// defaults, on one line. Parts in blocks have their textures only where `look` tells them.
 std::string written_fields(const ItemInfo&, const void* item);
 std::string written_fields(const ItemInfo&, const void* item, WrittenLook look);
+
+}  // namespace candelabra

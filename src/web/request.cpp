@@ -12,6 +12,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 constexpr std::string_view line_end = "\r\n", head_end = "\r\n\r\n";
@@ -218,3 +220,5 @@ std::string new_token() {
     }
     return token;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <variant>
 
+namespace candelabra {
+
 struct WebRequest {
     bool post = false;  ///< else GET
     std::string path;   ///< without the query: "/picture.png"
@@ -45,3 +47,5 @@ std::string sent_form(const WebAnswer&);
 
 /// A new token, of 32 characters that nobody guesses; empty when the system gives no chance.
 std::string new_token();
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <unistd.h>
 #include <cerrno>
 
+namespace candelabra {
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -210,3 +212,5 @@ void WebServer::serve() {
     Crowd crowd(socket_, limits_, key_, handler_);
     while (!ending_) crowd.turn();
 }
+
+}  // namespace candelabra

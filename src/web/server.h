@@ -11,6 +11,8 @@
 #include <functional>
 #include <thread>
 
+namespace candelabra {
+
 /// What the server puts up with.
 struct WebLimits {
     std::size_t connections = 64;  ///< beyond, the oldest gives way, first of the silent ones
@@ -43,3 +45,5 @@ private:
     std::atomic<bool> ending_ = false;
     std::thread thread_;
 };
+
+}  // namespace candelabra

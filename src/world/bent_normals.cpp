@@ -5,6 +5,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// Rays of all luminaires together, and of one: pairs in opposite directions.
@@ -26,7 +28,7 @@ constexpr double flat_doubt = 0.25, round_doubt = 1;
 constexpr double max_length = 0.48;
 
 double number(std::size_t light, std::size_t ray, std::uint32_t which) {
-    return uniform(Key{light, static_cast<std::uint32_t>(ray), which, 2},
+    return uniform(Key::of(Survey::bent_normals, light, static_cast<std::uint32_t>(ray), which),
                    Purpose::light_representative);
 }
 
@@ -121,3 +123,5 @@ void find_bent_normals(World& world, const std::optional<Vec3>& eye, int threads
             world.lights.luminaires[light].lean = bent_normal_of(world, light, eye, pairs);
     });
 }
+
+}  // namespace candelabra

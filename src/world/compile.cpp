@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "csg/assemble.h"
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
 #include "shape/leaf_pack.h"
 #include "shape/moved.h"
-#include "shape/stick.h"
-#include "solid/assemble.h"
-#include "surface/simplified.h"
+#include "shape/segment_bound.h"
+#include "surface/quality.h"
 #include "world/bent_normals.h"
 #include "world/flatten.h"
 #include "world/shutter.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -152,7 +154,7 @@ void map_brightness(World& world) {
     double faces = 0;
     for (const Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying) faces += static_cast<double>(face_count(luminaire.emitter));
-    const double cells = std::fmin(std::sqrt(max_points / (4 * faces)), Brightness::most_cells);
+    const double cells = std::fmin(std::sqrt(max_points / (4 * faces)), Brightness::max_cells);
     if (!(faces > 0 && cells >= min_cells)) return;
     for (Luminaire& luminaire : world.lights.luminaires)
         if (luminaire.varying && face_count(luminaire.emitter) > 0)
@@ -241,3 +243,5 @@ const World compile(Scene&& scene, const CompileOptions& options, Diagnostics& d
     if (shutter) add_shutter_samples(world, view, options, *shutter);
     return world;
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <functional>
 #include <optional>
 
+namespace candelabra {
+
 struct CompileOptions {
     int threads = 0;                            ///< 0: one per core; nothing depends on it
     std::optional<LightSampler> light_sampler;  ///< overrides the scene's
@@ -39,3 +41,5 @@ const World compile(Scene&&, const CompileOptions&, Diagnostics&, const ShutterS
 /// The same diagnostics at a fraction of the cost, for whoever only checks a scene: the world has
 /// its luminaires, and without lights its materials, but no ray can ask it.
 const World survey(const Scene&, Diagnostics&);
+
+}  // namespace candelabra

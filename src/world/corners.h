@@ -8,6 +8,8 @@
 
 #include <utility>
 
+namespace candelabra {
+
 inline TrianglePrimitive placed(const TrianglePrimitive& t, const Transform* transform) {
     return transform ? TrianglePrimitive{transform->point(t.corner1), transform->point(t.corner2),
                                          transform->point(t.corner3)}
@@ -68,3 +70,5 @@ struct MeshFace {
         std::swap(looks[1], looks[2]);
     }
 };
+
+}  // namespace candelabra

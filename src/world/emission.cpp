@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 bool emits_nothing(const Texture& texture) {
@@ -23,3 +25,5 @@ bool cannot_emit(const Object& object, const Handle<Texture>* inherited) {
         return group->lights.empty() && !group->children.empty() && none_emits(group->children);
     return own && emits_nothing(**own);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,10 @@
 
 #include "scene/scene.h"
 
+namespace candelabra {
+
 /// Whether no part of the object can emit light: false also where that takes a closer look.
 /// `inherited` is the texture of parts that have none of their own; null: none.
 bool cannot_emit(const Object&, const Handle<Texture>* inherited);
+
+}  // namespace candelabra

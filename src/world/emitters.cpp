@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// So many luminaires without a formula may take some time and memory.
@@ -103,3 +105,5 @@ void add_luminaires(World& world, std::span<const GlowingPrimitive> glowing, boo
                         "give it three corners that do not lie on one line, or leave it out"));
     }
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <span>
 
+namespace candelabra {
+
 struct GlowingPrimitive {
     PrimitiveKind kind;
     std::uint32_t index;      ///< among those of its kind
@@ -18,3 +20,5 @@ struct GlowingPrimitive {
 /// Fills WorldLights::luminaires and Provenance::statement_of_luminaire. What has no area is warned
 /// of. `guided`: those without a formula get their guides, which only rays need.
 void add_luminaires(World&, std::span<const GlowingPrimitive>, bool guided, Diagnostics&);
+
+}  // namespace candelabra

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/flatten.h"
 
-#include "solid/assemble.h"
-#include "solid/extent.h"
+#include "csg/assemble.h"
+#include "csg/extent.h"
 #include "text/message.h"
 #include "world/corners.h"
 #include "world/emission.h"
@@ -13,6 +13,8 @@
 #include "world/provenance.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -394,3 +396,5 @@ void flatten(const Scene& scene, World& world, Diagnostics& diagnostics, Flatten
     for (const ObjectHandle& object : scene.objects) flattener.add_statement(*object);
     flattener.finish();
 }
+
+}  // namespace candelabra

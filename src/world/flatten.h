@@ -6,6 +6,8 @@
 #include "text/diagnostic.h"
 #include "world/world.h"
 
+namespace candelabra {
+
 enum class Flatten {
     everything,
     luminaires,  ///< of other objects only their number and their materials
@@ -15,3 +17,5 @@ enum class Flatten {
 /// wanted.
 void flatten(const Scene&, World&, Diagnostics&, Flatten = Flatten::everything,
              bool remembers_objects = false);
+
+}  // namespace candelabra

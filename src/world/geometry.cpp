@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/geometry.h"
 
+namespace candelabra {
+
 PrimitiveIndex Geometry::primitive(PrimitiveKind kind, std::uint32_t index) const {
     switch (kind) {
         case PrimitiveKind::sphere:
@@ -32,6 +34,8 @@ Box Geometry::inside_bounds(std::uint32_t item) const {
     if (const PlacedComposite* placed = composite(item)) return placed->composite->inside_bounds();
     const PlacedShape* placed = shape(item);
     if (!placed) return bounds(item);
-    const Box box = ::inside_bounds(placed->shape);
+    const Box box = candelabra::inside_bounds(placed->shape);
     return placed->transform ? placed->transform->box(box) : box;
 }
+
+}  // namespace candelabra

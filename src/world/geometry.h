@@ -18,6 +18,8 @@
 #include <limits>
 #include <vector>
 
+namespace candelabra {
+
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = ~PrimitiveIndex{0};
 
@@ -173,3 +175,5 @@ struct Geometry {
     WideTree tree;             ///< of the other items
     ClearSolids clear_solids;  ///< empty unless the camera is parallel
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "base/short_list.h"
 #include "world/geometry.h"
 
+namespace candelabra {
+
 /// Where a ray met a surface.
 struct Hit {
     PrimitiveIndex primitive = no_primitive;
@@ -21,3 +23,5 @@ enum class RayKind { camera, reflected, light, gathering };
 
 /// What a ray is inside of, in the order of entering.
 using EnteredSolids = ShortList<PrimitiveIndex, 6>;
+
+}  // namespace candelabra

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/light_groups.h"
 
+namespace candelabra {
+
 // As in POV-Ray: the outermost group says whether global lights light what is in it, and a group in
 // another one has its own lights instead of those around it, or both if it comes by a declared
 // name.
@@ -14,3 +16,5 @@ bool opens_group(std::vector<LightGroup>& groups, const Union& group, Inherited&
         {named ? outer : 0, outer == 0 ? group.global_lights : groups[outer].global_lights});
     return true;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace candelabra {
+
 /// Objects that are lit by the same lights.
 struct LightGroup {
     std::uint32_t outer = 0;    ///< another group whose lights light it as well; 0: none
@@ -30,3 +32,5 @@ struct WorldLights {
     std::vector<SourceSet> source_sets;  ///< all sources
     std::vector<LightGroup> groups{1};   ///< the first stands for what is in none
 };
+
+}  // namespace candelabra

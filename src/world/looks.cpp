@@ -5,6 +5,8 @@
 #include "shape/uv.h"
 #include "world/world.h"
 
+namespace candelabra {
+
 namespace {
 
 std::array<Vec3, 3> corners(const TrianglePrimitive& t) {
@@ -96,12 +98,12 @@ void World::for_textures(PrimitiveIndex primitive, std::uint32_t part, const Vec
 Vec2 World::uv(PrimitiveIndex primitive, std::uint32_t part, const Vec3& point) const {
     using MaybeUv = std::optional<Vec2>;
     const auto of_placed = [&](const auto& placed) -> MaybeUv {
-        return ::uv(placed.shape, local(placed.transform, point), part);
+        return candelabra::uv(placed.shape, local(placed.transform, point), part);
     };
     const MaybeUv found = geometry.visit_primitive(
         primitive,
         [&](const SpherePrimitive& s) -> MaybeUv {
-            return ::uv(Sphere{s.centre, s.radius}, point, part);
+            return candelabra::uv(Sphere{s.centre, s.radius}, point, part);
         },
         [&](const TrianglePrimitive& face) -> MaybeUv {
             const std::array<Vec2, 3>* at = geometry.uvs_of_triangle(primitive);
@@ -148,3 +150,5 @@ Vec3 World::passed(const Hit& hit, const Ray& ray) const {
     const double t = dot(hit.position - ray.origin, ray.direction);
     return passed(Passage{t, hit.primitive, hit.normal, hit.part}, ray);
 }
+
+}  // namespace candelabra

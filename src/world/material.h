@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <vector>
 
+namespace candelabra {
+
 /// The look of some primitives and what they do to rays; many primitives share one.
 struct Material {
     Handle<Texture> texture;  ///< in world space; never null
@@ -49,3 +51,5 @@ struct Appearance {
     bool any_scattering = false;   ///< a finish has facets
     bool any_clear = false;        ///< shadow rays may pass through something
 };
+
+}  // namespace candelabra

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/materials.h"
 
-#include "surface/simplified.h"
+#include "surface/quality.h"
+
+namespace candelabra {
 
 namespace {
 
@@ -156,3 +158,5 @@ std::uint32_t Materials::of_parts(const Object& object, const Inherited& look,
     }
     return result;
 }
+
+}  // namespace candelabra

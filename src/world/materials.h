@@ -10,6 +10,8 @@
 #include <tuple>
 #include <unordered_map>
 
+namespace candelabra {
+
 /// Who does not see an object; or to whom this is said, or heeded.
 struct Hidden {
     bool no_shadow = false, no_image = false, no_reflection = false;
@@ -105,3 +107,5 @@ private:
     std::vector<Handle<Texture>> kept_textures_;
     std::map<std::pair<std::uint32_t, Face>, std::uint32_t> blended_;  ///< by mesh
 };
+
+}  // namespace candelabra

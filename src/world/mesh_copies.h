@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <unordered_map>
 
+namespace candelabra {
+
 /// Rays find triangles faster than what is behind a place of its own, but a whole copy takes hardly
 /// any memory: of a mesh with many copies only the first ones are taken apart.
 class MeshCopies {
@@ -27,3 +29,5 @@ private:
     std::size_t max_faces_;
     std::unordered_map<const Mesh*, std::size_t> faces_;  ///< of the copies up to now
 };
+
+}  // namespace candelabra

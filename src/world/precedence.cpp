@@ -3,6 +3,8 @@
 
 #include "shape/slabs.h"
 
+namespace candelabra {
+
 bool precedes(const Geometry& geometry, std::uint32_t item, std::uint32_t other, const Ray& ray) {
     constexpr double together = 1e-6;  // of a distance: more than boxes are too large
     const Slabs slabs(ray);
@@ -14,3 +16,5 @@ bool precedes(const Geometry& geometry, std::uint32_t item, std::uint32_t other,
         return here < there;
     return item < other;
 }
+
+}  // namespace candelabra

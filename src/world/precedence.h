@@ -8,7 +8,11 @@
 
 #include "world/geometry.h"
 
+namespace candelabra {
+
 /// Whether the ray meets an item before another one that it meets at the same distance.
 /// Precondition: neither is infinite. As in POV-Ray, the one whose box it enters first; of two that
 /// it enters together, and of two that it begins in, the one with the lower number.
 bool precedes(const Geometry&, std::uint32_t item, std::uint32_t other, const Ray&);
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 /// Which parts of the scene's text made what.
 struct Provenance {
     /// The statements of the scene that made luminaires and lights, and which one made each of
@@ -74,3 +76,5 @@ private:
     bool wanted_;
     std::array<std::vector<std::uint32_t>, 4> objects_;
 };
+
+}  // namespace candelabra

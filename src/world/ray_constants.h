@@ -8,6 +8,8 @@
 
 #include <optional>
 
+namespace candelabra {
+
 class RayConstants {
 public:
     explicit RayConstants(const Ray& ray) : ray_(ray) {}
@@ -28,3 +30,5 @@ private:
     std::optional<Slabs> slabs_;
     std::optional<ShearedRay> sheared_;
 };
+
+}  // namespace candelabra

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/review.h"
 
+#include "csg/extent.h"
+#include "csg/solid.h"
 #include "luminaire/luminaire.h"
-#include "solid/extent.h"
-#include "solid/solid.h"
 
 #include <algorithm>
+
+namespace candelabra {
 
 namespace {
 
@@ -149,3 +151,5 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                 "for it")
                             .with_help("global_settings { subsurface { } }"));
 }
+
+}  // namespace candelabra

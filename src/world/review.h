@@ -7,7 +7,11 @@
 #include "text/diagnostic.h"
 #include "world/world.h"
 
+namespace candelabra {
+
 /// Warns of a scene without a camera, without objects, or that nothing lights, of a camera that is
 /// in an object, and of finishes whose light below the surface the scene does not ask for; of the
 /// last only with a compiled world. The world is the scene's.
 void review(const Scene&, const World&, Diagnostics&);
+
+}  // namespace candelabra

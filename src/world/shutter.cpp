@@ -5,6 +5,8 @@
 #include <string>
 #include <tuple>
 
+namespace candelabra {
+
 void share_light_statements(World& world, const SourceStore& sources) {
     using Place = std::tuple<std::string, std::uint32_t, std::uint32_t>;
     std::map<Place, std::uint32_t> numbers;
@@ -30,3 +32,5 @@ void share_light_statements(World& world, const SourceStore& sources) {
     for (World& sample : world.shutter) sample.provenance.light_statements = all;
     world.provenance.light_statements = std::move(all);
 }
+
+}  // namespace candelabra

@@ -6,7 +6,11 @@
 #include "text/source.h"
 #include "world/world.h"
 
+namespace candelabra {
+
 /// Gives a world and its shutter samples one list of the statements that make lights: by file and
 /// place, in the order in which the samples have them. An included file is read anew for each
 /// sample, so sources are told apart by their names.
 void share_light_statements(World&, const SourceStore&);
+
+}  // namespace candelabra

@@ -2,13 +2,15 @@
 // What surrounds the surfaces of a world. Filled by compile().
 #pragma once
 
-#include "medium/fog.h"
 #include "backdrop/rainbow.h"
 #include "backdrop/sky_light.h"
 #include "backdrop/sky_sphere.h"
+#include "medium/fog.h"
 
 #include <optional>
 #include <vector>
+
+namespace candelabra {
 
 /// What rays meet where they meet no surface, and on their way.
 struct Sky {
@@ -18,3 +20,5 @@ struct Sky {
     std::vector<Rainbow> rainbows;
     SkyLight light;  ///< empty unless the sky is a luminaire
 };
+
+}  // namespace candelabra

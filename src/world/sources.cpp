@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 /// What no size is counted as, as a share of the room that the sources take.
@@ -128,3 +130,5 @@ std::vector<SourceSet> source_sets(std::span<const Light> lights,
     for (auto& [group, members] : groups) sets.add(group, std::move(members));
     return std::move(sets.result);
 }
+
+}  // namespace candelabra

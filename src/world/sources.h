@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 /// Up to so many sources that light the same objects are all asked: then they make no noise, and
 /// one sample a pixel is hardly dearer than the four that chosen ones take at least.
 inline constexpr std::size_t max_asked_sources = 128;
@@ -35,3 +37,5 @@ struct SourceSet {
 std::vector<SourceSet> source_sets(std::span<const Light> lights,
                                    std::span<const std::uint32_t> group_of, const LightSampler&,
                                    const LightScene&, std::size_t max_asked = max_asked_sources);
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <array>
 #include <bit>
 
+namespace candelabra {
+
 namespace {
 
 // Rounding errors of a hit grow with the coordinates and distances that it is computed from; this
@@ -351,8 +353,8 @@ Vec3 World::emission(PrimitiveIndex primitive, const Vec3& point) const {
     const PatternScene scene = pattern_scene(primitive, any_part, point);
     Vec3 sum(0);
     for_textures(primitive, any_part, point, [&](double weight, const Texture& texture) {
-        sum += weight * ::emission(texture, point, scene,
-                                   [&](const Colour& colour) { return opacity(colour); });
+        sum += weight * candelabra::emission(texture, point, scene,
+                                             [&](const Colour& colour) { return opacity(colour); });
     });
     return sum;
 }
@@ -389,3 +391,5 @@ double World::opacity(const Colour& colour) const {
         return 1 - colour.filter * max_component(colour.rgb) - colour.transmit;
     return colour.opacity();
 }
+
+}  // namespace candelabra

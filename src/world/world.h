@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+namespace candelabra {
+
 class RayConstants;
 
 /// From where the world is seen.
@@ -26,7 +28,7 @@ struct WorldView {
 struct Rules {
     GlobalSettings settings;
     double language_version = 3.7;
-    int quality = 9;  ///< see surface/simplified.h
+    int quality = 9;  ///< see surface/quality.h
 };
 
 /// Surfaces that a ray passes in a straight line: more are rounding errors, or too many to matter.
@@ -186,3 +188,5 @@ private:
     bool opaque_between(std::uint32_t item, RayConstants&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };
+
+}  // namespace candelabra

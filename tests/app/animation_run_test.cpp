@@ -15,6 +15,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -180,3 +182,5 @@ TEST_CASE("programs hear one progress of all frames, and each frame has its own 
     CHECK(std::count(heard.begin(), heard.end(), 100) == 1);
     for (const char* name : {"s1.json", "s2.json", "d1", "d2"}) CHECK(fs::exists(shell.path(name)));
 }
+
+}  // namespace candelabra

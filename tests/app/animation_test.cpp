@@ -7,6 +7,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 /// "1:0 2:0.5 3:1"
@@ -84,3 +86,5 @@ TEST_CASE("steps that lead beyond all numbers end", "[app]") {
     settings.initial_frame = settings.final_frame = 999'999'999;
     CHECK(frames(settings) == "999999999:0");
 }
+
+}  // namespace candelabra

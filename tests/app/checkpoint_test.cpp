@@ -7,6 +7,8 @@
 #include <fstream>
 #include <random>
 
+namespace candelabra {
+
 namespace {
 
 Checkpoint example() {
@@ -104,3 +106,5 @@ TEST_CASE("a state whose sums cannot be is refused, though its checksum is right
     CHECK_FALSE(readable([](PixelSum& p) { p.display_squared[2] = ~std::uint64_t{0}; }));
     std::filesystem::remove(path);
 }
+
+}  // namespace candelabra

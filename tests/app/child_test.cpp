@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("programs are found where the shell finds them", "[app]") {
     CHECK_FALSE(find_program("sh").empty());
     CHECK(find_program("no-such-program-here").empty());
@@ -25,3 +27,5 @@ TEST_CASE("any text is one word of the shell", "[app]") {
     CHECK(run_program({find_program("sh"), "-c", "[ " + shell_quoted(odd) + " = \"$0\" ]", odd}) ==
           0);
 }
+
+}  // namespace candelabra

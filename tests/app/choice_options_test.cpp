@@ -3,6 +3,8 @@
 
 #include "app/read_words.h"
 
+namespace candelabra {
+
 TEST_CASE("each light sampler, index and integrator can be chosen by its name") {
     for (std::size_t kind = 0; kind < Kinds<LightSampler>::count; ++kind) {
         const std::string name(Kinds<LightSampler>::infos[kind]->name);
@@ -24,3 +26,5 @@ TEST_CASE("names that there are not choose nothing") {
          {"--index=kdtree", "--index=", "--light-sampler=kd_tree", "--integrator=radiosity"})
         read({bad}, false);
 }
+
+}  // namespace candelabra

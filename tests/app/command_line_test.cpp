@@ -8,6 +8,8 @@
 
 #include <cstdlib>
 
+namespace candelabra {
+
 TEST_CASE("the command that makes a picture says what options come to", "[app]") {
     struct Case {
         std::vector<std::string_view> words;
@@ -56,3 +58,5 @@ TEST_CASE("a picture tells the command that makes it again", "[app]") {
     const std::size_t end = picture.find('\n', at), begin = at + sign.size();
     CHECK(make(picture.substr(begin, end - begin), "again") == picture);
 }
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 TEST_CASE("explanations are results; usage errors are not") {
     Shell shell;
@@ -384,3 +386,5 @@ TEST_CASE("every picture says what made it, as far as its format has room") {
         CHECK(read_picture(shell.path(name), diagnostics));  // the text is in nobody's way
     }
 }
+
+}  // namespace candelabra

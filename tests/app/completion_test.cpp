@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace candelabra {
+
 TEST_CASE("shells get every option that is offered, and nothing else") {
     struct Case {
         const char* shell;
@@ -49,3 +51,5 @@ TEST_CASE("bash completes options, scenes and folders") {
     }
     fs::remove_all(folder);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <sys/stat.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -161,3 +163,5 @@ TEST_CASE("what the user permits holds for INI files as well, wherever it is sai
     CHECK(Stranger::read({}, settings) != "");
     CHECK(Stranger::read({"+L/", "+O/tmp/x.png", "+I/etc/passwd"}) == "");
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "app/read_words.h"
 
+namespace candelabra {
+
 TEST_CASE("streams are switched one by one or together, and sent to files") {
     StreamSettings streams = read({"-GA", "+GDdebug.txt", "Warning_File=w.txt"}).streams;
     CHECK_FALSE(streams[Stream::fatal].shown);
@@ -29,3 +31,5 @@ TEST_CASE("commands have consequences by their letters") {
     read({"Post_Frame_Return=7"}, false);
     CHECK_FALSE(read({}).commands.any());
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+namespace candelabra {
+
 TEST_CASE("errors are said as text or as JSON") {
     std::string heard;
     Console console;
@@ -31,3 +33,5 @@ TEST_CASE("a reader who has read enough is no error, and a full disk is one") {
     CHECK(said("sh -c 'sleep 0.3; " CANDELABRA_BINARY " --help'").empty());
     CHECK(has(said("sh -c '" CANDELABRA_BINARY " --help > /dev/full'"), "cannot write"));
 }
+
+}  // namespace candelabra

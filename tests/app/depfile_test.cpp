@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a rule names all files once, as make reads them") {
     CHECK(depfile("a b.png", {{"s.pov", "1"}, {"x/$y#.inc", "2"}, {"s.pov", "3"}, {"-", "4"}}) ==
           "a\\ b.png: \\\n  s.pov \\\n  x/$$y\\#.inc\n");
@@ -19,3 +21,5 @@ TEST_CASE("the rule of --depfile is written beside the picture") {
     CHECK(shell.content("a.d") == shell.path("a.png") + ": \\\n  " + shell.path("s.pov") +
                                       " \\\n  " + shell.path("part.inc") + "\n");
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+namespace candelabra {
+
 using Json = nlohmann::json;
 
 TEST_CASE("a diagnostic's facts as JSON", "[app]") {
@@ -42,3 +44,5 @@ TEST_CASE("what has no place and no meaning in UTF-8 can be said, too", "[app]")
     CHECK(json["message"].get<std::string>().ends_with(" is ignored"));
     CHECK(Json::parse(debug_to_json("a\n"))["message"] == "a\n");
 }
+
+}  // namespace candelabra

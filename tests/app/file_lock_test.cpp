@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 TEST_CASE("one run at a time makes a file, and leaves no lock behind") {
     namespace fs = std::filesystem;
     const fs::path folder =
@@ -26,3 +28,5 @@ TEST_CASE("one run at a time makes a file, and leaves no lock behind") {
     CHECK_FALSE(FileLock("").taken());
     fs::remove_all(folder);
 }
+
+}  // namespace candelabra

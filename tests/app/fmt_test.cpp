@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("files are laid out in place, or only named") {
     Shell shell;
     shell.write("a.pov", "union {\nA\n}\n");
@@ -30,3 +32,5 @@ TEST_CASE("files that cannot be read or have mistakes are left alone, and the ot
     CHECK(has(shell.err, "cannot be read"));
     CHECK(shell({"fmt", "--what"}) == exit_status::usage);
 }
+
+}  // namespace candelabra

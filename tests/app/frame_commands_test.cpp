@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("commands are told the picture's facts") {
     Diagnostics diagnostics;
     const Options options = read_options(
@@ -23,3 +25,5 @@ TEST_CASE("without commands the work's status is the picture's") {
     CHECK(failed.status == 3);
     CHECK(failed.ends);
 }
+
+}  // namespace candelabra

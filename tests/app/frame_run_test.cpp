@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("a frame that reads a picture that is being made is not rendered") {
     CHECK(later.render());
     CHECK(later.finish() == exit_status::done);
 }
+
+}  // namespace candelabra

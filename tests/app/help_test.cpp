@@ -18,6 +18,8 @@
 #include <iterator>
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 const std::string stdlib = CANDELABRA_SOURCE_DIR "/stdlib";
@@ -165,3 +167,5 @@ TEST_CASE("--help and the manual of scenes know every word, file and macro") {
     }
     for (const char* each : {"#fopen", "#read", "#write", "#fclose"}) CHECK(has(page, each));
 }
+
+}  // namespace candelabra

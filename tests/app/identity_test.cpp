@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what differs between two pictures has a name") {
     const std::vector<ReadFile> files = {{"/x/a.pov", "1"}, {"b.inc", "2"}};
     Options options;
@@ -59,3 +61,5 @@ TEST_CASE("a picture says what it was made from, without folders") {
     }
     CHECK(text.find("/home") == std::string::npos);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::size_t count(const std::string& text, std::string_view part) {
@@ -39,3 +41,5 @@ TEST_CASE("a slice of the index shows the cells in it, as the camera sees them",
 TEST_CASE("a world without anything to find has nothing to draw", "[app]") {
     CHECK(count(index_slice(world_of("plane { y, 0 }")), "<rect") == 0);
 }
+
+}  // namespace candelabra

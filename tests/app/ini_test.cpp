@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr const char* file =
@@ -63,3 +65,5 @@ TEST_CASE("names of INI files may have a section", "[app]") {
     CHECK_FALSE(ini_name(".ini"));
     CHECK_FALSE(ini_name("a]"));
 }
+
+}  // namespace candelabra

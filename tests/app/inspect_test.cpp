@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::string scene = R"(#version 3.7;
@@ -85,3 +87,5 @@ TEST_CASE("layers can be looked at, each in a way that a screen shows", "[app]")
     CHECK(colour("samples", 0, 0).x == 1);
     CHECK_FALSE(view(shown, "nothing like it"));
 }
+
+}  // namespace candelabra

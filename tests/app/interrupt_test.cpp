@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what one rendering is asked, all of them are asked", "[app]") {
     Interrupt asked = Interrupt::none;
     bool listening = false;
@@ -37,3 +39,5 @@ TEST_CASE("where nobody can ask, nobody is asked", "[app]") {
     CHECK_FALSE(shared.for_one().take);
     CHECK_FALSE(shared.for_one().listening);
 }
+
+}  // namespace candelabra

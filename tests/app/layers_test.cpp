@@ -12,6 +12,8 @@
 #include <cmath>
 #include <set>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -170,3 +172,5 @@ TEST_CASE("pictures with alpha are not multiplied by it, unless they are OpenEXR
     CHECK(shell({shell.path("half.pov"), "+UA", "+O" + shell.path("a.jpg")}) == 2);
     CHECK(has(shell.err, "a file of format jpg has no alpha channel"));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a library file says what its macros do") {
     const LibraryFile file = library_file("lamps.inc", R"(// SPDX-License-Identifier: CC0-1.0
 // Lamps of all
@@ -49,3 +51,5 @@ TEST_CASE("the guide has the include files in order") {
     CHECK(library_guide("/no/such/folder").empty());
     CHECK(library_guide("").empty());
 }
+
+}  // namespace candelabra

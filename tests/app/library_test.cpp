@@ -10,6 +10,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("the standard library lies beside an installed program, or where one says") {
@@ -55,3 +57,5 @@ TEST_CASE("the settings of everybody come from the file that a variable names", 
           folder / "home/.config/candelabra/candelabra.ini");
     fs::current_path(before);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::string ten_lights = R"(#version 3.7;
@@ -51,3 +53,5 @@ TEST_CASE("lights are counted only when that is asked for", "[app]") {
     settings.width = settings.height = 4;
     CHECK(render(world_of(ten_lights), settings).rays.lights.empty());
 }
+
+}  // namespace candelabra

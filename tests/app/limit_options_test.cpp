@@ -6,6 +6,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 TEST_CASE("each limit has its option, and bounds", "[app]") {
     const Limits limits = read({"--limit-steps=11", "--limit-depth=12", "--limit-nesting=13",
                                 "--limit-objects=14", "--limit-includes=15", "--limit-files=16",
@@ -82,3 +84,5 @@ TEST_CASE("limits are raised with the stack that they need") {
     CHECK(options.limits.steps == Limits().steps);
     CHECK(diagnostics.error_count() == 1);
 }
+
+}  // namespace candelabra

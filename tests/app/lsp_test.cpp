@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 /// A pipe whose far end is written to by the test.
@@ -77,3 +79,5 @@ TEST_CASE("a whole conversation goes through the streams") {
     closed.close();
     CHECK(run_lsp(closed.ends[0], console) == exit_status::usage);
 }
+
+}  // namespace candelabra

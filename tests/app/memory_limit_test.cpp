@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdio>
 
+namespace candelabra {
+
 namespace {
 
 /// What the program says about a scene; its exit status at the end.
@@ -90,3 +92,5 @@ TEST_CASE("the older groups of control are known", "[app]") {
     folder.put("sys/fs/cgroup/memory/a/memory.stat", "cache 1\ntotal_cache 200000\n");
     CHECK(usual_memory_limit(folder / "") == 600'000);
 }
+
+}  // namespace candelabra

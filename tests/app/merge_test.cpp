@@ -7,6 +7,8 @@
 
 #include <random>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -118,3 +120,5 @@ TEST_CASE("options that mean nothing to merge are not passed over in silence") {
     CHECK(farm.merge({"1of2", "2of2"}, {"-V", "+FN16", "+O" + farm.path("b.png")}) == 0);
     CHECK(farm.err.empty());
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a scene becomes a mesh in a file, which scenes can read") {
     Shell shell;
     shell.write("a.pov",
@@ -51,3 +53,5 @@ TEST_CASE("the ending of a mesh's file says its format") {
     CHECK(has(shell.err, "a mesh is written as PLY or OBJ"));
     CHECK(shell.content("a.stl").empty());
 }
+
+}  // namespace candelabra

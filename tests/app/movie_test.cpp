@@ -8,6 +8,8 @@
 
 #include <filesystem>
 
+namespace candelabra {
+
 TEST_CASE("frames are listed with their time, quotes in names and all", "[app]") {
     CHECK(movie_list({"/a/x1.png", "/a/it's.png"}, 25) ==
           "ffconcat version 1.0\nfile '/a/x1.png'\nduration 0.04\nfile '/a/it'\\''s.png'\n"
@@ -46,3 +48,5 @@ TEST_CASE("films are made whole, and kinds that are none are refused before the 
     CHECK(shell.content("f.xyz") == "kept");
     CHECK(diagnostics.failed());
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 TEST_CASE("a number is all of a text or nothing") {
     struct Case {
         const char* text;
@@ -90,3 +92,5 @@ TEST_CASE("settings of whole numbers have both bounds", "[app]") {
     read({"Frame_Step=1e300"}, false);
     CHECK(read({"+STP1000000000"}).animation.frame_step == 1'000'000'000);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <array>
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("no switch, keyword or word stands in the table twice, and every row leads somewhere") {
     std::set<std::string_view> letters, keywords, words;
     for (const OptionRow& row : option_table()) {
@@ -165,3 +167,5 @@ TEST_CASE("every switch and keyword of POV-Ray has a meaning or a one-line answe
             CHECK(said.find(each.answer) != said.npos);
         }
 }
+
+}  // namespace candelabra

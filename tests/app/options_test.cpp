@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -353,3 +355,5 @@ TEST_CASE("all options together are lines of an INI file", "[app]") {
     CHECK_FALSE(options_of({"+GIa.ini", "-GI"}).ini_file);
     CHECK_FALSE(options_of({"+GIa.ini", "Create_Ini=off"}).ini_file);
 }
+
+}  // namespace candelabra

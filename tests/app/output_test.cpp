@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Output of(std::string scene, std::string output = {}, std::optional<PictureType> type = {}) {
@@ -112,3 +114,5 @@ TEST_CASE("a name that a stranger has chosen leads nowhere else", "[app]") {
     CHECK(problem_with_output(options, folder / "a.png").find("is a link") != std::string::npos);
     CHECK(problem_with_output(options, folder / "victim.png") == "");
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <sys/wait.h>
 
+namespace candelabra {
+
 TEST_CASE("the preview shows a picture, an error after a change, and the picture again") {
     if (std::system("command -v python3 > /dev/null") != 0) return;
     const Shell shell;
@@ -117,3 +119,5 @@ assert run.wait(20) == 0
                                 " " CANDELABRA_BINARY " " + shell.path("moving.pov");
     CHECK(std::system(command.c_str()) == 0);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "app/read_words.h"
 
+namespace candelabra {
+
 TEST_CASE("times and sizes have units") {
     CHECK(read({"--time", "90"}).time == 90.0);
     CHECK(read({"--time", "1.5m"}).time == 90.0);
@@ -27,3 +29,5 @@ TEST_CASE("parts of a picture are numbers or fractions; states and shards are sw
     CHECK(options.shard_by == ShardBy::tiles);
     CHECK(options.render.noise == 0.02);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 struct Listener {
@@ -120,3 +122,5 @@ TEST_CASE("programs read how far it is") {
     progress.finish();
     CHECK(heard == "openjd_progress: 25\nopenjd_progress: 100\n");
 }
+
+}  // namespace candelabra

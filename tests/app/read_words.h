@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 inline Options read(std::vector<std::string_view> words, bool good = true) {
     Diagnostics diagnostics;
     Options options = read_options(words, diagnostics);
@@ -16,3 +18,5 @@ inline Options read(std::vector<std::string_view> words, bool good = true) {
     CHECK(diagnostics.failed() == !good);
     return options;
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("rows and columns count from 1, or are fractions") {
     Options options;
     options.render.width = 200;
@@ -24,3 +26,5 @@ TEST_CASE("rows and columns count from 1, or are fractions") {
     options.start_row = 101;
     CHECK(region_of(options).top == 100);
 }
+
+}  // namespace candelabra

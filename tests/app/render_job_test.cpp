@@ -12,6 +12,8 @@
 #include <random>
 #include <thread>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -114,3 +116,5 @@ TEST_CASE("what a state says of wanted samples is bounded by what a run would wa
     CHECK(shell(arguments) == 0);
     CHECK(shell.content("a.png") == whole);
 }
+
+}  // namespace candelabra

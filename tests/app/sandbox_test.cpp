@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 /// What a confined process finds: whether each of these goes. The tests' own process stays free.
@@ -151,3 +153,5 @@ TEST_CASE("a run may touch its scene, its library and the folders of what it mak
     CHECK(sandbox_rules(options, "").sockets);
     CHECK(sandbox_rules(options, "").programs);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("a part of the picture is rendered as the whole one has it") {
@@ -87,3 +89,5 @@ TEST_CASE("a shutter that stays open blurs what the clock moves") {
     CHECK(grey(2) == 0);
     CHECK(grey(3) == 0);
 }
+
+}  // namespace candelabra

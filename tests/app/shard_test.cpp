@@ -5,6 +5,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 TEST_CASE("a shard is given, or comes from a job array") {
     using Variables = std::map<std::string, std::string>;
     struct Case {
@@ -61,3 +63,5 @@ TEST_CASE("shards are as equal as can be and leave nothing out") {
             }
         }
 }
+
+}  // namespace candelabra

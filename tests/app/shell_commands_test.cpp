@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("commands are told what they are about, safely") {
     const CommandFacts facts{"a b's.png", "scene", 7, 0.25, 640, 480};
     CHECK(filled_in("convert %o -size %wx%h %s-%n@%k 100%% %q%", facts) ==
@@ -97,3 +99,5 @@ TEST_CASE("what a command answers decides how the run goes on") {
         CHECK(log == each.log);
     }
 }
+
+}  // namespace candelabra

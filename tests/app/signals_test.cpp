@@ -9,6 +9,8 @@
 
 #include <sys/wait.h>
 
+namespace candelabra {
+
 TEST_CASE("SIGUSR1 writes the state, SIGTERM, SIGINT and SIGHUP end the program with it") {
     for (const char* signal : {"TERM", "INT", "HUP"}) {
         const Shell shell;
@@ -27,3 +29,5 @@ TEST_CASE("SIGUSR1 writes the state, SIGTERM, SIGINT and SIGHUP end the program 
         CHECK(shell.content("a.png").empty());
     }
 }
+
+}  // namespace candelabra

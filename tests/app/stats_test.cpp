@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the statistics hold everything under its name") {
     RunStatistics run;
     run.parse = {1, 2};
@@ -90,3 +92,5 @@ TEST_CASE("clocks run forward and memory is used") {
     CHECK(passed.cpu_seconds > 0);
     CHECK(peak_memory_bytes() > 100000);
 }
+
+}  // namespace candelabra

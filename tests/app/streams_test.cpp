@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what is said goes to the console, to files, or both") {
     Folder folder;
     std::string said;
@@ -51,3 +53,5 @@ TEST_CASE("POV-Ray's switches for its consoles sort what a run says") {
     CHECK(has(shell.content("all.txt"), "rays"));
     CHECK(with({"+GF" + shell.path("none/x.txt")}) == exit_status::file);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the report tells what a world is made of") {
     Texture glow;
     glow.pigment.colour.rgb = Vec3(1);
@@ -26,3 +28,5 @@ TEST_CASE("the report tells what a world is made of") {
     CHECK(text.find("1 infinite\n") != std::string::npos);
     CHECK(text.find("index: kd_tree, ") != std::string::npos);
 }
+
+}  // namespace candelabra

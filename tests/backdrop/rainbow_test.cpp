@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// A band of one colour from 39 to 45 degrees around z.
@@ -61,3 +63,5 @@ TEST_CASE("jitter mixes colours, distance and transmit thin the band", "[backdro
     CHECK(veil_of(std::span(&bow, 1), ray, 10, 0.5).through(Vec3(1)).y == Approx(std::exp(-1)));
     CHECK(veil_of(std::span(&bow, 1), ray, 0, 0.5).through(Vec3(1)).y == 1);
 }
+
+}  // namespace candelabra

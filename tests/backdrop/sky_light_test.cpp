@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -61,3 +63,5 @@ TEST_CASE("directions are drawn where the sky is bright, without bias", "[backdr
     CHECK(bright > 0.5 * count);
     CHECK(light / count == Approx(4 * pi * (0.01 * 200 + 0.99)).epsilon(0.02));
 }
+
+}  // namespace candelabra

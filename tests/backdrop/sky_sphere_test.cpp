@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the pigments of a sky lie over each other and the background", "[backdrop]") {
     SkySphere sky;
     Pigment below, above;
@@ -19,3 +21,5 @@ TEST_CASE("the pigments of a sky lie over each other and the background", "[back
     sky.emission = Vec3(0);
     CHECK(radiance(sky, Vec3(0, 0, 1), Vec3(0), {}, false) == Vec3(0));
 }
+
+}  // namespace candelabra

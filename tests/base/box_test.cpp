@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a box is empty until something is joined to it", "[base]") {
     const Box nothing;
     CHECK(nothing.empty());
@@ -51,3 +53,5 @@ TEST_CASE("a box is finite unless a side is away beyond all scenes", "[base]") {
     CHECK_FALSE(finite(Box{Vec3(-1), Vec3(1, 1, std::numeric_limits<double>::infinity())}));
     CHECK_FALSE(finite(Box{}));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("sRGB codes of linear values", "[base]") {
     const std::vector<std::pair<double, double>> table = {
         {0, 0}, {0.002, 0.02584},   {0.2140411405, 0.5}, {0.0508760844, 0.25},
@@ -27,3 +29,5 @@ TEST_CASE("what passes through a colour", "[base]") {
     CHECK(grey(Vec3(1, 0.5, 0)) == Approx(0.5915));
     CHECK(grey(Vec3(1)) == Approx(1));
 }
+
+}  // namespace candelabra

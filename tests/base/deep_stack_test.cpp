@@ -5,6 +5,8 @@
 
 #include <new>
 
+namespace candelabra {
+
 namespace {
 
 std::size_t depth_of(std::size_t depth) {
@@ -47,3 +49,5 @@ TEST_CASE("what is thrown on a deep stack comes out of it", "[base]") {
     const auto fails = [](std::size_t) { throw std::bad_alloc(); };
     CHECK_THROWS_AS(on_deep_stack(std::size_t{64} << 20, fails), std::bad_alloc);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 struct Unknown;
@@ -85,3 +87,5 @@ TEST_CASE("a handle may forget its type", "[base]") {
     CHECK(any.get() == nullptr);
     CHECK(text.alone());
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("pixels are stored row by row from the top, black at first", "[base]") {
     Image image(3, 2);
     REQUIRE(image.pixels.size() == 6);
@@ -11,3 +13,5 @@ TEST_CASE("pixels are stored row by row from the top, black at first", "[base]")
     CHECK(image.pixels[4] == Vec3(1, 2, 3));
     CHECK(Image().pixels.empty());
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("functions are loaded from libraries, or it is said why not", "[base]") {
     const LoadedFunction cosine = load_function("libm.so.6", "cos");
     REQUIRE(cosine.address);
@@ -15,3 +17,5 @@ TEST_CASE("functions are loaded from libraries, or it is said why not", "[base]"
         CHECK_FALSE(none.problem.empty());
     }
 }
+
+}  // namespace candelabra

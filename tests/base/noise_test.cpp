@@ -7,6 +7,8 @@
 #include <array>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 struct Scalar {
@@ -161,3 +163,5 @@ TEST_CASE("cells have POV-Ray's hashes and random numbers", "[noise]") {
     const std::array<double, 4> first = {0.81472369, 0.13547700, 0.90579193, 0.83500859};
     for (std::size_t i = 0; i < first.size(); ++i) CHECK(table[i] == Approx(first[i]).margin(1e-8));
 }
+
+}  // namespace candelabra

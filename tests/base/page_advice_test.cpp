@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("memory keeps its contents when it goes to huge pages", "[base]") {
     std::vector<int> numbers(5 << 20);
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -44,3 +46,5 @@ TEST_CASE("what was freed between things in use goes back to the system", "[base
     CHECK(blocks[512] == std::vector<char>(2000, 'x'));
 }
 #endif
+
+}  // namespace candelabra

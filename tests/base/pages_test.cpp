@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+namespace candelabra {
+
 TEST_CASE("blocks of pages lie at multiples of their size and can be written", "[base]") {
     const bool all = GENERATE(false, true);
     void* const one = new_pages(all);
@@ -18,3 +20,5 @@ TEST_CASE("blocks of pages lie at multiples of their size and can be written", "
     free_pages(one);
     free_pages(other);
 }
+
+}  // namespace candelabra

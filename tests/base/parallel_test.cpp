@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("each job runs once, for any number of threads", "[base]") {
     for (const int threads : {0, 1, 2, 7})
         for (const std::size_t count : {0u, 1u, 1000u}) {
@@ -29,3 +31,5 @@ TEST_CASE("both are run once, also from within each other", "[base]") {
         CHECK(runs == std::vector<int>(4, 1));
     }
 }
+
+}  // namespace candelabra

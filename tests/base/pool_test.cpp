@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 /// Counts how many of it there are.
@@ -44,3 +46,5 @@ TEST_CASE("a pool that has made nothing holds nothing", "[base]") {
     CHECK(*one == std::vector{5, 5});
     CHECK(*other == std::vector{4});
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("the mixer is the finaliser of SplitMix64", "[base]") {
     // The first values of the generator with seed 0: the state grows by the same constant each
     // time.
@@ -34,8 +36,8 @@ TEST_CASE("bounces of different kinds and depths have different keys", "[base]")
         std::vector<Key> next;
         for (const Key& key : level) {
             CHECK(seen.insert(uniform(key, Purpose::light_u)).second);
-            next.push_back(key.bounced(0));
-            next.push_back(key.bounced(1));
+            next.push_back(key.branched(Branch::reflection));
+            next.push_back(key.branched(Branch::refraction));
         }
         level = next;
     }
@@ -91,3 +93,5 @@ TEST_CASE("choice and place of a sample are independent", "[base]") {
     }
     CHECK(std::abs(product / count) < 5 / (12 * std::sqrt(count)));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a ray is clipped to a box", "[base]") {
     const Box box{Vec3(-1, -2, -3), Vec3(1, 2, 3)};
     struct Row {
@@ -49,3 +51,5 @@ TEST_CASE("crossings keep their order beyond what fits in place", "[base]") {
         CHECK(found.empty());
     }
 }
+
+}  // namespace candelabra

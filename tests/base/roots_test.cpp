@@ -7,6 +7,8 @@
 
 #include <complex>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<double> multiplied(const std::vector<double>& a, const std::vector<double>& b) {
@@ -155,3 +157,5 @@ TEST_CASE("known signs at the ends decide whether the number of roots is odd", "
     REQUIRE(late.size() == 3);
     CHECK(late[2] == 1);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("copies share a value until one of them is edited", "[base]") {
     Shared<std::vector<int>> first(std::vector<int>{1, 2, 3});
     Shared<std::vector<int>> second = first;
@@ -17,3 +19,5 @@ TEST_CASE("copies share a value until one of them is edited", "[base]") {
     CHECK(&*second == place);
     CHECK(Shared<std::vector<int>>()->empty());
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 using Kind = Spline::Kind;
@@ -96,3 +98,5 @@ TEST_CASE("what is not a number is answered with the beginning", "[base]") {
         CHECK(s.at(std::nan(""))[0] == s.at(-1e300)[0]);
     }
 }
+
+}  // namespace candelabra

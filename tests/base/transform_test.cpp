@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Maps of every kind, alone and combined.
@@ -119,3 +121,5 @@ TEST_CASE("similarities know their scale", "[base]") {
     };
     for (const auto& [map, scale] : table) CHECK(map.uniform_scale() == Approx(scale));
 }
+
+}  // namespace candelabra

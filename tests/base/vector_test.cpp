@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("unit vectors have length 1, and zero stays zero", "[base]") {
     CHECK(unit(Vec3(0, -3, 4)) == Vec3(0, -0.6, 0.8));
     CHECK(unit(Vec3(0)) == Vec3(0));
@@ -31,3 +33,5 @@ TEST_CASE("perpendiculars make a right-handed frame for every direction", "[base
         CHECK(length(b) == Approx(1).epsilon(1e-15));
     }
 }
+
+}  // namespace candelabra

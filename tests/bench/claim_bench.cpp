@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <numeric>
 
+using namespace candelabra;
+
 namespace {
 
 const std::string flakes = "examples/paper/fig6.pov", city = "examples/gallery/city.pov";

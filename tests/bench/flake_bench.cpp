@@ -15,6 +15,8 @@
 #include <cstring>
 #include <random>
 
+using namespace candelabra;
+
 namespace {
 
 struct Ball {
@@ -58,7 +60,7 @@ Box bounds(const Ball& b) { return {b.centre - Vec3(b.radius), b.centre + Vec3(b
 
 /// Nearest crossing in the range, from the point of the ray closest to the centre; infinite when
 /// there is none.
-inline double meet(const Ball& b, const Ray& ray, const Interval& range) {
+inline double intersect(const Ball& b, const Ray& ray, const Interval& range) {
     const Vec3 to = b.centre - ray.origin;
     const double along = dot(to, ray.direction);
     const Vec3 off = to - along * ray.direction;
@@ -79,7 +81,7 @@ Hit first_hit(const WideTree& tree, const std::vector<Ball>& balls, const Ray& r
     PackRay packed(ray);
     tree.traverse(ray, {0, far_away}, [&](const TreeLeaf& leaf, Interval& range) {
         return packed.candidates(leaf, range, [&](std::uint32_t item) {
-            const double t = meet(balls[item], ray, range);
+            const double t = intersect(balls[item], ray, range);
             if (t < range.max) {
                 range.max = t;
                 hit = {t, item};
@@ -95,7 +97,7 @@ bool blocked(const WideTree& tree, const std::vector<Ball>& balls, const Ray& ra
     PackRay packed(ray);
     return tree.traverse_likely(ray, {0, distance}, [&](const TreeLeaf& leaf, Interval& range) {
         return packed.blocked(leaf, range, [&](std::uint32_t item) {
-            return meet(balls[item], ray, range) < range.max;
+            return intersect(balls[item], ray, range) < range.max;
         });
     });
 }

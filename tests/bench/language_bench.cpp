@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+using namespace candelabra;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,7 +110,7 @@ std::optional<double> povray_parse(const fs::path& scene) {
 }
 
 /// POV-Ray's clock is too coarse for less.
-constexpr double least_compared = 0.02;
+constexpr double min_compared = 0.02;
 
 void compare(const fs::path& folder) {
     std::vector<fs::path> scenes;
@@ -125,7 +127,7 @@ void compare(const fs::path& folder) {
         std::printf("| `%s` | ", scene.stem().c_str());
         std::printf(ours.good ? "%.3f | %.4f | " : "fails | | ", ours.cpu_seconds, parsing);
         std::printf(theirs ? "%.3f | " : "fails | ", theirs.value_or(0));
-        if (ours.good && theirs && *theirs >= least_compared) {
+        if (ours.good && theirs && *theirs >= min_compared) {
             const double ratio = *theirs / parsing;
             std::printf("%.1f |\n", ratio);
             logarithms += std::log(ratio);

@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cstdio>
 
+using namespace candelabra;
+
 namespace {
 
 const std::vector<Strategy>& usual() {

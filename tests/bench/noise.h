@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Strategy {
@@ -76,3 +78,5 @@ inline LightBvh pair() {
     result.mis = true;
     return result;
 }
+
+}  // namespace candelabra

@@ -22,6 +22,8 @@
 #include <limits>
 #include <vector>
 
+namespace candelabra {
+
 inline constexpr double far_away = std::numeric_limits<double>::infinity();
 
 struct Segment {
@@ -218,3 +220,5 @@ private:
     RTCScene scene_ = rtcNewScene(device_);
 };
 #endif
+
+}  // namespace candelabra

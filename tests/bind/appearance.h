@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 /// A sphere with this behind its radius, of which nothing is said.
 inline Script sphere_with(const std::string& text, const std::string& before = {}) {
     Script done = run("#version 3.7; " + before + " sphere { 0, 1 " + text + " }");
@@ -13,3 +15,5 @@ inline Script sphere_with(const std::string& text, const std::string& before = {
     REQUIRE(done.text.empty());
     return done;
 }
+
+}  // namespace candelabra

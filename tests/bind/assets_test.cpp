@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a height field takes its heights from a function", "[bind]") {
     const Script done = run("#version 3.7; height_field { function 3, 2 { x/2 + y/4 } smooth }");
     REQUIRE(done.text.empty());
@@ -62,3 +64,5 @@ TEST_CASE("values of an isosurface that cannot be meant are the usual ones", "[b
     const Script done = run("#version 3.7; " + start + "accuracy 0 }");
     CHECK(done.shape<Shared<Isosurface>>()->accuracy == Isosurface().accuracy);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a sky has pigments, the last one counts of several", "[bind]") {
     const Script done =
         run("#version 3.7; #declare S = sky_sphere { pigment { rgb 1 } pigment { bozo } scale 2 } "
@@ -33,3 +35,5 @@ TEST_CASE("fogs add up", "[bind]") {
           "error degenerate: `up` of `fog` must not be zero");
     CHECK(complaint("sky_sphere { }") == "error missing: `sky_sphere` needs a pigment");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct Case {
@@ -83,3 +85,5 @@ TEST_CASE("each wrong value is told of once, with place and rule", "[bind]") {
     }));
     CHECK(complaint(script) == expected);
 }
+
+}  // namespace candelabra

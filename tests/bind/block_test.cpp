@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what follows from a hole is not told of", "[bind]") {
     CHECK(run("#version 3.7; sphere { Nothing, 1 }").said.size() == 1);
     CHECK(run("#version 3.7; #declare A = torus { 0, x } object { A translate x } union { A A }")
@@ -17,3 +19,5 @@ TEST_CASE("what follows from a hole is not told of", "[bind]") {
 TEST_CASE("a word without effect is told of at its first place only", "[bind]") {
     CHECK(run("#version 3.7; sphere { 0, 1 sturm } sphere { 0, 1 sturm }").said.size() == 1);
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 /// What is in the braces of each block that is a value, or that a scene holds.
@@ -132,3 +134,5 @@ TEST_CASE("what is a default can be set", "[bind]") {
         CHECK(run("#version 3.7; #default { " + sample(row.word) + " }").text.empty());
     }
 }
+
+}  // namespace candelabra

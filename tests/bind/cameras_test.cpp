@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 using std::numbers::pi;
 
 TEST_CASE("a camera has its type and its words", "[bind]") {
@@ -99,3 +101,5 @@ TEST_CASE("a shutter has its time and its moments", "[bind]") {
     CHECK(done.view().moments == 12);
     CHECK(run("#version 3.7; camera { shutter 0.5 }").view().moments == 8);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what cuts an object and what bounds it are kept apart", "[bind]") {
     const Script done =
         run("#version 3.7; sphere { 0, 2 clipped_by { plane { x, 0 } plane { y, 0 } } "
@@ -20,3 +22,5 @@ TEST_CASE("what cannot cut an object is told of once", "[bind]") {
     CHECK(complaint("sphere { 0, 2 clipped_by { 3 } }").starts_with("error"));
     CHECK(complaint("sphere { 0, 2 bounded_by { pigment { rgb 1 } } }").starts_with("error"));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 ColourMap map_of(const std::string& entries) {
@@ -31,3 +33,5 @@ TEST_CASE("values are kept in single precision", "[bind]") {
 }
 
 TEST_CASE("a declared map can be used", "[bind]") { CHECK(map_of("M").size() == 2); }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct Parsed {
@@ -78,3 +80,5 @@ TEST_CASE("names may be allowed, and are then told", "[bind]") {
     const Parsed call("texture { T scale F(2) }");
     CHECK_FALSE(is_constant_but_names(call.tree, call.tree.first, names));
 }
+
+}  // namespace candelabra

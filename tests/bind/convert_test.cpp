@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a rule reads like a sentence", "[bind]") {
     CHECK(rule(above(0)) == "above 0");
     CHECK(rule(at_least(0)) == "at least 0");
@@ -54,3 +56,5 @@ TEST_CASE("numbers that surely fit a field are set, others left to the long way"
     CHECK_FALSE(set_fitting(info, &sphere, 1, Numbers::scalar(-1)));
     CHECK((sphere.centre == Vec3(1, 2, 0) && sphere.radius == 4));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The colour of the numbered part of the scene's only object at a point.
@@ -68,3 +70,5 @@ TEST_CASE("cutaway_textures belongs to what cuts", "[bind]") {
     const Script done = run("#version 3.7; union { sphere { 0, 1 } cutaway_textures }");
     REQUIRE(done.said.size() == 1);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a scene is what its text says, in order", "[bind]") {
     const Script done =
         run("#version 3.7; camera { location -z } light_source { y, 1 } #for (I, 1, 3) torus { "
@@ -146,3 +148,5 @@ TEST_CASE("directives go on with the values of an object", "[bind]") {
     REQUIRE(done.object().transform);
     CHECK(done.object().transform->point(done.shape<Sphere>().centre) == Vec3(1, 2, 0));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Finish finish_of(const std::string& text) {
@@ -88,3 +90,5 @@ TEST_CASE("wrong finishes are told of once", "[bind]") {
           "error misplaced: what is declared must come first: it would replace all that is before "
           "it in `finish`");
 }
+
+}  // namespace candelabra

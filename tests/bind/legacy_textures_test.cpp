@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Script old_sphere(const std::string& texture) {
@@ -71,3 +73,5 @@ TEST_CASE("a number that no word of an old texture waits for is its grain", "[bi
     CHECK(complaint("sphere { 0, 1 pigment { bozo turbulence 0.4 0.2 } }") ==
           "error wrong-count: `turbulence` takes one vector, and a vector stands in `< >`");
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <regex>
 
+namespace candelabra {
+
 namespace {
 
 const PointLight& light(const Script& done, std::size_t i = 0) {
@@ -116,3 +118,5 @@ TEST_CASE("a light source may be a declared object with lights in it", "[bind]")
     CHECK(complaint("#declare S = sphere { 0, 1 } light_source { S fade_power 2 }") ==
           "error misplaced: `fade_power` has no place in `light_source`");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("mesh2 reads its lists", "[bind]") {
     const Script done =
         run("#version 3.7; mesh2 { vertex_vectors { 3, 0, x, <0, 1> } normal_vectors { 1, z } "
@@ -77,3 +79,5 @@ TEST_CASE("wrong lists are told of once", "[bind]") {
           "error wrong-type: an entry of `face_indices` must be a vector of 3, but it is a string");
     CHECK(complaint(head + "face_indices { 1, <0, 1, 3> } }").rfind("error degenerate: ", 0) == 0);
 }
+
+}  // namespace candelabra

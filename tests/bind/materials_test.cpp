@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a material is a texture with an interior", "[bind]") {
     const Script done =
         sphere_with("material { M scale 3 }",
@@ -33,3 +35,5 @@ TEST_CASE("inner textures lie on each other, also on that of a declared material
                             "#declare M = material { texture { } interior_texture { } }"))
               ->below);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a memo makes a thing again only from another base", "[bind]") {
     Memo<int> memo;
     int calls = 0;
@@ -66,3 +68,5 @@ TEST_CASE("a warning about an element that comes again is given once", "[bind]")
         "box { 0, 1 Flat() } #end");
     CHECK(done.said.size() == 1);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct MisplacedCase {
@@ -46,3 +48,5 @@ TEST_CASE("words of blocks are known, those of what is not available are not", "
     for (const std::string_view word : {"media", "photons", "nothing"})
         CHECK_FALSE(known_in_blocks(word));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Mesh& mesh_of(const Script& done) { return *done.shape<Shared<Mesh>>(); }
@@ -129,3 +131,5 @@ TEST_CASE("what does not become a mesh is told", "[bind]") {
     CHECK(complaint("mesh { }") == "error degenerate: a `mesh` needs a triangle");
     CHECK(complaint("mesh { convex_hull { \"a\" } }").starts_with("error wrong-type"));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string printed_of_points(const std::string& script) {
@@ -55,3 +57,5 @@ TEST_CASE("what cannot be scattered or divided is told", "[bind]") {
     CHECK(printed_of_points("#declare A = scatter(3, 1);") ==
           "error: `scatter` takes a declared object here, but this is a number");
 }
+
+}  // namespace candelabra

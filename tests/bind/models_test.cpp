@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<std::size_t> rows(const std::vector<ObjectHandle>& list) {
@@ -51,3 +53,5 @@ TEST_CASE("a row that is declared stays as it is", "[bind]") {
     for (const ObjectHandle& object : scene.objects)
         CHECK(std::holds_alternative<Union>(object->form));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Bump bump_of(const std::string& text) {
@@ -106,3 +108,5 @@ TEST_CASE("wrong normals are told of once", "[bind]") {
     INFO(text);
     CHECK(normal_complaint(text) == expected);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a declared object that is moved shares what it holds", "[bind]") {
     const Script done =
         run("#version 3.7; #declare U = union { sphere { 0, 1 } sphere { x, 1 } } "
@@ -45,3 +47,5 @@ TEST_CASE("what is given before a transform moves with it, what is given after d
     CHECK(done.texture(2).pigment.transform.point(Vec3(0)) == Vec3(2, 0, 0));
     CHECK(done.object(2).transform->point(Vec3(0)) == Vec3(2, 0, 0));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string printed_of_object(const std::string& script) {
@@ -61,3 +63,5 @@ TEST_CASE("the tables of functions are in order, and complete together", "[bind]
         CHECK_FALSE(function.help.empty());
     }
 }
+
+}  // namespace candelabra

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/objects.h"
 
-#include "solid/extent.h"
+#include "csg/extent.h"
 #include "support/script.h"
 #include "support/scripts.h"
 #include "text/message.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
+
+namespace candelabra {
 
 TEST_CASE("every shape can be written, declared, and copied", "[bind]") {
     const std::string shape = GENERATE(values<std::string>(
@@ -169,3 +171,5 @@ TEST_CASE("the sign of a radius does not count, and what has none is left out") 
                                     RayKind::camera, hit));
     }
 }
+
+}  // namespace candelabra

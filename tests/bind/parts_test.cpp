@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("parts of a shape come in blocks of their own", "[bind]") {
     const Script done = run(R"(#version 3.7;
         blob { threshold 0.5 sphere { x, 2, 3 } cylinder { 0, y, 1, strength 2 }
@@ -46,3 +48,5 @@ TEST_CASE("textures of parts are dumped, and read back as the same", "[bind]") {
     CHECK(again.text.empty());
     CHECK(dump(again.scene) == once);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "support/scripts.h"
 #include "surface/pigment_map.h"
 
+namespace candelabra {
+
 namespace {
 
 std::string pattern_complaint(const std::string& text) {
@@ -139,3 +141,5 @@ TEST_CASE("an object is a pattern, and the list stands in its braces", "[bind]")
           Vec3(0, 1, 0));
     CHECK(world.appearance.materials[2].texture->choice);
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 
 #include <filesystem>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,3 +159,5 @@ TEST_CASE("the ending of a picture's name may be left out", "[bind]") {
         CHECK(said(bad).find("there is no file") != std::string::npos);
     }
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Pigment pigment_of(const std::string& text) {
@@ -149,3 +151,5 @@ TEST_CASE("entries of average weigh 1 when they have no number", "[bind]") {
     CHECK(map[0].value == 1);
     CHECK(map[1].value == 3);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("an object without a texture gets the default one at its end", "[bind]") {
     const Script done =
         run("#version 3.7; sphere { 0, 1 } #default { pigment { rgb <1, 0, 0> } } sphere { x, 1 } "
@@ -30,3 +32,5 @@ TEST_CASE("the last camera counts", "[bind]") {
     CHECK(done.scene.camera_given);
     CHECK(done.view().location == Vec3(0, 0, -7));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("global settings add up", "[bind]") {
     const Script done =
         run("#version 3.7; global_settings { max_trace_level 7 ambient_light rgb 0.5 } "
@@ -108,3 +110,5 @@ TEST_CASE("assumed_gamma may be the curve of sRGB", "[bind]") {
     CHECK(done.scene.settings.assumed_gamma < 0);
     CHECK(done.scene.settings.max_trace_level == 7);
 }
+
+}  // namespace candelabra

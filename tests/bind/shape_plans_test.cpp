@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr const char* start =
@@ -130,3 +132,5 @@ TEST_CASE("values that do not fit are reported wherever the loop stands", "[bind
     INFO(body);
     CHECK_THAT(evaluated(looped(body, 9)).diagnostics, Catch::Contains(said));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("triangles of a mesh have a texture, or three", "[bind]") {
     const Script done = run(R"(#version 3.7;
         #declare Red = texture { pigment { rgb x } }
@@ -29,3 +31,5 @@ TEST_CASE("a list of textures has as many as it says", "[bind]") {
     CHECK(complaint("mesh2 { vertex_vectors { 3, 0, x, y } texture_list { } }") ==
           "error wrong-count: `texture_list` needs a count");
 }
+
+}  // namespace candelabra

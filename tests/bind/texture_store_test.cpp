@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 TEST_CASE("equal plain textures are one", "[bind]") {
     TextureStore store;
     Texture red;
@@ -63,3 +65,5 @@ TEST_CASE("a loop that writes the same texture each time makes one", "[bind]") {
     REQUIRE(done.scene.objects.size() == 3);
     CHECK(done.object(0).texture == done.object(2).texture);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a texture starts from the default one", "[bind]") {
     const Script done = sphere_with("texture { finish { ambient 1 } }",
                                     "#default { pigment { rgb 1 } finish { diffuse 0.1 } }");
@@ -126,3 +128,5 @@ TEST_CASE("no_bump_scale may stand anywhere in a texture", "[bind]") {
           "warning no-effect: `no_bump_scale` has no effect in a texture that chooses by a "
           "pattern");
 }
+
+}  // namespace candelabra

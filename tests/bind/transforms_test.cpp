@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Vec3 image_of(const std::string& modifiers, const Vec3& point) {
@@ -52,3 +54,5 @@ TEST_CASE("transforms that cannot be are told of", "[bind]") {
     CHECK(complaint("sphere { 0, 1 transform { rotat x } }") ==
           "error unknown-word: `transform` has no word `rotat`");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// What the help says to write instead; "nothing" when nothing is wrong.
@@ -32,3 +34,5 @@ TEST_CASE("a vector without its brackets is shown with them", "[bind]") {
     }));
     CHECK(advice(script) == help);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// What Variable::find says of the block that is the third element of a file.
@@ -81,3 +83,5 @@ TEST_CASE("what differs is computed, unless it is unusual", "[bind]") {
         CHECK_FALSE(Finding(block, 2).variation);
     }
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 bool near(const Vec3& a, const Vec3& b) { return length(a - b) < 1e-12; }
@@ -141,7 +143,7 @@ TEST_CASE("a blurred pixel gets rays until its mean is known", "[camera]") {
     Perspective camera;
     camera.aperture = 1;
     camera.blur_samples = 10;
-    camera.most_blur_samples = 50;
+    camera.max_blur_samples = 50;
     camera.variance = 0.01;
     const BlurRule rule = projection(camera).blur;
     CHECK(rule.allowed(9) < 0);
@@ -176,7 +178,7 @@ TEST_CASE("the least number of rays follows from the greatest", "[camera]") {
     CHECK(least(6) == 4);
     CHECK(least(7) == 7);
     CHECK(least(200) == 7);
-    camera.most_blur_samples = 300;
+    camera.max_blur_samples = 300;
     CHECK(least(20) == 20);
 }
 
@@ -196,3 +198,5 @@ TEST_CASE("parallel rays with an angle see as much as others do at what is looke
     around.angle = 0;
     CHECK(projection(around).angle == Approx(projection(SphericalCamera()).angle));
 }
+
+}  // namespace candelabra

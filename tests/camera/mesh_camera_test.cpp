@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Faces in a row along x, each a right angle of two sides of 3; u and v are those of the corners
@@ -74,3 +76,5 @@ TEST_CASE("distribution 3 finds the face by u and v", "[camera]") {
     CHECK(close(MeshLens(rays, 0, false).ray({0, 0, 9, 9, 0, 4.0 / 9, 1.0 / 9}).direction,
                 Vec3(0, 0, -1)));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The light octree as the paper has it.
@@ -280,3 +282,5 @@ TEMPLATE_LIST_TEST_CASE("a strategy does not depend on the number of threads tha
         }
     }
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The same world, where each ray asks all primitives.
@@ -176,3 +178,5 @@ TEST_CASE("the same with millions of rays", "[.long]") {
     agree(BoundingBoxes(), 300'000);
     keep_tight(50'000);
 }
+
+}  // namespace candelabra

@@ -5,13 +5,15 @@
 #include "render/render.h"
 
 #include "support/scripts.h"
-#include "surface/simplified.h"
+#include "surface/quality.h"
 #include "world/compile.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+
+namespace candelabra {
 
 TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
     std::ifstream file(CANDELABRA_SOURCE_DIR "/tests/conformance/povray.json");
@@ -43,3 +45,5 @@ TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
                 }
     }
 }
+
+}  // namespace candelabra

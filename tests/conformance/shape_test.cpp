@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Solids are bounded and entered as often as they are left; the others are half spaces or have no
@@ -456,3 +458,5 @@ TEMPLATE_LIST_TEST_CASE("no shape is crossed by a ray without direction", "[shap
     for (const T& shape : instances<T>())
         CHECK(hits(ready(shape), Ray{Vec3(0.1, 0.2, 0.3), Vec3(0)}).empty());
 }
+
+}  // namespace candelabra

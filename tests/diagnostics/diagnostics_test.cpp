@@ -13,6 +13,8 @@
 #include <set>
 #include <sstream>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -100,3 +102,5 @@ TEST_CASE("every fault that a scene can have is among them", "[diagnostics]") {
         for (const Fault fault : said_about(scene).faults) missing.erase(fault);
     for (const Fault fault : missing) FAIL_CHECK(name(fault) << " is never reported");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 const std::string camera = "camera { location <0, 0, -5> look_at 0 } ";
@@ -65,3 +67,5 @@ TEST_CASE("each warning has a name, which switches it", "[diagnostics]") {
         CHECK(warned(shell, scene->second, name, {"--warn", "none," + name}));
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+namespace candelabra {
+
 namespace {
 
 struct Checked {
@@ -55,3 +57,5 @@ TEST_CASE("a check that takes much memory is ended, and says so") {
     REQUIRE(found.size() == 1);
     CHECK(found[0]["message"].get<std::string>().find("memory") != std::string::npos);
 }
+
+}  // namespace candelabra

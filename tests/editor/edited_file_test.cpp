@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string declared(const std::string& text) {
@@ -52,3 +54,5 @@ TEST_CASE("a file knows its comments, its includes and the token at a place") {
     CHECK(file.token_at(sphere + 6)->first == sphere);
     CHECK(file.token_at(2) == nullptr);
 }
+
+}  // namespace candelabra

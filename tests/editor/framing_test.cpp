@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string framed(const std::string& text) {
@@ -80,3 +82,5 @@ TEST_CASE("a message that is too long is passed over, and takes no memory") {
     CHECK(skipped->text.empty());
     CHECK(framing.take()->text == "next");
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "support/edited.h"
 
+namespace candelabra {
+
 namespace {
 
 std::string hovering(const std::string& text) {
@@ -41,3 +43,5 @@ TEST_CASE("the blocks around a place are told from those that have ended") {
         names += std::string(edited.workspace.names().spelling(each)) + " ";
     CHECK(names == "finish texture union ");
 }
+
+}  // namespace candelabra

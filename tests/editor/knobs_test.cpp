@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("documented names can be turned") {
     const auto found = knobs(
         "#ifndef (Height) #declare Height = 2; #end  // 0 to 5 by 0.5: how tall it is\n"
@@ -26,3 +28,5 @@ TEST_CASE("what is not in the form is left alone") {
         CHECK(knobs(scene).empty());
     }
 }
+
+}  // namespace candelabra

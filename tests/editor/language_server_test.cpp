@@ -3,6 +3,8 @@
 
 #include "support/folder.h"
 
+namespace candelabra {
+
 namespace {
 
 /// An editor with one file.
@@ -217,3 +219,5 @@ TEST_CASE("the editor says goodbye in two steps") {
     other.tell("exit", nullptr);
     CHECK(other.server.ended_well());
 }
+
+}  // namespace candelabra

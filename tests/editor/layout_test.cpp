@@ -8,6 +8,8 @@
 
 #include <filesystem>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("texts are laid out") {
@@ -81,3 +83,5 @@ TEST_CASE("laying out the library and the examples changes no token, and nothing
         }
     CHECK(count > 60);
 }
+
+}  // namespace candelabra

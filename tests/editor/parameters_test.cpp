@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr const char* content = "ab\ncd";
@@ -93,3 +95,5 @@ TEST_CASE("changes are whole texts") {
         CHECK_FALSE(as_change(bad).empty());
     }
 }
+
+}  // namespace candelabra

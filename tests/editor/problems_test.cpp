@@ -3,6 +3,8 @@
 
 #include "support/edited.h"
 
+namespace candelabra {
+
 namespace {
 
 std::map<std::string, std::vector<Json>> found(Edited& edited) {
@@ -38,3 +40,5 @@ TEST_CASE("a problem in a file that is not open is shown where an open one leads
     CHECK(all.at(edited.path).empty());
     CHECK(all.at(edited.folder / "b.inc").size() == 1);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("files have URIs") {
     const std::string path = "/a b/ä%.pov";
     CHECK(uri_of(path) == "file:///a%20b/%C3%A4%25.pov");
@@ -40,3 +42,5 @@ TEST_CASE("brackets are counted before a message is parsed") {
     CHECK(nests_deeper(std::string(200'000, '['), 64));
     CHECK_FALSE(nests_deeper("\"\\", 1));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "support/edited.h"
 
+namespace candelabra {
+
 namespace {
 
 /// How many places change, or why none does.
@@ -34,3 +36,5 @@ TEST_CASE("mentions are places in files") {
     CHECK(found[1].path == edited.path);
     CHECK(mentions(edited.workspace, edited.path, 0).empty());
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "support/edited.h"
 
+namespace candelabra {
+
 namespace {
 
 std::string first_message(Edited& edited) {
@@ -39,3 +41,5 @@ TEST_CASE("a loop without end ends with a message") {
     Edited edited("#while (true) #end");
     CHECK(first_message(edited).find("passes of loops") != std::string::npos);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// Where the text is among the suggestions at the sign |; -1: nowhere.
@@ -46,3 +48,5 @@ TEST_CASE("locals of other files are not suggested") {
             names += each.text + " ";
     CHECK(names == "M ");
 }
+
+}  // namespace candelabra

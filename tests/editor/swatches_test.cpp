@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("colours in numbers have a swatch, and can be replaced") {
     struct Case {
         std::string_view text, written;
@@ -30,3 +32,5 @@ TEST_CASE("colours in numbers have a swatch, and can be replaced") {
     CHECK(swatches(none, names).empty());
     CHECK_FALSE(recoloured(none, names, {0, 3}, Vec3(0)));
 }
+
+}  // namespace candelabra

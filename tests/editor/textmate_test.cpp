@@ -6,6 +6,8 @@
 
 #include <regex>
 
+namespace candelabra {
+
 namespace {
 
 /// The scope that the grammar gives the first word of a line that is no comment or string; patterns
@@ -48,3 +50,5 @@ TEST_CASE("each class of words has its colour") {
         CHECK(scope_of(each.line) == each.scope);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 std::string names_of(const std::vector<FileHandle>& files) {
@@ -65,3 +67,5 @@ TEST_CASE("of several declarations the nearest above comes first") {
         places.push_back(each.declaration->place.first);
     CHECK(places == std::vector<std::uint32_t>{25, 9, 43, 9});
 }
+
+}  // namespace candelabra

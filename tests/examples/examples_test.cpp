@@ -10,6 +10,8 @@
 
 #include <filesystem>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("every example renders", "[examples]") {
@@ -66,3 +68,5 @@ TEST_CASE("the paper's flakes have its numbers of spheres and luminaires", "[exa
     CHECK(luminaires({{"Luminaires", 1.0}}) == 1);
     CHECK(luminaires({{"Depth", 5.0}}) == 66430);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 void fill(PixelSum& pixel, double a, double b) {
@@ -25,3 +27,5 @@ TEST_CASE("a pixel gets more samples when its neighbours differ, whatever its ow
     CHECK(samples_to_add(film, 0, 0, rule) == 0);
     CHECK(samples_to_add(film, 4, 4, rule) == 0);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// In the middle row.
@@ -53,7 +55,7 @@ TEST_CASE("smooth parts of a picture take one ray a pixel", "[render]") {
 
 TEST_CASE("what is clear counts where a picture has an alpha channel", "[render]") {
     const Contrast contrast = contrast_of(rows(3), 1);
-    const Shown black = contrast.shown(Vec3(0), 0);
+    const DisplayValue black = contrast.shown(Vec3(0), 0);
     CHECK(contrast.between(black, contrast.shown(Vec3(0), 0.31)));
     CHECK_FALSE(contrast.between(black, contrast.shown(Vec3(0), 0.29)));
 }
@@ -73,11 +75,11 @@ TEST_CASE("a pixel is compared with what the one before it has become", "[render
     for (const auto& [first, all, expected] : rows_of) {
         CAPTURE(expected);
         std::string got = "0000";
-        const auto value = [](double v) { return Shown{Vec3(v), 0}; };
+        const auto value = [](double v) { return DisplayValue{Vec3(v), 0}; };
         const auto first_of = [&](int x, int) {
             return value(x < 10 ? first[0] : first[static_cast<std::size_t>(x) - 10]);
         };
-        const auto all_of = [&](int x, int y) -> std::optional<Shown> {
+        const auto all_of = [&](int x, int y) -> std::optional<DisplayValue> {
             CHECK(y == 5);
             const auto i = static_cast<std::size_t>(x) - 10;
             got[i] = '1';
@@ -86,7 +88,7 @@ TEST_CASE("a pixel is compared with what the one before it has become", "[render
         // The row above is as the first rays are, or it would count.
         CHECK(refine_block({0.3, 1, 1}, {10, 5, 14, 6}, {first_of, all_of}));
         CHECK(got == expected);
-        const auto stop = [](int, int) -> std::optional<Shown> { return {}; };
+        const auto stop = [](int, int) -> std::optional<DisplayValue> { return {}; };
         CHECK(refine_block({0.3, 1, 1}, {10, 5, 14, 6}, {first_of, stop}) == (expected == "0000"));
     }
 }
@@ -114,3 +116,5 @@ TEST_CASE("where light is left to chance, rays follow the noise", "[render]") {
         edge(1.6, 0, 1) + "sphere { <9, 9, -9>, 1 pigment { rgb 1 } finish { emission 1 } }";
     CHECK(render(world_of(scene), settings).rays.camera >= 8 * 12);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 RenderSettings by_corners(int depth) {
@@ -37,8 +39,8 @@ TEST_CASE("what is clear is compared where a picture has an alpha channel", "[re
         box { <-9, -9, 0>, <-.4, 9, 1> pigment { rgb 0 } finish { ambient 0 diffuse 0 } })");
     CHECK(render(world, by_corners(3)).rays.camera == 20);
     RenderHooks hooks;
-    hooks.extras.alpha = true;
-    RenderState state = begin_picture(by_corners(3), hooks.extras.count(world));
+    hooks.aovs.alpha = true;
+    RenderState state = begin_picture(by_corners(3), hooks.aovs.count(world));
     LightLedger rays;
     CHECK(advance(plan_of(world, by_corners(3)), state, rays, hooks));
     CHECK(rays.camera == 62);
@@ -84,11 +86,13 @@ TEST_CASE("tiles have the corners of the whole picture", "[render]") {
     Region right{32, 0, 64, 4};
     int most = 0;
     CornerCells cells(corner_rule(settings, 1), right);
-    const Sight sight = cells.pixel(40, 2, [&](int x, int, std::uint32_t) {
+    const PixelSample sight = cells.pixel(40, 2, [&](int x, int, std::uint32_t) {
         most = std::max(most, x);
-        return Sight{Vec3(x % 2), 0, {}, 1};
+        return PixelSample{Vec3(x % 2), 0, {}, 1};
     });
     CHECK(most == 41);
     CHECK(sight.colour.x == Approx(1.0 / 32));
     CHECK(sight.shadow_rays == 15);
 }
+
+}  // namespace candelabra

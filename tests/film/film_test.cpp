@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a film averages its samples", "[render]") {
     Film film(2, 1);
     film.at(1, 0).add(Vec3(1, 2, 3));
@@ -51,3 +53,5 @@ TEST_CASE("the variance of the mean is that of the worst channel", "[render]") {
     pixel.add(Vec3(1, 0, 0.25));
     CHECK(pixel.variance_of_mean() == Approx(0.25));
 }
+
+}  // namespace candelabra

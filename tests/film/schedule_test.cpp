@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 RenderSettings tiny() {
@@ -115,21 +117,23 @@ TEST_CASE("where tiles find out what pixels need there is one round, of the shar
 TEST_CASE("no target is beyond what the rules can want", "[render]") {
     RenderSettings settings = tiny();
     settings.samples = 4;
-    CHECK(most_wanted(settings, 4) == 4);
+    CHECK(max_wanted(settings, 4) == 4);
     settings.samples = 0;
     settings.noise = 0.1;
-    CHECK(most_wanted(settings, 4) == 65536);
+    CHECK(max_wanted(settings, 4) == 65536);
     settings.samples = 9;
-    CHECK(most_wanted(settings, 4) == 9);
+    CHECK(max_wanted(settings, 4) == 9);
     BlurRule blur;
     blur.most = 50;
-    CHECK(most_wanted(settings, 4, blur) == 50);
+    CHECK(max_wanted(settings, 4, blur) == 50);
 
     settings.noise = 1e-9;
     settings.samples = 70;
     RenderState state = begin_picture(settings);
     while (plan_round(state, settings, 8)) {
-        CHECK(wanted_samples(state.film).most <= most_wanted(settings, 8));
+        CHECK(wanted_samples(state.film).most <= max_wanted(settings, 8));
         fill(state.film);
     }
 }
+
+}  // namespace candelabra

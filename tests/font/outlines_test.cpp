@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what is no font is told from one", "[font]") {
     CHECK(text_outlines("", "A", Vec2(0)).problem == "it is no font that FreeType reads");
     CHECK(text_outlines("not a font", "A", Vec2(0)).loops.empty());
@@ -11,3 +13,5 @@ TEST_CASE("what is no font is told from one", "[font]") {
         CHECK(text_outlines(start + std::string(200, ' '), "A", Vec2(0)).problem ==
               "it is no font that FreeType reads");
 }
+
+}  // namespace candelabra

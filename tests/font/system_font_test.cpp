@@ -3,8 +3,12 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a font that is not installed is not found", "[font]") {
     CHECK_FALSE(system_font(""));
     CHECK_FALSE(system_font("no such font.ttf"));
     CHECK_FALSE(system_font("../passwd"));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("polynomial surfaces have POV-Ray's values", "[formula]") {
     check_values({
         {"f_algbr_cyl1", {0.35, 0.55, 0.75, 0.95, 1.15}, 0.03679845},
@@ -61,3 +63,5 @@ TEST_CASE("Enneper's surface has no pole", "[formula]") {
     CHECK(value_of("f_enneper", {0.074, -0.527, -0.077, 0.1}) == Approx(0.0377746018));
     CHECK(value_of("f_enneper", {-0.557, 0.938, 0.132, 1.198}) == Approx(0.1563573051));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 using Operand = ProgramBuilder::Operand;
 
 TEST_CASE("a program is built from operands", "[formula]") {
@@ -132,3 +134,5 @@ TEST_CASE("a pinned register is not used for others", "[formula]") {
     builder.unpin(counter);
     CHECK(builder.variable() == counter);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
     const std::string name =
         GENERATE(as<std::string>(), "abs", "acos", "acosh", "asin", "asinh", "atan", "atanh",
@@ -37,3 +39,5 @@ TEST_CASE("functions on intervals hold their values and slopes", "[formula]") {
     }
     CHECK(known > 30);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// A program of two inputs that is one operation.
@@ -101,3 +103,5 @@ TEST_CASE("of code of C++ nothing is known, and of formulas that call it", "[for
     REQUIRE(sum.enclose(in.data(), &out));
     CHECK(out == Enclosure{{4, 6}, {1, 1}});
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <thread>
 
+namespace candelabra {
+
 TEST_CASE("a formula may be code of C++", "[formula]") {
     const Formula formula(1, 1, [](const double* in, double* out) {
         out[0] = in[0] * 2;
@@ -37,3 +39,5 @@ TEST_CASE("a formula with many registers runs in many threads", "[formula]") {
     for (std::size_t i = 0; i < results.size(); ++i)
         CHECK(results[i] == 19900.0 * 1000 * static_cast<double>(i));
 }
+
+}  // namespace candelabra

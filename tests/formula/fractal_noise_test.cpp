@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("functions made of noise have POV-Ray's values", "[formula]") {
     check_values({
         {"f_hetero_mf", {1, 2, 6, 1.2, 1, 2}, 2.70263085},
@@ -30,3 +32,5 @@ TEST_CASE("each call of f_ridged_mf has its own weights", "[formula]") {
     CHECK(value_of("f_ridged_mf", smooth) < first);
     CHECK(value_of("f_ridged_mf", rough) == first);
 }
+
+}  // namespace candelabra

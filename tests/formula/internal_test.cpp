@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("the table has POV-Ray's numbers, each name once", "[formula]") {
     std::set<std::string_view> names;
     int number = 0;
@@ -44,3 +46,5 @@ TEST_CASE("polynomials are cut off far away", "[formula]") {
     CHECK(value_of("f_heart", {9, 9, 9, -1}) == 10);
     CHECK(value_of("f_algbr_cyl1", {9, 9, 9, 1, 3, 0, 0, 0}) == 3);
 }
+
+}  // namespace candelabra

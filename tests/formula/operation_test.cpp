@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+namespace candelabra {
+
 TEST_CASE("functions of one argument have numbers", "[formula]") {
     REQUIRE(function_number("sin"));
     CHECK(apply_function(*function_number("sin"), 0.5) == std::sin(0.5));
@@ -74,3 +76,5 @@ TEST_CASE("the remainder is that of the library, to the last bit", "[formula]") 
         same(a / 8, b);
     }
 }
+
+}  // namespace candelabra

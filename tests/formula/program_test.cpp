@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 double result_of(Operation operation, double a, double b) {
@@ -77,3 +79,5 @@ TEST_CASE("a loop without end is given up", "[formula]") {
     double none = 0;
     CHECK_FALSE(execute(program, &none));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("distances and their like have POV-Ray's values", "[formula]") {
     check_values({
         {"f_blob", {0.35, 0.55, 0.75, 0.95, 1.15}, -0.28170534},
@@ -35,3 +37,5 @@ TEST_CASE("distances and their like have POV-Ray's values", "[formula]") {
         {"f_torus", {0.8, 0.25}, 0.19637181},
     });
 }
+
+}  // namespace candelabra

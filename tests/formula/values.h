@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 /// The value of a function by name; the arguments start with x, y, z.
 inline double value_of(std::string_view name, const std::vector<double>& arguments) {
     const auto all = internal_functions();
@@ -35,3 +37,5 @@ inline void check_values(std::initializer_list<ExpectedValue> expected) {
         CHECK(value_of(e.name, arguments) == Approx(e.value).margin(6e-9).epsilon(0));
     }
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <array>
 #include <cstdlib>
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     constexpr std::size_t most = 5000;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     auto grid = read_density_grid({reinterpret_cast<const char*>(data), size});
     if (!grid) return 0;

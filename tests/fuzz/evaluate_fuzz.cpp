@@ -4,6 +4,8 @@
 #include "fuzz/target.h"
 #include "text/excerpt.h"
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     SourceStore sources;
     const SourceId id = sources.add("input", {reinterpret_cast<const char*>(data), size});

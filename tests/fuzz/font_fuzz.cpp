@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view font(reinterpret_cast<const char*>(data), size);
     const TextOutlines made = text_outlines(font, "A\xc3\xa9 1,\xf0\x9f\x92\xa1", Vec2(0.1, 0));

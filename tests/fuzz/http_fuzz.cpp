@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+using namespace candelabra;
+
 namespace {
 
 const WebKey fuzzed_key{8000, "0123456789abcdef"};

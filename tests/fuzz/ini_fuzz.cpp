@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <vector>
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     const Reader reader([&](const std::string& path) -> std::optional<std::string> {

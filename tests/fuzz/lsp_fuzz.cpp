@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+using namespace candelabra;
+
 namespace {
 
 /// The answers must be readable; gives how many belong to requests.

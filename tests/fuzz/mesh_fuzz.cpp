@@ -3,10 +3,12 @@
 // itself and wrapped in a hull: no crash, and no place that is not there.
 #include "fuzz/target.h"
 #include "fuzz/written_file.h"
-#include "modelling/library.h"
+#include "meshing/library.h"
 
 #include <array>
 #include <cstdlib>
+
+using namespace candelabra;
 
 namespace {
 
@@ -29,8 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     PolyhedronLook look;
     if (!library->read(file.path(), read, look).empty()) return 0;
     check(read);
-    constexpr std::size_t most_faces = 60;  // the operations take long
-    if (read.faces.size() > most_faces) return 0;
+    constexpr std::size_t max_faces = 60;  // the operations take long
+    if (read.faces.size() > max_faces) return 0;
     for (const SubdivisionRule rule : {SubdivisionRule::loop, SubdivisionRule::root3})
         if (library->subdivide(read, rule, 2, made).empty()) check(made);
     if (library->hull(read.points, made).empty()) check(made);

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+using namespace candelabra;
+
 namespace {
 
 using Random = std::mt19937;

@@ -10,6 +10,8 @@
 
 #include <cstdlib>
 
+using namespace candelabra;
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     SourceStore sources;
     const SourceId id = sources.add("input", {reinterpret_cast<const char*>(data), size});

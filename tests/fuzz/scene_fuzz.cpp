@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdlib>
 
+using namespace candelabra;
+
 namespace {
 
 Limits small_limits() {

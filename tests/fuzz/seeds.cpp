@@ -10,6 +10,8 @@
 #include <iostream>
 #include <string>
 
+using namespace candelabra;
+
 namespace {
 
 using namespace std::string_literals;

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+using namespace candelabra;
+
 namespace {
 
 const std::string& sound() {

@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 class WrittenFile {
 public:
     WrittenFile(const std::uint8_t* data, std::size_t size, const std::string& ending) {
@@ -28,3 +30,5 @@ public:
 private:
     std::string path_;
 };
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <set>
 #include <sstream>
 
+namespace candelabra {
+
 namespace {
 
 const std::filesystem::path grammar = std::filesystem::path(CANDELABRA_SOURCE_DIR) / "grammar";
@@ -54,3 +56,5 @@ TEST_CASE("the grammar accepts and rejects what its cases say", "[grammar]") {
         CHECK(rejected > 0);
     }
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what was asked of late is known, and the rest is forgotten", "[index]") {
     Asked asked;
     for (std::uint32_t i = 0; i < 16; ++i) CHECK_FALSE(asked.before(i));
@@ -12,3 +14,5 @@ TEST_CASE("what was asked of late is known, and the rest is forgotten", "[index]
     CHECK(asked.before(1));
     CHECK_FALSE(asked.before(0));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("brute force visits every item once for every ray", "[index]") {
     const BruteForce brute(4);
     std::vector<std::uint32_t> seen;
@@ -21,3 +23,5 @@ TEST_CASE("brute force over nothing visits nothing", "[index]") {
     CHECK(BruteForce(1).traverse({Vec3(0), Vec3(0)}, {}, stop));
     CHECK_FALSE(BruteForce().traverse({Vec3(0), Vec3(0)}, {}, stop));
 }
+
+}  // namespace candelabra

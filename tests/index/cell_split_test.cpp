@@ -7,13 +7,15 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 constexpr TreeSettings single_costs{
     .by = Division::cells, .node_cost = 1, .group_cost = 4, .reference_cost = 0, .group = 1};
 
 struct Cell {
-    std::vector<Fragment> fragments;
+    std::vector<PrimRef> fragments;
     Box box;
 
     explicit Cell(const std::vector<Item>& items) {
@@ -37,10 +39,10 @@ double split_cost(const Cell& cell, const CellSplit& split) {
 }
 
 /// Of all planes at the ends of boxes.
-double least_split_cost(const Cell& cell) {
+double min_split_cost(const Cell& cell) {
     double least = no_hit;
     for (int axis = 0; axis < 3; ++axis)
-        for (const Fragment& f : cell.fragments)
+        for (const PrimRef& f : cell.fragments)
             for (const double plane : {f.box.low[axis], f.box.high[axis]})
                 least = std::min(least, split_cost(cell, {axis, plane, 0}));
     return least;
@@ -52,13 +54,13 @@ TEST_CASE("cells are divided nearly where the heuristic is least", "[index]") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const Cell few(random_balls(4 + seed % 5, 0.02, 0.2, seed));
         REQUIRE(few.split().found());
-        CHECK(split_cost(few, few.split()) < 1.01 * least_split_cost(few));
+        CHECK(split_cost(few, few.split()) < 1.01 * min_split_cost(few));
         const Cell some(random_balls(9 + seed % 30, 0.02, 0.2, seed));
         REQUIRE(some.split().found());
-        CHECK(split_cost(some, some.split()) < 1.3 * least_split_cost(some));
+        CHECK(split_cost(some, some.split()) < 1.3 * min_split_cost(some));
         const Cell many(random_balls(60 + seed, 0.02, 0.2, seed));
         REQUIRE(many.split().found());
-        CHECK(split_cost(many, many.split()) < 1.1 * least_split_cost(many));
+        CHECK(split_cost(many, many.split()) < 1.1 * min_split_cost(many));
     }
 }
 
@@ -101,8 +103,7 @@ TEST_CASE("cells stay whole where planes cost more", "[index]") {
     CHECK_FALSE(Cell(row).split(dear).found());
     // Long ones side by side would all be on both sides.
     std::vector<Item> planks;
-    for (int i = 0; i < 40; ++i)
-        planks.push_back({{Vec3(0, 0.001 * i, 0), Vec3(1, 0.001 * i, 1)}});
+    for (int i = 0; i < 40; ++i) planks.push_back({{Vec3(0, 0.001 * i, 0), Vec3(1, 0.001 * i, 1)}});
     dear = single_costs;
     dear.reference_cost = 1000;
     const CellSplit split = Cell(planks).split(dear);
@@ -113,3 +114,5 @@ TEST_CASE("items in one place are not divided by planes", "[index]") {
     for (const std::size_t count : {1, 10, 1000})
         CHECK_FALSE(Cell(std::vector<Item>(count, ball(Vec3(0), 1))).split().found());
 }
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /// A sphere when the radius is positive, else the box.
@@ -242,3 +244,5 @@ inline std::vector<ItemScene> scenes() {
     for (Item& item : all.back().items) item = {{item.centre(), item.centre()}};
     return all;
 }
+
+}  // namespace candelabra

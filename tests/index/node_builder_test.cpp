@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 struct Row {
@@ -16,7 +18,7 @@ struct Row {
 
 /// Numbered one after the other.
 BuiltNodes nodes_of(const std::vector<Row>& rows, const NodeTask& task = {}) {
-    std::vector<Fragment> fragments;
+    std::vector<PrimRef> fragments;
     Box around;
     for (const Row& row : rows)
         for (std::uint32_t i = 0; i < row.count; ++i) {
@@ -113,3 +115,5 @@ TEST_CASE("children of parts that are built apart lead to the same items", "[ind
     CHECK(leaves >= rows.size() / 8);
     CHECK(items_of(built).size() == rows.size());
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the kd-tree is the first of both indexes, and the default", "[index]") {
     CHECK(Kinds<RayIndex>::infos[0]->name == "kd_tree");
     CHECK(Kinds<RayIndex>::infos[1]->name == "bounding_boxes");
@@ -23,3 +25,5 @@ TEST_CASE("trees are built as the index says", "[index]") {
     CHECK(boxes.reference_cost == 0);
     CHECK(boxes.group == 8);
 }
+
+}  // namespace candelabra

@@ -7,44 +7,46 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 constexpr TreeSettings costs{.node_cost = 1, .group_cost = 4, .group = 1};
 
-std::vector<Fragment> fragments_of(const std::vector<Item>& items) {
-    std::vector<Fragment> fragments;
+std::vector<PrimRef> fragments_of(const std::vector<Item>& items) {
+    std::vector<PrimRef> fragments;
     for (const Item& item : items)
         fragments.push_back({item.box, static_cast<std::uint32_t>(fragments.size())});
     return fragments;
 }
 
-Box around(std::span<const Fragment> fragments) {
+Box around(std::span<const PrimRef> fragments) {
     Box box;
-    for (const Fragment& f : fragments) box = join(box, f.box);
+    for (const PrimRef& f : fragments) box = join(box, f.box);
     return box;
 }
 
 /// The definition: cost of the sides, each with the chance that a ray through the whole meets it.
-double cost_of(std::span<const Fragment> below, std::span<const Fragment> above) {
-    const auto side = [](std::span<const Fragment> part) {
+double cost_of(std::span<const PrimRef> below, std::span<const PrimRef> above) {
+    const auto side = [](std::span<const PrimRef> part) {
         return area(around(part)) * cost_of_items(static_cast<double>(part.size()), costs);
     };
     return side(below) + side(above);
 }
 
-double cost_of(const std::vector<Fragment>& fragments, const Split& split) {
-    std::vector<Fragment> sides = fragments;
+double cost_of(const std::vector<PrimRef>& fragments, const Split& split) {
+    std::vector<PrimRef> sides = fragments;
     const auto above =
-        std::ranges::partition(sides, [&](const Fragment& f) { return split.puts_below(f.box); });
+        std::ranges::partition(sides, [&](const PrimRef& f) { return split.puts_below(f.box); });
     const std::size_t below = sides.size() - above.size();
     return cost_of(std::span(sides).first(below), std::span(sides).subspan(below));
 }
 
 /// The least cost of all divisions along an axis.
-double least_cost(std::vector<Fragment> fragments) {
+double min_cost(std::vector<PrimRef> fragments) {
     double least = no_hit;
     for (int axis = 0; axis < 3; ++axis) {
-        std::ranges::sort(fragments, {}, [&](const Fragment& f) { return f.box.centre()[axis]; });
+        std::ranges::sort(fragments, {}, [&](const PrimRef& f) { return f.box.centre()[axis]; });
         for (std::size_t n = 1; n < fragments.size(); ++n)
             least = std::min(
                 least, cost_of(std::span(fragments).first(n), std::span(fragments).subspan(n)));
@@ -62,26 +64,26 @@ std::vector<Item> row(int count) {
 
 TEST_CASE("items are divided nearly where the heuristic is least", "[index]") {
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-        const std::vector<Fragment> fragments =
+        const std::vector<PrimRef> fragments =
             fragments_of(random_balls(4 + seed % 60, 0.02, 0.2, seed));
         const Split split = find_split(fragments, around(fragments), costs, true);
         REQUIRE(split.found());
-        CHECK(cost_of(fragments, split) < 1.3 * least_cost(fragments));
+        CHECK(cost_of(fragments, split) < 1.3 * min_cost(fragments));
     }
-    const std::vector<Fragment> many = fragments_of(row(1000));
+    const std::vector<PrimRef> many = fragments_of(row(1000));
     const Split split = find_split(many, around(many), costs, false);
     CHECK(split.axis == 0);
-    CHECK(cost_of(many, split) < 1.05 * least_cost(many));
+    CHECK(cost_of(many, split) < 1.05 * min_cost(many));
 }
 
 TEST_CASE("the boxes of a split's sides hold what it puts there, and no more", "[index]") {
     for (const ItemScene& scene : scenes()) {
         CAPTURE(scene.name);
-        const std::vector<Fragment> fragments = fragments_of(scene.items);
+        const std::vector<PrimRef> fragments = fragments_of(scene.items);
         const Split split = find_split(fragments, around(fragments), costs, true);
         if (!split.found()) continue;
         Box below, above;
-        for (const Fragment& f : fragments) {
+        for (const PrimRef& f : fragments) {
             Box& side = split.puts_below(f.box) ? below : above;
             side = join(side, f.box);
         }
@@ -93,7 +95,7 @@ TEST_CASE("the boxes of a split's sides hold what it puts there, and no more", "
 }
 
 TEST_CASE("items stay together where dividing them costs more", "[index]") {
-    const std::vector<Fragment> fragments = fragments_of(row(4));
+    const std::vector<PrimRef> fragments = fragments_of(row(4));
     constexpr TreeSettings dear{.node_cost = 1000, .group_cost = 1, .group = 1};
     CHECK_FALSE(find_split(fragments, around(fragments), dear, false).found());
     CHECK(find_split(fragments, around(fragments), dear, true).found());
@@ -102,7 +104,7 @@ TEST_CASE("items stay together where dividing them costs more", "[index]") {
 TEST_CASE("items in one place are not divided", "[index]") {
     const Box unit_box{Vec3(0), Vec3(1)};
     for (const std::size_t count : {1, 10, 1000}) {
-        const std::vector<Fragment> fragments(count, Fragment{unit_box, 0});
+        const std::vector<PrimRef> fragments(count, PrimRef{unit_box, 0});
         for (const bool forced : {false, true})
             CHECK_FALSE(find_split(fragments, unit_box, costs, forced).found());
     }
@@ -116,3 +118,5 @@ TEST_CASE("the last items of a group cost half of what a full one does, and thei
     CHECK(cost_of_items(1, eight) == Approx(2 * 0.5 * (1 / 8.0 + 1)));
     CHECK(cost_of_items(12, eight) == Approx(2 * 0.5 * (1.5 + 2)));
 }
+
+}  // namespace candelabra

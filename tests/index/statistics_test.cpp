@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("an empty hierarchy has nothing to count", "[index]") {
     const TreeStatistics s = statistics(WideTree());
     CHECK(s.nodes == 0);
@@ -48,3 +50,5 @@ TEST_CASE("division pays: a ray through many items expects to test few", "[index
     CHECK(s.max_depth >= 4);
     CHECK(s.mean_items_per_leaf > 3);
 }
+
+}  // namespace candelabra

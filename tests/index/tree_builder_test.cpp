@@ -9,11 +9,14 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 bool same(const WideTree& a, const WideTree& b) {
     return std::ranges::equal(a.nodes(), b.nodes()) && std::ranges::equal(a.frames(), b.frames()) &&
-           std::ranges::equal(a.foremost(), b.foremost()) && items_of(a) == items_of(b);
+           std::ranges::equal(a.early_occluders(), b.early_occluders()) &&
+           items_of(a) == items_of(b);
 }
 
 }  // namespace
@@ -91,13 +94,13 @@ TEST_CASE("items of a leaf are in order", "[index]") {
 
 TEST_CASE("what is large among many is asked before all others", "[index]") {
     std::vector<Item> items = random_balls(2000, 0.001, 0.01, 41);
-    CHECK(tree_of(items).foremost().empty());
+    CHECK(tree_of(items).early_occluders().empty());
     items.push_back(ball(Vec3(0), 0.5));
     items.push_back(ball(Vec3(0.3), 0.6));
     const WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
-    REQUIRE(tree.foremost().size() == 1);
-    CHECK(
-        std::ranges::equal(tree.items(tree.foremost()[0]), std::vector<std::uint32_t>{2000, 2001}));
+    REQUIRE(tree.early_occluders().size() == 1);
+    CHECK(std::ranges::equal(tree.items(tree.early_occluders()[0]),
+                             std::vector<std::uint32_t>{2000, 2001}));
     // It is in the tree as well.
     CHECK(std::ranges::count(different_items_of(tree), 2000u) == 1);
 }
@@ -158,3 +161,5 @@ TEST_CASE("items that fill all cells have a bounded number of references", "[ind
     CHECK(items_of(tree).size() <= 8 * items.size() + 8);
     CHECK(different_items_of(tree).size() == items.size());
 }
+
+}  // namespace candelabra

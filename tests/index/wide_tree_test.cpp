@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 /// A length from 1e-3 to 1e3: t is measured in it.
@@ -137,7 +139,7 @@ TEST_CASE("a packed tree finds the same, and gives leaves what was kept for them
     const std::vector<Item> items = random_balls(3000, 0.005, 0.3, 22);
     WideTree tree = tree_of(items, GENERATE(from_range(both_divisions)));
     std::vector<std::uint32_t> before = items_of(tree);
-    REQUIRE(!tree.foremost().empty());
+    REQUIRE(!tree.early_occluders().empty());
     tree.pack({[](std::span<const std::uint32_t> leaf) { return leaf.size(); },
                [](std::span<const std::uint32_t> leaf, const Box&, std::span<std::uint32_t> words) {
                    for (std::size_t i = 0; i < leaf.size(); ++i) words[i] = leaf[i] + 7;
@@ -275,3 +277,5 @@ TEST_CASE("rays that ask for anything in their way pass the same leaves, the lik
     }
     CHECK(near == likely);
 }
+
+}  // namespace candelabra

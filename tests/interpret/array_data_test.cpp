@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("elements of an array are set, read and taken away", "[interpret]") {
     ArrayData array({2, 3});
     CHECK(array.size() == 6);
@@ -23,7 +25,7 @@ TEST_CASE("numbers of different lengths live in one array", "[interpret]") {
     array.set(0, Numbers::scalar(1));
     array.set(1, Numbers::vector(Vec3(2, 3, 4)));
     array.set(2, Numbers{{5, 6}, 2});
-    CHECK(array.most_numbers() == 3);
+    CHECK(array.max_numbers() == 3);
     CHECK(*array.at(0).numbers() == Numbers::scalar(1));
     CHECK(*array.at(1).numbers() == Numbers::vector(Vec3(2, 3, 4)));
     CHECK(*array.at(2).numbers() == Numbers{{5, 6}, 2});
@@ -40,7 +42,7 @@ TEST_CASE("elements are of one kind", "[interpret]") {
     CHECK(kind_name(array.other(0)) == "a number");
     array.set(1, text);
     CHECK(array.count(1) == 0);
-    CHECK(array.most_numbers() == 0);
+    CHECK(array.max_numbers() == 0);
     CHECK(array.fits(0, text));
     CHECK_FALSE(array.fits(0, Value(1.0)));
     array.set(1, Numbers::scalar(3));
@@ -78,3 +80,5 @@ TEST_CASE("only an element that is an array can be edited inside", "[interpret]"
     CHECK(array.at(0).array()->numbers(0)[0] == 4);
     CHECK(array.inner(1) == nullptr);
 }
+
+}  // namespace candelabra

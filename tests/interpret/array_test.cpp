@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("arrays behave as POV-Ray's", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare A=array[2][3]{{1,2,3},{4,5,6}}; P(A[1][0]) P(A[0][2])", "4.000000 3.000000"},
@@ -73,3 +75,5 @@ TEST_CASE("a wrong array gets one message", "[interpret]") {
     INFO(script);
     CHECK(printed(script) == result);
 }
+
+}  // namespace candelabra

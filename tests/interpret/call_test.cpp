@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("macros behave as POV-Ray's", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#macro Two() 3,7 #end P(max(Two())) P(pow(Two())) V(3,<Two(),1>) "
@@ -84,3 +86,5 @@ TEST_CASE("recursion without end is an error", "[interpret]") {
     CHECK(said("#macro R() (1 + (1 + (1 + R()))) #end #declare a = R();", {}, limits).messages ==
           "error: this is nested too deeply\n");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a directive goes on with an expression", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare a=1 #if (1) + 2 #end; P(a)", "3.000000"},
@@ -90,3 +92,5 @@ TEST_CASE("a macro among operands stands for its text", "[interpret]") {
     INFO(script);
     CHECK(printed(macros + script) == result);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Tree tree_of(std::size_t nodes) {
@@ -55,3 +57,5 @@ TEST_CASE("what cannot be compiled is not tried for ever", "[interpret]") {
     table.exclude(tree, NodeId{1});
     for (int i = 0; i < 100; ++i) CHECK_FALSE(table.wanted(tree, NodeId{1}));
 }
+
+}  // namespace candelabra

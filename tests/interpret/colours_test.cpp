@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("colours have POV-Ray's values", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare C = rgb 1; V(5,C)", "<1.0000,1.0000,1.0000,0.0000,0.0000>"},
@@ -35,3 +37,5 @@ TEST_CASE("channels join the colour before them", "[interpret]") {
     CHECK(said("<0, 0, 0> red 1").elements == "value, value");
     CHECK(said("filter all 1").elements == "word filter, word all, value");
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::string setting =
@@ -86,3 +88,5 @@ TEST_CASE("a random number is drawn once for each call", "[interpret]") {
     CHECK(printed("#declare R = seed(0); #for (i, 1, 3) #declare p = <rand(R), rand(R), rand(R)>; "
                   "#end V(3, p)") == "<0.4337,0.0385,0.3087>");
 }
+
+}  // namespace candelabra

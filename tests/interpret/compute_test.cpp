@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a name may stand for something else each time", "[interpret]") {
     CHECK(printed("#declare A = array[5] {1, <1, 2>, <1, 2, 3>, <1, 2, 3, 4>, rgb 1}; "
                   "#for (k, 0, 3) #for (i, 0, 4) #declare a = A[i]; #declare b = a * 2 + 1; "
@@ -71,3 +73,5 @@ TEST_CASE("an element alias and a program see the same", "[interpret]") {
     CHECK(printed("#macro A(p) #for (k, 1, 3) #declare q[0] = k; #declare s = p + q[0]; #end P(s) "
                   "#end #declare q = array[1] {0}; A(q[0])") == "6.000000");
 }
+
+}  // namespace candelabra

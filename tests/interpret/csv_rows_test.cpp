@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string cells_of(std::string_view line, char separator) {
@@ -54,3 +56,5 @@ TEST_CASE("a row of plain numbers is taken at once, or nothing of it", "[csv]") 
     CHECK(rows.find_row());
     CHECK(rows.text().substr(rows.at()) == "3,x\n");
 }
+
+}  // namespace candelabra

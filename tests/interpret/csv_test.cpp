@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// "names | cells / cells": strings in quotes, nothing for an empty number; or what is wrong.
@@ -131,3 +133,5 @@ TEST_CASE("colours of displays", "[csv]") {
     CHECK(csv_colour("#f03") == std::array<double, 4>{1, 0, 0.2, 1});
     CHECK(csv_colour("#FF003333") == std::array<double, 4>{1, 0, 0.2, 0.2});
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::map<std::string, std::string> data_files = {
@@ -117,3 +119,5 @@ TEST_CASE("a scene may use the names of these functions", "[csv]") {
     CHECK(told("#declare read_csv = 3; P(read_csv) #macro column_names(A) (A+1) #end "
                "P(column_names(1))") == "3.0 2.0 ");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string written(const Value& value) {
@@ -69,3 +71,5 @@ TEST_CASE("what is no value is reported where it stands", "[files]") {
     CHECK(all_values("<1,2") == "broken this is no value that #read can take");
     CHECK(all_values("sqrt(4)") == "broken this is no value that #read can take");
 }
+
+}  // namespace candelabra

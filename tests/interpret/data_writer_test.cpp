@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 /// A name in a folder, with no link before it.
@@ -105,3 +107,5 @@ TEST_CASE("what is no plain file is not written", "[files]") {
     CHECK_FALSE(DataWriter(OpenedFile()).good());
     CHECK_FALSE(std::filesystem::exists(folder / "target"));
 }
+
+}  // namespace candelabra

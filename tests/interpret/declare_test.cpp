@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("names are declared and hidden as in POV-Ray", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare _a=1; #declare a_1B=2; P(_a) P(a_1B)", "1.000000 2.000000"},
@@ -55,3 +57,5 @@ TEST_CASE("a wrong declaration gets one message", "[interpret]") {
     INFO(script);
     CHECK(printed(script) == result);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("directives behave as POV-Ray's", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#if (1e-10) P(1) #else P(2) #end #if (1.1e-10) P(1) #end", "2.000000 1.000000"},
@@ -95,3 +97,5 @@ TEST_CASE("a loop without end is an error", "[interpret]") {
     CHECK(said("#macro M(n) #if (n > 0) M(n - 1) M(n - 1) #end #end M(60)", {}, limits).messages !=
           "");
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("nothing is evaluated when the text has errors", "[interpret]") {
     const Said result = said("#debug \"a\" box { ");
     CHECK(result.printed == "");
@@ -59,3 +61,5 @@ TEST_CASE("elements become values", "[interpret]") {
     CHECK_FALSE(diagnostics.failed());
     CHECK(evaluator.spelling(names.find("depth")) == "depth");
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("expressions have POV-Ray's values", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"P(.5) P(5.) P(1e3) P(1.5E-2)", "0.500000 5.000000 1000.000000 0.015000"},
@@ -54,3 +56,5 @@ TEST_CASE("a wrong expression gets one message", "[interpret]") {
     INFO(script);
     CHECK(printed(script) == result);
 }
+
+}  // namespace candelabra

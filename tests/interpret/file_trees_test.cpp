@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using Files = std::map<std::string, std::string>;
@@ -105,3 +107,5 @@ TEST_CASE("what is wrong in an open macro is told of in its file", "[files]") {
                 {"a.inc", "#macro Begin() union { #end #macro End() } #end"},
                 {"b.inc", "union {"}}) == says);
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 
 #include <sys/resource.h>
 
+namespace candelabra {
+
 namespace {
 
 struct SaidWithFiles {
@@ -219,3 +221,5 @@ TEST_CASE("a scene writes no settings, and over nothing that others have made", 
     CHECK(folder.get("new.txt") == "xx");
     CHECK_FALSE(std::filesystem::exists(folder / "candelabra.ini"));
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 /// All that is said about a scene whose library is in the folder "lib".
@@ -70,3 +72,5 @@ TEST_CASE("each call of the library has its own message", "[interpret]") {
     CHECK(said.find("--> main.pov:3:14\n") != std::string::npos);
     CHECK(said.find("--> main.pov:4:14\n") != std::string::npos);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("expressions of functions have their own rules", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare f=function(a){a>1} P(f(2)) #declare g=function(a,b){a!=b} P(g(1,1+1e-12))",
@@ -125,3 +127,5 @@ TEST_CASE("a wrong call in a function is reported", "[interpret]") {
             .messages;
     CHECK(messages == "error: " + message + "\n");
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 TEST_CASE("random streams give POV-Ray's numbers", "[interpret]") {
     const auto [seed, values] = GENERATE(table<double, std::vector<double>>({
         {0, {0.00000287429429658, 0.46656368450880137, 0.24907022883395438, 0.96587604213642797}},
@@ -57,3 +59,5 @@ TEST_CASE("random numbers of an attempt can be taken back", "[interpret]") {
     fresh.open(2);
     CHECK(streams.next(b) == fresh.next(0));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a path is as many indices as it has parts", "[arrays]") {
     Indices indices;
     CHECK(indices.add(7));
@@ -28,3 +30,5 @@ TEST_CASE("there are at most sixteen indices", "[arrays]") {
     CHECK_FALSE(indices.expand(15));
     CHECK(indices.count == 16);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string shown(const Value& value) {
@@ -71,7 +73,9 @@ TEST_CASE("what is no JSON is told of at its place", "[json]") {
     CHECK(json("[1e999]").ends_with("is no JSON from here on"));
     CHECK(json("\"\xFF\"").ends_with("is no JSON from here on"));
     CHECK(json("[1, 2, 3]", 2) == "has more than 2 values, which is the limit");
-    const std::string deep(most_json_depth + 1, '[');
+    const std::string deep(max_json_depth + 1, '[');
     CHECK(json(deep).ends_with("inside each other, which is the limit"));
     CHECK(json(std::string(1'000'000, '[')).ends_with("inside each other, which is the limit"));
 }
+
+}  // namespace candelabra

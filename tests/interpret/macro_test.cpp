@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("arguments go by reference or by value", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#macro A(p) #declare p = p + 1; #end #declare q = array[2] {1, 5}; A(q[1]) P(q[1]) "
@@ -49,3 +51,5 @@ TEST_CASE("arguments that failed leave nothing behind", "[interpret]") {
           "error: nothing is declared as `nope`\n"
           "error: macro `A` takes 2 arguments, but here are 3\n");
 }
+
+}  // namespace candelabra

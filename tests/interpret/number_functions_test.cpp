@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("functions of numbers have POV-Ray's values", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"P(abs(-2)) P(ceil(1.2)) P(floor(-1.2)) P(int(-1.9)) P(int(1e10))",
@@ -67,3 +69,5 @@ TEST_CASE("int truncates through 32 bits", "[interpret]") {
     CHECK(to_integer(2147483648.0) == -2147483648.0);
     CHECK(to_integer(NAN) == -2147483648.0);
 }
+
+}  // namespace candelabra

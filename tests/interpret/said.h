@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 struct Said {
     std::string printed;
     std::string messages;  ///< a line each: "error: ...", with the frames in parentheses
@@ -70,3 +72,5 @@ inline std::string printed(const std::string& script) {
     if (!result.messages.empty()) return result.messages;
     return result.printed.substr(0, result.printed.find_last_not_of(' ') + 1);
 }
+
+}  // namespace candelabra

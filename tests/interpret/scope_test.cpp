@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr NameId a{1}, b{2};
@@ -139,3 +141,5 @@ TEST_CASE("undefine takes the newest binding away", "[interpret]") {
     CHECK(scope.undefine(a));
     CHECK(scope.find(a) == nullptr);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a sink hands on elements, values among them", "[interpret]") {
     std::vector<Element::Kind> kinds;
     const auto take = [&](const Element& element) { kinds.push_back(element.kind); };
@@ -59,3 +61,5 @@ TEST_CASE("a sink may take what is written instead", "[interpret]") {
     (*sink.written())(tree, id);
     CHECK(taken == std::vector{id});
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// What is said about a scene that lies, with its files, in the folder.
@@ -138,3 +140,5 @@ TEST_CASE("work of all kinds has an end", "[interpret]") {
                                "limit"));
     }
 }
+
+}  // namespace candelabra

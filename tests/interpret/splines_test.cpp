@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("splines give POV-Ray's values in the language", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare s=spline{0,<1,2,3> 1,<4,5,6> 3,<0,0,0>} V(3,s(-1)) V(3,s(.25)) V(3,s(9))",
@@ -49,3 +51,5 @@ TEST_CASE("a wrong spline is reported", "[interpret]") {
     INFO(script);
     CHECK(printed(script) == "error: " + message + "\n");
 }
+
+}  // namespace candelabra

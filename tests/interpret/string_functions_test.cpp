@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <random>
 
+namespace candelabra {
+
 TEST_CASE("functions of strings have POV-Ray's values", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {R"(#debug str(1.5,0,2) #debug str(2,8,1) #debug str(-2,-6,1) #debug str(1/3,0,-1))",
@@ -72,3 +74,5 @@ TEST_CASE("numbers are written as C writes them", "[interpret]") {
         same(value, static_cast<int>(random() % 30) - 15, static_cast<int>(random() % 20));
     }
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("strings are built from parts", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare s = \"a\"; #declare s = concat(s, \"b\"); #debug s", "ab"},
@@ -48,3 +50,5 @@ TEST_CASE("what is no string is reported once", "[interpret]") {
     INFO(script);
     CHECK(printed(script) == result);
 }
+
+}  // namespace candelabra

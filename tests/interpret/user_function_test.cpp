@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("functions are declared and called", "[interpret]") {
     const auto [script, result] = GENERATE(table<std::string, std::string>({
         {"#declare f=function{x*y+z} P(f(2,3,4)) #declare g=function(a,b){a-b} P(g(5,2))",
@@ -118,3 +120,5 @@ TEST_CASE("the noise of a function is what the scene says when it is called", "[
     }));
     CHECK(evaluated(function + script).printed == result);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("numbers are promoted as in POV-Ray", "[interpret]") {
     CHECK(Numbers::scalar(2).promoted(3) == Numbers{{2, 2, 2}, 3});
     CHECK(Numbers{{1, 2}, 2}.promoted(4) == Numbers{{1, 2, 0, 0}, 4});
@@ -75,3 +77,5 @@ TEST_CASE("values are copied and moved whatever they hold", "[interpret]") {
             CHECK(target.text() == from.text());
         }
 }
+
+}  // namespace candelabra

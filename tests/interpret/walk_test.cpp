@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("elements come without directives, in order", "[interpret]") {
     const auto [script, elements] = GENERATE(table<std::string, std::string>({
         {"sphere { 0, 1 } 1 open \"s\"", "block sphere, value, word open, value"},
@@ -35,3 +37,5 @@ TEST_CASE("a broken value is handed on, but not reported again", "[interpret]") 
     CHECK(said("#declare a = nope; #declare b = a + 1; #declare c = sin(b) + <b, a>; c").messages ==
           "error: nothing is declared as `nope`\n");
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a light fades as POV-Ray 3.7's", "[light]") {
     struct Case {
         double fade_distance, fade_power, distance, share;
@@ -89,3 +91,5 @@ TEST_CASE("the grid of an area light has its corners at its sides", "[light]") {
     light.circular = true;
     CHECK(length(grid_point(light, 0, 0, Vec3(0, 0, 1)) / Vec3(2, 1, 1)) < 1.01);
 }
+
+}  // namespace candelabra

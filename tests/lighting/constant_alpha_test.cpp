@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("constant alpha picks one of all luminaires, each as often", "[lighting][claim-5]") {
     const std::vector<Luminaire> luminaires(5, glowing(SphereEmitter{Vec3(0, 3, 0), 1}));
     const BuiltConstantAlpha built = build(ConstantAlpha{}, {luminaires, {}}, 1);
@@ -18,3 +20,5 @@ TEST_CASE("constant alpha picks one of all luminaires, each as often", "[lightin
     }
     for (const int count : counts) CHECK(std::abs(count - 1000) < 150);
 }
+
+}  // namespace candelabra

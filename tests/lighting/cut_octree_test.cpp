@@ -8,6 +8,8 @@
 
 #include <thread>
 
+namespace candelabra {
+
 namespace {
 
 struct Street {
@@ -108,7 +110,7 @@ TEST_CASE("cells are made where they are asked for, whoever comes first", "[ligh
 
 TEST_CASE("a cell that several threads survey at a time counts once", "[lighting]") {
     const Street street(200);
-    const auto dark = [](const Ray&, double) -> std::optional<LightSight> { return {}; };
+    const auto dark = [](const Ray&, double) -> std::optional<ProbeHit> { return {}; };
     const auto bytes = [&](int threads) {
         const BuiltCutOctree built(LightOctree{}, street.scene());
         const auto ask_everywhere = [&] {
@@ -137,3 +139,5 @@ TEST_CASE("points far outside of the cells are answered as well", "[lighting]") 
         CHECK(sum == Approx(1));
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<double> intensities(std::size_t count, Draw& draw) {
@@ -68,3 +70,5 @@ TEST_CASE("a dim set is what a list leaves, without gaps and without the list", 
         CHECK(set.places() == place);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the conventional way asks each luminaire once", "[lighting]") {
     const std::vector<Luminaire> luminaires(3, glowing(SphereEmitter{Vec3(0, 3, 0), 1}));
     const BuiltEveryLight built = build(EveryLight{}, {luminaires, {}}, 1);
@@ -16,3 +18,5 @@ TEST_CASE("the conventional way asks each luminaire once", "[lighting]") {
         CHECK(picks[light + 1].expected == 1);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the hierarchy's probabilities add up to 1 where everything is above the horizon",
           "[lighting]") {
     Draw draw(1);
@@ -71,3 +73,5 @@ TEST_CASE("the tree that finds what paired rays meet counts as memory", "[lighti
     CHECK(paired.paired());
     CHECK(paired.memory_bytes() == alone.memory_bytes() + paired.tree().memory_bytes());
 }
+
+}  // namespace candelabra

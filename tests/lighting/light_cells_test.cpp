@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace candelabra {
+
 namespace {
 
 struct Setup {
@@ -188,3 +190,5 @@ TEST_CASE("cutting ends where it does not make lists shorter", "[lighting]") {
     settings.max_bright = 8;
     CHECK(depth(setup.build(settings)) <= 4);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Box cell{Vec3(-1), Vec3(1)};
@@ -201,3 +203,5 @@ TEST_CASE("entries are found in proportion to their weights", "[lighting]") {
     double beyond = 2 * weights.total;
     CHECK(weights.weight[cut.find(weights, beyond)] > 0);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Depth of the tree, after checking that each luminaire is in one leaf and each node's sphere
@@ -84,3 +86,5 @@ TEST_CASE("luminaires in geometric progression, or all in one place, make no end
     CHECK(checked_depth(together) < 12);
     CHECK(build_light_hierarchy({}).empty());
 }
+
+}  // namespace candelabra

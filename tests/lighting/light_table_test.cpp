@@ -7,6 +7,8 @@
 
 #include <numeric>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Luminaire> mixed(int count, bool spheres_only, Draw& draw) {
@@ -115,3 +117,5 @@ TEST_CASE("an empty list gives nothing", "[lighting]") {
     table.sum({}, {Vec3(0), Vec3(0, 0, 1)}, sums);
     CHECK(sums.total == 0);
 }
+
+}  // namespace candelabra

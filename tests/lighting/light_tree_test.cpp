@@ -7,6 +7,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Luminaire> lamps(int count, std::uint64_t seed) {
@@ -50,11 +52,11 @@ TEST_CASE("the sphere around a cluster holds its luminaires, its strength is the
           "[lighting]") {
     const std::vector<Luminaire> luminaires = lamps(200, 2);
     const LightTree tree(luminaires);
-    const Glow whole = tree.glow(tree.root());
+    const LightProxy whole = tree.light_proxy(tree.root());
     // All of them share 2^48 places, and each has one more than its share.
     const double place = 0x1p-48 * whole.strength * whole.radius;
     each_cluster(tree, tree.root(), [&](const LightCluster& c) {
-        const Glow all = tree.glow(c);
+        const LightProxy all = tree.light_proxy(c);
         double intensity = 0, shares = 0;
         for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
             const LightBounds b = bounds(luminaires[tree.light(i)]);
@@ -121,3 +123,5 @@ TEST_CASE("luminaires in geometric progression and in one place make a finite tr
     CHECK(deepest < 80);
     CHECK(tree.memory_bytes() < 96 * luminaires.size() + 40000);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Luminaire> spheres(int count, Draw& draw) {
@@ -55,3 +57,5 @@ TEST_CASE("a luminaire whose centre is below the horizon is asked as long as a p
     const BuiltLinearAlpha built = build(LinearAlpha{}, {luminaires, {}}, 1);
     CHECK(built.expected({Vec3(0), Vec3(0, 1, 0)}, {}, 0) > 0);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Receiver floor_point{Vec3(0.5, 0, 0.5), Vec3(0, 1, 0)};
@@ -83,7 +85,8 @@ TEST_CASE("points where no surface is are answered as well", "[lighting]") {
     const BuiltPaperOctree built = BuiltPaperOctree(LightOctree{}, {luminaires, floor_box}, 1);
     for (const Vec3& position :
          {Vec3(1e6, 0, 0), Vec3(0.5, -100, 0.5), Vec3(-3, 0.2, 0), Vec3(0, 5, 0)})
-        CHECK(sum_of_expected(built, {position, Vec3(0, 1, 0), Horizon::both_sides}, 100, {}) == Approx(1));
+        CHECK(sum_of_expected(built, {position, Vec3(0, 1, 0), Horizon::both_sides}, 100, {}) ==
+              Approx(1));
 }
 
 TEST_CASE("more representatives make a steadier guess", "[lighting][claim-13]") {
@@ -108,3 +111,5 @@ TEST_CASE("more representatives make a steadier guess", "[lighting][claim-13]") 
         last = relative_variance;
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Box refined_cell{Vec3(-1), Vec3(1)};
@@ -50,3 +52,5 @@ TEST_CASE("a finer cut has less noise, and a coarse rule is content with few ent
     CHECK(fine.clusters.size() > coarse.clusters.size());
     CHECK(content.clusters.size() < 64);
 }
+
+}  // namespace candelabra

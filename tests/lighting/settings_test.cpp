@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("light samplers are known by name", "[lighting]") {
     for (const char* name :
          {"every_light", "constant_alpha", "linear_alpha", "light_bvh", "light_octree"}) {
@@ -13,3 +15,5 @@ TEST_CASE("light samplers are known by name", "[lighting]") {
     }
     CHECK(Kinds<LightSampler>::find("light_tree") == Kinds<LightSampler>::count);
 }
+
+}  // namespace candelabra

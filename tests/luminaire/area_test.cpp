@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -177,3 +179,5 @@ TEST_CASE("area under a map: exact for similarities and flat shapes, near for ot
           Approx(21.4784).epsilon(0.01));
     CHECK(emitting_area(AreaEmitter{Plane{}, {}}) == 0);
 }
+
+}  // namespace candelabra

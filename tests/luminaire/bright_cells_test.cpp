@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// A triangle, of which half is bright.
@@ -45,3 +47,5 @@ TEST_CASE("what neither glows nor is beside what does is never drawn", "[luminai
     CHECK(cells.density({0.55, 0.5}) > 0);
     CHECK(cells.density({0.75, 0.5}) == 0);
 }
+
+}  // namespace candelabra

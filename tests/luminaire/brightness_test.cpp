@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// One in a hundred squares of a raster of 40 x 40 is bright, the others glow a little.
@@ -38,8 +40,8 @@ LampMoments moments(const Luminaire& luminaire, const Receiver& point, int steps
             const auto s = sample(luminaire, point,
                                   {(i + draw.number()) / steps, (j + draw.number()) / steps});
             if (!s) continue;
-            const double light =
-                glow(s->position) * std::fmax(dot(s->direction, point.normal), 0) / s->density;
+            const double light = light_proxy(s->position) *
+                                 std::fmax(dot(s->direction, point.normal), 0) / s->density;
             sum += light;
             squares += light * light;
         }
@@ -146,11 +148,11 @@ TEST_CASE("points of a screen are met again with the density that they were draw
             const Receiver point{5.0 * draw.point(), draw.direction()};
             const auto s = sample(luminaire, point, {draw.number(), draw.number()});
             if (!s) continue;
-            LightMeetings met;
-            meet(luminaire, point, s->direction, met);
+            LightHits met;
+            intersect(luminaire, point, s->direction, met);
             REQUIRE(!met.empty());
             double nearest = INFINITY, density = 0;
-            for (const LightMeeting& m : met)
+            for (const LightHit& m : met)
                 if (std::abs(m.distance - s->distance) < nearest) {
                     nearest = std::abs(m.distance - s->distance);
                     density = m.density;
@@ -176,3 +178,5 @@ TEST_CASE("a screen counts by its mean, and a dark one by something", "[luminair
     CHECK(sample(dark, point, {0.3, 0.7})->density ==
           Approx(sample(glowing(screen, 8), point, {0.3, 0.7})->density));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 CompositeEmitter alone(const BuiltShape& shape) {
@@ -100,3 +102,5 @@ TEST_CASE("a guide makes less noise and the same light", "[luminaire]") {
         CHECK(by_guide.variance < 0.4 * by_search.variance);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Falloff any_falloff(Draw& draw) {
@@ -68,3 +70,5 @@ TEST_CASE("what is joined is nowhere dark where one of its parts is not", "[lumi
     }
     CHECK(lit > 20000);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a guide's density is that of its points", "[luminaire]") {
     const Guide guide(tessellation(built(Torus{1, 0.3}), 8));
     Draw draw(1);
@@ -56,3 +58,5 @@ TEST_CASE("a guide looks where it is told that the surface is bright", "[luminai
     // A quarter of the sphere has eight times the rest's luminance.
     CHECK(bright == Approx(count * 8.0 / 11).epsilon(0.08));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 TEST_CASE("luminance is above 0 when any channel is, and drops what is below 0", "[luminaire]") {
     CHECK(luminance(Vec3(0)) == 0);
     CHECK(luminance(Vec3(-1, -2, -3)) == 0);
@@ -121,10 +123,10 @@ TEST_CASE("what is drawn from a luminaire is met again with its density", "[lumi
         const auto s = sample(luminaire, point, {draw.number(), draw.number()});
         if (!s) continue;
         ++drawn[kind];
-        LightMeetings met;
-        meet(luminaire, point, s->direction, met);
+        LightHits met;
+        intersect(luminaire, point, s->direction, met);
         bool found = false;
-        for (const LightMeeting& m : met)
+        for (const LightHit& m : met)
             found = found || (m.distance == Approx(s->distance).epsilon(1e-3) &&
                               m.density == Approx(s->density).epsilon(1e-2));
         missed[kind] += !found;
@@ -135,3 +137,5 @@ TEST_CASE("what is drawn from a luminaire is met again with its density", "[lumi
         CHECK(missed[kind] <= drawn[kind] / 100);  // at edges
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Box box{Vec3(-0.4, -0.3, -0.02), Vec3(0.4, 0.3, 0.02)};
@@ -102,3 +104,5 @@ TEST_CASE("the light of a box that the horizon cuts is the same by all its parts
         CHECK(light(&normal) == Approx(light(nullptr)).epsilon(0.02).margin(1e-3));
     }
 }
+
+}  // namespace candelabra

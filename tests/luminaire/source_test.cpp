@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a light source gives pi times its luminance, by the cosine, at any distance",
           "[luminaire]") {
     Draw draw(1);
@@ -23,8 +25,10 @@ TEST_CASE("a light source gives pi times its luminance, by the cosine, at any di
 
 TEST_CASE("no ray meets a light source", "[luminaire]") {
     const Luminaire source = glowing(SourceEmitter{Vec3(0), 1, {}});
-    LightMeetings met;
-    meet(source, {Vec3(0, 0, -5), Vec3(0, 0, 1)}, Vec3(0, 0, 1), met);
+    LightHits met;
+    intersect(source, {Vec3(0, 0, -5), Vec3(0, 0, 1)}, Vec3(0, 0, 1), met);
     CHECK(met.empty());
     CHECK(emitting_area(source.emitter) == 0);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -212,10 +214,10 @@ TEST_CASE("points of a sphere are met again with the density that they were draw
         const auto s = sample(sphere, point, {draw.number(), draw.number()});
         if (!s) continue;
         ++drawn;
-        LightMeetings met;
-        meet(sphere, point, s->direction, met);
+        LightHits met;
+        intersect(sphere, point, s->direction, met);
         bool found = false;
-        for (const LightMeeting& m : met)
+        for (const LightHit& m : met)
             found = found || (m.distance == Approx(s->distance).epsilon(1e-3) &&
                               m.density == Approx(s->density).epsilon(1e-3));
         missed += !found;
@@ -223,3 +225,5 @@ TEST_CASE("points of a sphere are met again with the density that they were draw
     CHECK(drawn > 15000);
     CHECK(missed < drawn / 500);  // at the rim
 }
+
+}  // namespace candelabra

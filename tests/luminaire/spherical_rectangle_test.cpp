@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct Means {
@@ -65,3 +67,5 @@ TEST_CASE("nothing is seen of a rectangle from its own plane", "[luminaire]") {
     const SphericalRectangle seen(Vec3(2, 0.5, 0), Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
     CHECK(seen.solid_angle() == 0);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -168,3 +170,5 @@ TEST_CASE("a triangle's density agrees with its samples and is 0 beside it", "[l
         CHECK(density(t, from, -s->direction) == 0);
     }
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 // for several instruction sets then runs as it does on an older machine; see run.sh.
 #include <cpuid.h>
 
+namespace candelabra {
+
 namespace {
 
 // The level of machines that came with AVX2, x86-64-v3: bits of the third word of GCC's further
@@ -30,3 +32,5 @@ int __cpu_indicator_init() {
     return 0;
 }
 }
+
+}  // namespace candelabra

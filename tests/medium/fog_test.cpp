@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 double seen(const Fog& fog, const Ray& ray, double distance) {
@@ -40,3 +42,5 @@ TEST_CASE("ground fog thins out upwards", "[medium]") {
     const double column = 1 + 2 * std::atan(2.0);
     CHECK(seen(fog, {Vec3(0), Vec3(0, 1, 0)}, 5) == Approx(1 - std::exp(-column / 4)));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("patterns of bands have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"gradient x", {0.300000000, 0.300000000, 0.550020000, 0.340000000}},
@@ -33,3 +35,5 @@ TEST_CASE("turbulence displaces what is no marble or wood", "[pattern]") {
     CHECK(pattern_of("wood turbulence 1").place(point) == point);
     CHECK(pattern_of("bozo turbulence 1").place(point) != point);
 }
+
+}  // namespace candelabra

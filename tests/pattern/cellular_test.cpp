@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("patterns of cells have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"cells", {0.824241705, 0.030540943, 0.773327578, 0.892267187}},
@@ -30,3 +32,5 @@ TEST_CASE("the nearest nucleus is nearer than the others", "[pattern]") {
     CHECK(nearest_nucleus(nucleus, 2) == nucleus);
     CHECK(nearest_nucleus(point, 1) != nucleus);
 }
+
+}  // namespace candelabra

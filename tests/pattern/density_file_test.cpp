@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using namespace std::string_view_literals;
@@ -53,3 +55,5 @@ TEST_CASE("what is no df3 file is told apart", "[pattern]") {
                                          "\0\1\0\1\0\1\1\2\3"sv, "\0\2\0\1\0\2\x00\x33\x66"sv})
         CHECK_FALSE(read_density_grid(wrong));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("patterns that fall off have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"boxed", {0.300000000, 0.000000000, 0.000000000, 0.000000000}},
@@ -20,3 +22,5 @@ TEST_CASE("what falls off is never negative", "[pattern]") {
         CHECK(evaluate(SphericalPattern{}, far) == 0);
     }
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("fractals have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"mandel 30", {0.133333333, 0.000000000, 0.000000000, 0.000000000}},
@@ -26,3 +28,5 @@ TEST_CASE("fractals have POV-Ray's values", "[pattern]") {
                      {0.771622548, 0.100162309, 0.148562221, 0.421687677}}},
                    2e-8);
 }
+
+}  // namespace candelabra

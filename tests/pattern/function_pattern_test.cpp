@@ -5,6 +5,8 @@
 
 #include <limits>
 
+namespace candelabra {
+
 TEST_CASE("a function as a pattern begins again above 1", "[pattern]") {
     const FunctionPattern sum{make_handle<Formula>(3, 1, [](const double* in, double* out) {
         out[0] = in[0] + in[1] + in[2];
@@ -17,3 +19,5 @@ TEST_CASE("a function as a pattern begins again above 1", "[pattern]") {
     CHECK(evaluate(sum, Vec3(std::numeric_limits<double>::quiet_NaN())) == 0);
     CHECK(evaluate(FunctionPattern{}, Vec3(1)) == 0);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("patterns of noise have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"bozo", {0.379154909, 0.511490641, 0.740099598, 0.462996606}},
@@ -35,3 +37,5 @@ TEST_CASE("a pattern without a noise generator takes the scene's", "[pattern]") 
         CHECK(value_at(fixed, point, scene) == Approx(noise(point, NoiseGenerator::perlin)));
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("every pattern has a value everywhere", "[pattern]") {
     for (std::size_t kind = 0; kind < Kinds<Pattern>::count; ++kind) {
         PatternUse use;
@@ -37,3 +39,5 @@ TEST_CASE("patterns say what makes them differ from the others", "[pattern]") {
     CHECK(std::holds_alternative<TriangleWave>(wave));
     CHECK(modifiers.frequency == 0);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// A picture of 5 by 3 pixels.
@@ -165,3 +167,5 @@ TEST_CASE("bumps point away from where a picture gets brighter", "[pattern]") {
     map.once = true;
     CHECK_FALSE(bump_at(map, Vec3(2), 1));
 }
+
+}  // namespace candelabra

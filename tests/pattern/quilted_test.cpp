@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("a quilt has POV-Ray's values", "[pattern]") {
     check_patterns({
         {"quilted", {0.214742407, 0.267049704, 0.143735690, 0.275785312}},
@@ -17,3 +19,5 @@ TEST_CASE("cubes of negative whole numbers begin above them", "[pattern]") {
     CHECK(quilted_tilt(Quilted{}, {1, 0.5, 0.5}).x < 0);
     CHECK(quilted_tilt(Quilted{}, {0.5, 0.5, 0.5}) == Vec3(0));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("ripples and waves have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"ripples", {0.473746678, 0.286918648, 0.537258488, 0.541610492}},
@@ -21,7 +23,7 @@ TEST_CASE("waves start at POV-Ray's points", "[pattern]") {
     CHECK(sources[1].frequency == Approx(0.96004120).margin(1e-8));
     CHECK(sources[2].frequency == Approx(0.43316965).margin(1e-8));
     CHECK(wave_sources(-5).size() == 1);
-    CHECK(wave_sources(1 << 30).size() == static_cast<std::size_t>(most_wave_sources));
+    CHECK(wave_sources(1 << 30).size() == static_cast<std::size_t>(max_wave_sources));
 }
 
 TEST_CASE("the scene says how many points waves start at", "[pattern]") {
@@ -33,3 +35,5 @@ TEST_CASE("the scene says how many points waves start at", "[pattern]") {
     CHECK(value_at(use, point, one) ==
           Approx(0.5 * (1 + cycle(length(point - wave_sources(1)[0].centre)))));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 namespace {
 
 double slope_at(const std::string& text, const Vec3& normal, const Vec3& position = Vec3(0)) {
@@ -43,3 +45,5 @@ TEST_CASE("where there is no surface, slope and aoi are 0", "[pattern]") {
     CHECK(value_at(pattern_of("slope y"), Vec3(1)) == 0);
     CHECK(value_at(pattern_of("aoi"), Vec3(1)) == 0);
 }
+
+}  // namespace candelabra

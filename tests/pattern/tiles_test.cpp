@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("patterns that choose from lists have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"brick", {1.000000000, 0.000000000, 1.000000000, 1.000000000}},
@@ -34,3 +36,5 @@ TEST_CASE("tiles do not repeat their lists", "[pattern]") {
         CHECK(choices(use.pattern) >= 2);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("tilings have POV-Ray's values", "[pattern]") {
     struct Row {
         int type;
@@ -55,3 +57,5 @@ TEST_CASE("tilings cover the plane without gaps", "[pattern]") {
             CHECK((value >= 0 && value <= 1 + 1e-6));
         }
 }
+
+}  // namespace candelabra

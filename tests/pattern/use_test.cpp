@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("turbulence comes last on the way to the pattern, wherever it stands", "[pattern]") {
     const Vec3 point(0.3, 0.7, -0.2);
     const Vec3 expected = pattern_of("bozo scale 2 turbulence 0.5").place(point);
@@ -10,3 +12,5 @@ TEST_CASE("turbulence comes last on the way to the pattern, wherever it stands",
     CHECK(expected == point / 2.0 + 0.5 * turbulence(point / 2.0, {}));
     CHECK(pattern_of("bozo scale 2 warp { turbulence 0.5 }").place(point) != expected);
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <initializer_list>
 #include <string>
 
+namespace candelabra {
+
 /// The pattern that stands in `pigment { text }`.
 inline PatternUse pattern_of(const std::string& text) {
     const Script done = run("#version 3.7; sphere { 0, 1 pigment { " + text + " } }");
@@ -45,3 +47,5 @@ inline void check_patterns(std::initializer_list<ExpectedPattern> expected, doub
             CHECK(value_at(use, points[i]) == Approx(e.values[i]).margin(margin).epsilon(0));
     }
 }
+
+}  // namespace candelabra

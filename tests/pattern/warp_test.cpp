@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("warps and transformations lead where POV-Ray's do", "[pattern]") {
     struct Row {
         std::string text;
@@ -85,3 +87,5 @@ TEST_CASE("a repeated black hole is moved to where its blocks can hold it", "[pa
     CHECK(hole.centre == Vec3(1, 5, 0));
     CHECK(hole.repeat == Vec3(2.5, 9, 0));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include "pattern/values.h"
 
+namespace candelabra {
+
 TEST_CASE("waves, frequency and phase have POV-Ray's values", "[pattern]") {
     check_patterns({
         {"gradient <1,2,3> ramp_wave frequency 1.7 phase 0.2",
@@ -55,3 +57,5 @@ TEST_CASE("the wave is the pattern's, or the last one that is said", "[pattern]"
     CHECK(std::get<PolyWave>(pattern_of("onion poly_wave").wave).exponent == 1);
     CHECK(std::get<PolyWave>(pattern_of("onion sine_wave poly_wave 3").wave).exponent == 3);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,3 +61,5 @@ TEST_CASE("other files, broken ones and those that are not there say nothing", "
     CHECK(facts_of("\x89PNG").table.empty());
     CHECK(file_facts("/none/at/all").table.empty());
 }
+
+}  // namespace candelabra

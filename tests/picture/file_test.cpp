@@ -9,6 +9,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,3 +108,5 @@ TEST_CASE("a full device is an error") {
     CHECK_FALSE(write_file("/dev/full", "x", diagnostics));
     CHECK(diagnostics.error_count() == 1);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the library of formats opens once", "[picture]") {
     Diagnostics diagnostics;
     const Formats* formats = picture_formats(diagnostics);
@@ -10,3 +12,5 @@ TEST_CASE("the library of formats opens once", "[picture]") {
     CHECK(formats == picture_formats(diagnostics));
     CHECK(diagnostics.all().empty());
 }
+
+}  // namespace candelabra

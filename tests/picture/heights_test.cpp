@@ -8,6 +8,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,3 +45,5 @@ TEST_CASE("pictures are heights from their last row on", "[picture]") {
 TEST_CASE("what is no picture has no heights", "[picture]") {
     CHECK_FALSE(heights(".png", "nothing"));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace candelabra {
+
 namespace {
 
 LayeredPicture example() {
@@ -52,3 +54,5 @@ TEST_CASE("planes and texts come back bit by bit; a damaged file is an error") {
     }
     std::filesystem::remove(path);
 }
+
+}  // namespace candelabra

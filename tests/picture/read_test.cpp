@@ -13,6 +13,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,3 +164,5 @@ TEST_CASE("nobody reads on what another reader has left", "[picture]") {
         CHECK(diagnostics.failed());
     }
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 using namespace std::string_literals;
@@ -83,3 +85,5 @@ TEST_CASE("a Targa file that is damaged leaves the picture as it was", "[picture
     wide[13] = wide[15] = '\x3f';
     CHECK_FALSE(read_tga(wide, 1 << 28, picture));
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace candelabra {
+
 namespace {
 
 Image ramp(int width, int height) {
@@ -200,3 +202,5 @@ TEST_CASE("what is brighter than its alpha has more alpha") {
     CHECK(byte(4) == 255);
     CHECK(byte(7) == 230);
 }
+
+}  // namespace candelabra

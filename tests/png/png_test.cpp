@@ -4,6 +4,8 @@
 #include "support/folder.h"
 #include "support/picture_formats.h"
 
+namespace candelabra {
+
 namespace {
 
 /// Five by three pixels, each value another.
@@ -105,3 +107,5 @@ TEST_CASE("a PNG file that says it is large must have bytes enough", "[png]") {
     CHECK(picture.width == 0);
     CHECK(picture.values.empty());
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::string floor_and_lamps = R"(
@@ -82,3 +84,5 @@ TEST_CASE("the number of shadow rays is as the settings say", "[render]") {
     const World one = world_of("sphere { 0, 1 } light_source { y, 1 }");
     CHECK(pilot(one, small(true)).shadow_rays.usual == 1);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <atomic>
 
+namespace candelabra {
+
 namespace {
 
 const char* const four_lamps = R"(
@@ -132,13 +134,13 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     settings.sampling_method = GENERATE(1, 2);
     CAPTURE(settings.sampling_method);
     RenderHooks hooks;
-    hooks.extras = {true, true, true};
-    RenderState whole = begin_picture(settings, hooks.extras.count(world)), broken = whole,
+    hooks.aovs = {true, true, true};
+    RenderState whole = begin_picture(settings, hooks.aovs.count(world)), broken = whole,
                 parts = whole;
     LightLedger rays;
     CHECK(advance(plan_of(world, settings), whole, rays, hooks));
     for (int i = 0; i < 3; ++i) {
-        RenderState part = begin_picture(settings, hooks.extras.count(world));
+        RenderState part = begin_picture(settings, hooks.aovs.count(world));
         part.share.first_tile = i;
         part.share.tile_step = 3;
         CHECK(advance(plan_of(world, settings), part, rays, hooks));
@@ -148,7 +150,7 @@ TEST_CASE("antialiased pictures can be stopped, and made in parts", "[render]") 
     }
     CHECK(parts.film.image().pixels == whole.film.image().pixels);
     for (int edge = 34; edge < 42; ++edge) {
-        RenderState part = begin_picture(settings, hooks.extras.count(world));
+        RenderState part = begin_picture(settings, hooks.aovs.count(world));
         part.share.region = {13, 9, edge, edge};
         CHECK(advance(plan_of(world, settings), part, rays, hooks));
         int others = 0;
@@ -247,3 +249,5 @@ TEST_CASE("a round of very many samples has an end", "[render]") {
     CHECK(advance(plan, state, rays, hooks));
     CHECK(state.film.at(0, 0).samples == wanted);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -132,3 +134,5 @@ TEST_CASE("what the choice of luminaires knows of highlights is near what they a
         }
     }
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 using std::numbers::pi;
@@ -100,3 +102,5 @@ TEST_CASE("the response is the same both ways", "[render]") {
     CHECK(one == Approx(other));
     CHECK(facet_response(there.shading, -light, false) == Vec3(0));
 }
+
+}  // namespace candelabra

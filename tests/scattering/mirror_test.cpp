@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct MirrorBench {
@@ -45,3 +47,5 @@ TEST_CASE("a bump mirrors no ray into the surface", "[scattering]") {
     b.shading.normal = unit(Vec3(0, 1, 0.5));
     CHECK(reflected_direction(b.shading).y > 0);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct Bench {
@@ -48,3 +50,5 @@ TEST_CASE("highlights are brightest in the mirror direction", "[render]") {
         b.finish.diffuse = 0;
     }
 }
+
+}  // namespace candelabra

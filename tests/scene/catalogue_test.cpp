@@ -6,6 +6,8 @@
 #include <set>
 #include <string_view>
 
+namespace candelabra {
+
 TEST_CASE("every group and item has a name and an explanation, no name twice in a group") {
     std::set<std::string_view> groups;
     for (const ItemGroup& group : catalogue()) {
@@ -43,3 +45,5 @@ TEST_CASE("the default values of numbers lie in their ranges") {
         }
     }
 }
+
+}  // namespace candelabra

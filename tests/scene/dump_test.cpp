@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// As the evaluator begins it.
@@ -170,3 +172,5 @@ TEST_CASE("a black background is told from none, which is clear in a picture wit
     scene.background.colour = {};
     CHECK(dump(scene).find("background { rgb 0 }") != std::string::npos);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string dumped(const std::string& pigment) {
@@ -71,3 +73,5 @@ TEST_CASE("a normal is written so that it reads back as the same", "[scene]") {
         CHECK(dumped_normal(once) == once);
     }
 }
+
+}  // namespace candelabra

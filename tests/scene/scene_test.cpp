@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a light takes with it what belongs to it", "[scene]") {
     PlacedLight placed{PointLight{}, {}};
     placed.looks_like = make_handle<Object>();
@@ -38,3 +40,5 @@ TEST_CASE("however often an object is moved, it is wrapped once at most", "[scen
     CHECK(textured->transform->point(Vec3(0)) == Vec3(3, 0, 0));
     CHECK_FALSE(textured->texture);
 }
+
+}  // namespace candelabra

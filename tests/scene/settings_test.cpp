@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("settings start with POV-Ray 3.7's values and write what differs", "[scene]") {
     GlobalSettings settings;
     CHECK(settings.max_trace_level == 5);
@@ -19,3 +21,5 @@ TEST_CASE("a run has at least one pixel", "[scene]") {
         if (field.name == "width" || field.name == "height") CHECK_FALSE(field.range.contains(0));
     }
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <string>
 
+namespace candelabra {
+
 namespace {
 
 const std::string red_ball =
@@ -77,3 +79,5 @@ TEST_CASE("a run that is cancelled makes no picture", "[session]") {
     CHECK_FALSE(make_picture(long_work, under_way));
     CHECK(begun);
 }
+
+}  // namespace candelabra

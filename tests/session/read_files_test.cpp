@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a noting reader notes each content once", "[session]") {
     std::vector<ReadFile> files;
     std::string content = "x";
@@ -17,3 +19,5 @@ TEST_CASE("a noting reader notes each content once", "[session]") {
     CHECK(read("a") == "y");
     CHECK(files.size() == 2);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 namespace {
 
 /// A session over a scene that is in no file.
@@ -83,3 +85,5 @@ TEST_CASE("what is likely a mistake is said of a scene", "[session]") {
     CHECK(diagnostics.all().size() >= 2);  // no camera, no light
     CHECK_FALSE(diagnostics.failed());
 }
+
+}  // namespace candelabra

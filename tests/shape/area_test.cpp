@@ -9,6 +9,8 @@
 
 #include <functional>
 
+namespace candelabra {
+
 using std::numbers::pi;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("points are spread evenly over the area", "[shape]") {
         CHECK(chi2 < 50);
     }
 }
+
+}  // namespace candelabra

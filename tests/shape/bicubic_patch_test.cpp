@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a patch of points in a plane is flat, and divided where it is not", "[shape]") {
     BicubicPatch sheet;
     CHECK(problem(sheet) == "a `bicubic_patch` needs a `type`, 0 or 1");
@@ -30,3 +32,5 @@ TEST_CASE("a patch of points in a plane is flat, and divided where it is not", "
     CHECK(build(sheet).facets.size() == 4);
     CHECK(hits(curved, {Vec3(1.5, 5, 1.5), Vec3(0, -1, 0)}).at(0).t == Approx(5 - 1.125));
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 BlobSphere ball(const Vec3& centre, double radius, double strength, const Transform& map = {}) {
@@ -113,3 +115,5 @@ TEST_CASE("components far apart are met as well as near ones", "[shape]") {
         }
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("rays cross a box where they should", "[shape]") {
     const Cuboid cuboid{Vec3(1, 1, 1), Vec3(-1, -2, -3)};
     const std::vector<RayCase> table = {
@@ -39,3 +41,5 @@ TEST_CASE("the surface of a box is inside it", "[shape]") {
     CHECK(bounds(cuboid).low == Vec3(-1, -2, -3));
     CHECK(bounds(cuboid).high == Vec3(1, 1, 1));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a built shape answers rays as its kind does", "[shape]") {
     const Sphere sphere{Vec3(1, 0, 0), 2};
     const BuiltShape ready = built(Shape(sphere));
@@ -44,3 +46,5 @@ TEST_CASE("the foot of a shape is met where a plane in its place is, to the last
         }
     }
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <functional>
 
+namespace candelabra {
+
 namespace {
 
 constexpr Interval ahead{0};
@@ -314,3 +316,5 @@ TEST_CASE("quadrics without end have bounds where planes cut them", "[shape]") {
     REQUIRE(met);
     CHECK(met->t == Approx(9 - std::sqrt(1 + 1.9 * 1.9)));
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const double w = std::sqrt(0.5);
@@ -147,3 +149,5 @@ TEST_CASE("rays nearly along the ends of cylinders and cones are met on them, in
     }
     CHECK(met > 10'000);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 double distance(const Vec2& a, const Vec2& b) { return glm::length(a - b); }
@@ -86,3 +88,5 @@ TEST_CASE("loops end where they come back to their start", "[shape]") {
     CHECK(closed_curves(bezier_curve, bezier).loops.size() == 1);
     CHECK_FALSE(closed_curves(bezier_curve, std::span(bezier).first(4)).closed);
 }
+
+}  // namespace candelabra

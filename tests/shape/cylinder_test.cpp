@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("rays cross a cylinder where they should", "[shape]") {
     const Cylinder solid{Vec3(0, -1, 0), Vec3(0, 1, 0), 1, false};
     const Cylinder tube{Vec3(0, -1, 0), Vec3(0, 1, 0), 1, true};
@@ -92,3 +94,5 @@ TEST_CASE("a cylinder needs two ends", "[shape]") {
     CHECK(problem(Cylinder{Vec3(1), Vec3(1), 1, false}) ==
           "a `cylinder` needs two different end points");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("rays cross a disc where they should", "[shape]") {
     const Disc ring{Vec3(0), Vec3(0, 3, 0), 2, 0.5};
     const std::vector<RayCase> table = {
@@ -43,3 +45,5 @@ TEST_CASE("a disc needs a direction and something around its hole", "[shape]") {
     CHECK(vanishes(Disc{Vec3(0), Vec3(0, 1, 0), 1, 1}) == "its hole is as wide as itself");
     CHECK(vanishes(Disc{}).empty());
 }
+
+}  // namespace candelabra

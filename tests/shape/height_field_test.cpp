@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const Vec3 down(0, -1, 0);
@@ -94,3 +96,5 @@ TEST_CASE("a landscape is met where its triangles are", "[shape]") {
 TEST_CASE("a height field needs heights", "[shape]") {
     CHECK(problem(HeightField()) == "a `height_field` needs a picture or a function");
 }
+
+}  // namespace candelabra

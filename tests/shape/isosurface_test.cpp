@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// y, as code of C++.
@@ -71,3 +73,5 @@ TEST_CASE("in a container that is flat there is nothing to see", "[shape]") {
     CHECK(problem(surface).empty());
     CHECK(hits(build(surface), {Vec3(0, 2, 0), Vec3(0, -1, 0)}).empty());
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 JuliaFractal fractal(int function, int max_iteration) {
@@ -52,3 +54,5 @@ TEST_CASE("slopes of formulas are POV-Ray's", "[shape]") {
     // Where the counted orbit escapes, the other one goes on.
     slopes_along(fractal(julia_sin, 2), Vec3(1.3, 1.97757, 0.2), Vec3(0.655, 0.534, 0.534));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a julia fractal without a constant is a ball", "[shape]") {
     JuliaFractal ball;
     ball.parameter = Vec4(0);
@@ -45,3 +47,5 @@ TEST_CASE("the nearest crossing of a julia fractal is the first of all", "[shape
     }
     CHECK(found > 20);
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("orbits stay or escape as in POV-Ray", "[shape]") {
     JuliaFractal julia;
     julia.parameter = Vec4(-0.083, 0, -0.83, -0.025);
@@ -15,3 +17,5 @@ TEST_CASE("orbits stay or escape as in POV-Ray", "[shape]") {
     CHECK(julia_orbit(julia, Vec3(0.1, 0.2, 0.3)).stays);
     CHECK(julia_radius(julia) == 4);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::vector<Vec2> lathe_points = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
@@ -119,3 +121,5 @@ TEST_CASE("a lathe that begins beyond the axis is seen in a mirror there", "[sha
     CHECK(inside(build(beyond), Vec3(0.7, 0.25, 0)));
     CHECK_FALSE(inside(build(beyond), Vec3(0.8, 0.25, 0)));
 }
+
+}  // namespace candelabra

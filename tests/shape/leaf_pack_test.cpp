@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Spheres, then triangles, then boxes.
@@ -264,3 +266,5 @@ TEST_CASE("without packs everything is asked", "[shape]") {
     });
     CHECK(asked == 3);
 }
+
+}  // namespace candelabra

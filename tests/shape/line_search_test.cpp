@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// Changes of a function whose slope is within these bounds.
@@ -59,3 +61,5 @@ TEST_CASE("a normal looks against a ray that enters, whatever the slope says", "
         CHECK(dot(normal_against(slope, forward, true), forward) < 0);
     CHECK(length(normal_against(Vec3(0, 3, 4), forward, true)) == Approx(1));
 }
+
+}  // namespace candelabra

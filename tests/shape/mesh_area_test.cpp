@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("shares of a mesh's area lie in faces by their size", "[shape]") {
     Mesh mesh;
     mesh.vertices = {Vec3(0), Vec3(2, 0, 0), Vec3(0, 1, 0), Vec3(0, -3, 0)};
@@ -22,3 +24,5 @@ TEST_CASE("shares of a mesh's area lie in faces by their size", "[shape]") {
     }
     CHECK(MeshArea(Mesh()).total() == 0);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The cube from -1 to 1, each side two triangles that face outward.
@@ -162,3 +164,5 @@ TEST_CASE("a crossing names the face, and u and v of corners come from the lists
     mesh.uvs.resize(1, Vec2(0));
     CHECK(face_uvs(mesh, 0)[1] == Vec2(0));
 }
+
+}  // namespace candelabra

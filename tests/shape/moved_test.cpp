@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a moved plane has the points of the plane, moved", "[shape]") {
     const Plane plane{Vec3(0, 2, 0), 3};
     const Transform map = Transform::scaling(Vec3(1, 4, 1))
@@ -13,3 +15,5 @@ TEST_CASE("a moved plane has the points of the plane, moved", "[shape]") {
     for (const Vec3& on : {Vec3(0, 3, 0), Vec3(7, 3, -2)})
         CHECK(dot(placed.normal, map.point(on)) == Approx(placed.distance));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Outline outline(CurveKind kind, const std::vector<Vec2>& points) {
@@ -141,3 +143,5 @@ TEST_CASE("edges and places are found in outlines of many edges", "[shape]") {
 TEST_CASE("an outline without curves contains nothing", "[shape]") {
     CHECK_FALSE(Outline().contains({0, 0}));
 }
+
+}  // namespace candelabra

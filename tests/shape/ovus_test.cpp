@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {}  // namespace
 
 TEST_CASE("an ovus has the bounds and the inside that POV-Ray gives it", "[shape]") {
@@ -45,3 +47,5 @@ TEST_CASE("an ovus with one radius of 0 is a sphere", "[shape]") {
     CHECK(answers(Ovus{0, 1}, {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
     CHECK(answers(Ovus{0, 0}, {{Vec3(-5, 0, 0), x}, {}}));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Handle<Formula> function(double (*code)(double, double)) {
@@ -56,3 +58,5 @@ TEST_CASE("a parametric surface with a pole has no facets across it", "[shape]")
     REQUIRE(found.size() == 1);
     CHECK(found[0].t == Approx(5 - std::tan(-0.6)));
 }
+
+}  // namespace candelabra

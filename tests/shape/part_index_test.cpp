@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Box> boxes(std::size_t count, Draw& draw) {
@@ -51,3 +53,5 @@ TEST_CASE("flat parts are found by rays that pass through them", "[shape]") {
     CHECK(found == 20);
     CHECK(index.bounds().high == Vec3(1));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the distance of a plane counts along its unit normal", "[shape]") {
     const Plane up{Vec3(0, 2, 0), 3}, down{Vec3(0, -1, 0), 3};
     CHECK(answers(up, {{Vec3(7, 10, 7), Vec3(0, -1, 0)}, {{7, Vec3(0, 1, 0), true}}}));
@@ -26,3 +28,5 @@ TEST_CASE("a plane needs a direction", "[shape]") {
     CHECK(problem(Plane{Vec3(1e200), 0}) == sentence);
     CHECK(problem(Plane{Vec3(std::nan("")), 0}) == sentence);
 }
+
+}  // namespace candelabra

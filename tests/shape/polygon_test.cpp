@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {}  // namespace
 
 TEST_CASE("a polygon is met within its edges and not in its holes", "[shape]") {
@@ -41,3 +43,5 @@ TEST_CASE("what can be wrong with a polygon is said", "[shape]") {
     CHECK(problem(Polygon{{o, x, x + y + 0.1 * z, y}}) ==
           "the corners of a `polygon` must lie in one plane");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The place of x^i y^j z^k among the factors.
@@ -137,3 +139,5 @@ TEST_CASE("a polynomial written term by term is the poly of these factors", "[sh
     CHECK(problem(Polynomial{2, {}}) ==
           "a `polynomial` needs a factor that is not 0 besides the constant");
 }
+
+}  // namespace candelabra

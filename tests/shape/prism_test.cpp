@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Prism prism(int spline, double low, double high, const std::vector<Vec2>& points) {
@@ -94,3 +96,5 @@ TEST_CASE("a prism without a height is entered and left at once", "[shape]") {
     CHECK(answers(sheet, {{-5.0 * y, y}, {{6, -y, true}, {6, y, false}}}));
     CHECK_FALSE(inside(sheet, y));
 }
+
+}  // namespace candelabra

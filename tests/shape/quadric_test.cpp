@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {}  // namespace
 
 TEST_CASE("the factors of a quadric belong to the terms that they say", "[shape]") {
@@ -107,3 +109,5 @@ TEST_CASE("no point of a quadric in a box is outside of its bounds there", "[sha
     }
     CHECK(points > 1000);
 }
+
+}  // namespace candelabra

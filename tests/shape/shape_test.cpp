@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a shape says what is wrong with it, whichever it is", "[shape]") {
     CHECK(problem(Shape(Sphere{})).empty());
     Mesh mesh;
@@ -12,3 +14,5 @@ TEST_CASE("a shape says what is wrong with it, whichever it is", "[shape]") {
     mesh.faces = {{0, 1, 3}};
     CHECK_FALSE(problem(Shape(Shared(mesh))).empty());
 }
+
+}  // namespace candelabra

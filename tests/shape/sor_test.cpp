@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::vector<Vec2> sor_points = {{0.5, -1}, {1, 0}, {0.5, 1}, {1, 2}, {0.2, 3}};
@@ -47,3 +49,5 @@ TEST_CASE("what can be wrong with a sor is said", "[shape]") {
     CHECK(problem(Sor{{{0, 0}, {0, 1}, {0, 2}, {0, 3}}, false}) ==
           "a `sor` needs a radius above 0");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 const std::vector<Ball> four = {{-x, 0.3}, {o, 0.3}, {Vec3(1, 1, 0), 0.5}, {2.0 * x, 0.3}};
@@ -85,3 +87,5 @@ TEST_CASE("what can be wrong with a sphere sweep is said", "[shape]") {
     CHECK(vanishes(SphereSweep{linear_way, {{o, 0}, {x, 0}}}) == "all its radii are 0");
     CHECK(vanishes(SphereSweep{linear_way, {{o, 0}, {x, 1}}}).empty());
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("rays cross a sphere where they should", "[shape]") {
     const Sphere sphere{Vec3(1, 2, 3), 2};
     const std::vector<RayCase> table = {
@@ -104,3 +106,5 @@ TEST_CASE("no point of a sphere is outside of its part in the cell", "[shape]") 
         CHECK(contains({part.low - slack, part.high + slack}, point));
     }
 }
+
+}  // namespace candelabra

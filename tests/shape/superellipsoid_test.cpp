@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 double value(const Vec2& e, const Vec3& p) {
@@ -63,3 +65,5 @@ TEST_CASE("all signs that change along a ray are found, for exponents of any siz
                 CHECK(value(e, ray.at(c.t - 1e-7)) * value(e, ray.at(c.t + 1e-7)) < 0);
         }
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 /// Six times the volume, from the faces; the right sign tells that they look outward.
@@ -111,3 +113,5 @@ TEST_CASE("shapes of triangles keep them, and what has no end has none", "[shape
     }
     CHECK(area == Approx(3 * std::numbers::pi).epsilon(0.005));
 }
+
+}  // namespace candelabra

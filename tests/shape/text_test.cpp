@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("letters stand in the plane of x and y, and go backwards", "[shape]") {
     Text text;
     CHECK(problem(text) == "a `text` needs `ttf` or `internal`");
@@ -20,3 +22,5 @@ TEST_CASE("letters stand in the plane of x and y, and go backwards", "[shape]") 
     CHECK(inside(built, Vec3(0.6, 0.5, 0.2)));
     CHECK_FALSE(inside(built, Vec3(0.2, 0.5, 0.2)));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {}  // namespace
 
 TEST_CASE("rays cross a torus where they should", "[shape]") {
@@ -66,3 +68,5 @@ TEST_CASE("a torus around its own centre is a sphere", "[shape]") {
     CHECK(answers(Torus{0, 1}, {{Vec3(-5, 0, 0), x}, {{4, -x, true}, {6, x, false}}}));
     CHECK(inside(Torus{0, 1}, Vec3(0, 0.9, 0)));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a mesh of single triangles becomes one of lists", "[shape]") {
     const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     TriangleMesh mesh;
@@ -24,3 +26,5 @@ TEST_CASE("a mesh of single triangles becomes one of lists", "[shape]") {
     CHECK(as_mesh(mesh).looks.empty());
     CHECK(as_mesh(mesh).uvs.empty());
 }
+
+}  // namespace candelabra

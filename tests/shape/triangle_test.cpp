@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Interval onwards() { return {}; }
@@ -176,3 +178,5 @@ TEST_CASE("a triangle needs an area, a smooth one also normals", "[shape]") {
     CHECK(problem(SmoothTriangle{o, z, x, 1e200 * z, y, z}) ==
           "a `smooth_triangle` needs normals with lengths below 1e150");
 }
+
+}  // namespace candelabra

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 bool close(const std::optional<Vec2>& found, const Vec2& expected) {
@@ -103,3 +105,5 @@ TEST_CASE("shapes that nothing is wrapped around have no u and v", "[shape]") {
     CHECK_FALSE(uv(BuiltShape(Plane{}), o, 0));
     CHECK(uv(BuiltShape(Sphere{}), x, 0));
 }
+
+}  // namespace candelabra

@@ -15,6 +15,8 @@
 #include <set>
 #include <sstream>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int size = 48;
@@ -60,7 +62,7 @@ const std::string floor_from_above = R"(
     #version 3.7;
     camera { orthographic location <0, 9, 0> look_at 0 right 4*x up 4*y }
     plane { y, 0 pigment { rgb 0.5 } finish { ambient 0 diffuse 1 } }
-    #declare Glow = texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 40 } }
+    #declare LightProxy = texture { pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 40 } }
 )";
 
 /// Relative variance of the cosine on the far side, and the share of points that face away.
@@ -100,8 +102,8 @@ TEST_CASE("of a far sphere's area half is wasted, of its cone nothing", "[statis
 
 TEST_CASE("linear alpha beats constant alpha where one lamp is near", "[statistics][claim-4]") {
     const std::string lamps = floor_from_above + R"(
-        sphere { <0, 0.6, 0>, 0.05 texture { Glow } no_image }
-        sphere { <6, 5, 0>, 0.05 texture { Glow } no_image })";
+        sphere { <0, 0.6, 0>, 0.05 texture { LightProxy } no_image }
+        sphere { <6, 5, 0>, 0.05 texture { LightProxy } no_image })";
     const World constant = world_with(lamps, ConstantAlpha{}),
                 linear = world_with(lamps, LinearAlpha{}), every = world_with(lamps, EveryLight{});
     CHECK(noise(linear, 1) * 3 < noise(constant, 1));
@@ -112,7 +114,7 @@ TEST_CASE("linear alpha beats constant alpha where one lamp is near", "[statisti
 
 TEST_CASE("the noise of one lamp is in its penumbra", "[statistics][claim-8]") {
     const World world = world_with(floor_from_above + R"(
-        sphere { <0, 3, 0>, 0.5 texture { Glow } no_image }
+        sphere { <0, 3, 0>, 0.5 texture { LightProxy } no_image }
         box { <0.6, 1, -9>, <9, 1.05, 9> pigment { rgb 0 } no_image })",
                                    LinearAlpha{});
     const double lit = noise(world, 4, 0, 16), shadow = noise(world, 4, 24, 48);
@@ -156,3 +158,5 @@ TEST_CASE("each claim is where the table says", "[statistics]") {
     CHECK(rows.size() == 34);
     CHECK((!rows.empty() && *rows.begin() == 1 && *rows.rbegin() == 34));
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int sunlit_size = 48;
@@ -87,3 +89,5 @@ TEST_CASE("spheres of which nothing hides any make no noise", "[statistics][clai
     CHECK(mean(a) > 0.1);
     CHECK(worst < 1e-3);
 }
+
+}  // namespace candelabra

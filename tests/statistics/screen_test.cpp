@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int screen_size = 24;
@@ -19,7 +21,7 @@ const std::string screen_room = R"(#version 3.7;
     box { <-5, -0.2, -5>, <5, 0, 5> pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
     sphere { <0.6, 0.5, -1>, 0.4 pigment { rgb 0.8 } finish { ambient 0 diffuse 1 } }
     #macro Bright(I, J) ((I = 2 & J = 5) | (I = 9 & J = 1) | (I = 6 & J = 3)) #end
-    #declare Glow = finish { ambient 0 diffuse 0 emission 20 }
+    #declare LightProxy = finish { ambient 0 diffuse 0 emission 20 }
 )";
 const std::string whole = R"(
     #declare Field = function(x, y) { select(abs(x - 2) + abs(y - 5), 0, 1, 0)
@@ -30,7 +32,7 @@ const std::string whole = R"(
             function { Field(floor(4*x + 6), floor(4*(y - 0.3))) }
             colour_map { [0 rgb 0.005] [1 rgb 1] }
         }
-        finish { Glow }
+        finish { LightProxy }
     }
 )";
 const std::string parts = R"(
@@ -39,7 +41,7 @@ const std::string parts = R"(
             box {
                 <0.25*I - 1.5, 0.25*J + 0.3, 1>, <0.25*I - 1.25, 0.25*J + 0.55, 1.05>
                 pigment { #if (Bright(I, J)) rgb 1 #else rgb 0.005 #end }
-                finish { Glow }
+                finish { LightProxy }
             }
         #end
     #end
@@ -87,3 +89,5 @@ TEST_CASE("a screen lights as its fields would one by one", "[statistics]") {
         CHECK(found.noise < 2.5);
     }
 }
+
+}  // namespace candelabra

@@ -11,6 +11,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace candelabra {
+
 namespace {
 
 constexpr int strategy_size = 12;
@@ -118,3 +120,5 @@ TEST_CASE("every strategy agrees with a shadow ray to every luminaire and light 
         }
     }
 }
+
+}  // namespace candelabra

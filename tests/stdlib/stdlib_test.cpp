@@ -14,6 +14,8 @@
 #include <fstream>
 #include <functional>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("each library file can be included alone and twice", "[stdlib]") {
@@ -222,3 +224,5 @@ TEST_CASE("a finish that is put on a stone reaches its upper layer, as in POV-Ra
         }
     }
 }
+
+}  // namespace candelabra

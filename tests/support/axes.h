@@ -4,4 +4,8 @@
 
 #include "base/vector.h"
 
+namespace candelabra {
+
 inline const Vec3 o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+
+}  // namespace candelabra

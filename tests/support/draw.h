@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 class Draw {
 public:
     explicit Draw(std::uint64_t seed) : key_{mix(seed)} {}
@@ -31,3 +33,5 @@ public:
 private:
     Key key_;
 };
+
+}  // namespace candelabra

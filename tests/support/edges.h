@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 inline RenderSettings rows(int depth) {
     RenderSettings settings;
     settings.width = 4;
@@ -28,3 +30,5 @@ inline std::string edge(double place, double left, double right) {
                    left, "][.5 rgb ", right, R"(] } scale 40 translate <)", place - 22, R"(, 0, 0> }
             finish { ambient 1 diffuse 0 } })");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 struct Edited {
     Folder folder;
     Workspace workspace{CANDELABRA_SOURCE_DIR "/stdlib"};
@@ -26,3 +28,5 @@ struct Edited {
             path, std::string(before) + std::string(text.substr(before.size() + (marked ? 1 : 0))));
     }
 };
+
+}  // namespace candelabra

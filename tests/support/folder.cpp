@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace candelabra {
+
 Folder::Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "candelabra-XXXXXX").string();
     REQUIRE(mkdtemp(name.data()) != nullptr);
@@ -24,3 +26,5 @@ std::string Folder::get(const std::string& name) const {
     text << file.rdbuf();
     return text.str();
 }
+
+}  // namespace candelabra

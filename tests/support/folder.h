@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+namespace candelabra {
+
 class Folder {
 public:
     Folder();
@@ -23,3 +25,5 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+}  // namespace candelabra

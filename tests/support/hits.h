@@ -4,6 +4,8 @@
 
 #include "base/ray.h"
 
+namespace candelabra {
+
 /// All crossings of a shape with the line of the ray, from the first to the last.
 template <class T>
 std::vector<Crossing> hits(const T& shape, const Ray& ray) {
@@ -43,3 +45,5 @@ bool answers(const T& shape, const RayCase& row, double tolerance = 1e-12) {
     }
     return true;
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 #include "luminaire/luminaire.h"
 #include "support/draw.h"
 
+namespace candelabra {
+
 inline Luminaire glowing(const Emitter& emitter, double radiance = 1) {
     Luminaire result;
     result.emitter = emitter;
@@ -63,10 +65,10 @@ inline Emitter emitter(int kind, const Vec3& place, double size, Draw& draw) {
 /// point; 0 where it cannot.
 template <class Light>
 double density(const Light& light, const Vec3& from, const Vec3& direction) {
-    LightMeetings met;
-    meet(light, {from, Vec3(0), Horizon::none}, direction, met);
+    LightHits met;
+    intersect(light, {from, Vec3(0), Horizon::none}, direction, met);
     double sum = 0;
-    for (const LightMeeting& meeting : met) sum += meeting.density;
+    for (const LightHit& meeting : met) sum += meeting.density;
     return sum;
 }
 
@@ -93,3 +95,5 @@ inline double sampled_irradiance(const Luminaire& luminaire, const Receiver& poi
         }
     return luminance(luminaire.radiance) * sum / (steps * steps);
 }
+
+}  // namespace candelabra

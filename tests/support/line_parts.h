@@ -5,6 +5,8 @@
 #include "shape/built_shape.h"
 #include "support/hits.h"
 
+namespace candelabra {
+
 /// Whether what the shape says of a part of the line agrees with what it says of all of it.
 inline bool agree_in(const Interval& range, const BuiltShape& shape, const Ray& ray) {
     const auto inside = [&](const auto& all) {
@@ -21,3 +23,5 @@ inline bool agree_in(const Interval& range, const BuiltShape& shape, const Ray& 
     return inside(between) == all && first.empty() == all.empty() &&
            (all.empty() || first[0] == all[0]);
 }
+
+}  // namespace candelabra

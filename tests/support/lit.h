@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 /// Light at a point of a floor in y, over many keys.
 struct Lit {
     double mean = 0;
@@ -37,3 +39,5 @@ inline Lit lit_at(const World& world, double x, const ShadowRays& shadow_rays, i
 inline double mean_light(const World& world, int shadow_rays, int count) {
     return lit_at(world, 0, shadow_rays, count).mean;
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+namespace candelabra {
+
 inline ObjectHandle object(const Shape& shape, bool inverse = false) {
     Object result;
     result.form = shape;
@@ -19,3 +21,5 @@ inline ObjectHandle group(Csg csg, std::vector<ObjectHandle> children) {
     result.form = Union{std::move(children), {}, {}, csg};
     return make_handle<Object>(result);
 }
+
+}  // namespace candelabra

@@ -6,9 +6,13 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 inline const Formats& formats() {
     Diagnostics diagnostics;
     const Formats* found = picture_formats(diagnostics);
     REQUIRE(found);
     return *found;
 }
+
+}  // namespace candelabra

@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 
+namespace candelabra {
+
 struct Script {
     Scene scene;
     std::vector<Diagnostic> said;
@@ -60,3 +62,5 @@ inline std::string debugged(const std::string& script) {
     const Script done = run(script, {}, options);
     return text + done.text.substr(0, done.text.find('\n'));
 }
+
+}  // namespace candelabra

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+namespace candelabra {
+
 namespace {
 
 const std::string root = CANDELABRA_SOURCE_DIR;
@@ -68,3 +70,5 @@ World world_of_file(const std::string& path, const Declares& declares,
     options.width = options.height = size;
     return compile(scene_of_file(path, declares), options, diagnostics);
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+namespace candelabra {
+
 using Declares = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
 
 /// The scene of a script, with its diagnostics as one text (empty when there are none).
@@ -31,3 +33,5 @@ Scene scene_of_file(const std::string& path_below_source, const Declares&);
 /// For a square picture of that size.
 World world_of_file(const std::string& path_below_source, const Declares&,
                     const std::optional<LightSampler>&, int size = 320);
+
+}  // namespace candelabra

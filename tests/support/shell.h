@@ -13,6 +13,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 inline constexpr const char* lit_scene = R"(#version 3.7;
 #ifndef (Size) #declare Size = 1; #end
 camera { location <0, 1, -5> look_at 0 }
@@ -62,3 +64,5 @@ struct Shell {
 inline bool has(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
+
+}  // namespace candelabra

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
@@ -182,3 +184,5 @@ std::size_t check_scripts(const std::string& folder) {
     }
     return count;
 }
+
+}  // namespace candelabra

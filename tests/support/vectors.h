@@ -9,5 +9,9 @@
 
 #include <string>
 
+namespace candelabra {
+
 /// Runs all scripts in a folder below tests/; says how many there were.
 std::size_t check_scripts(const std::string& folder);
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Bump bump_of(const std::string& text) {
@@ -117,3 +119,5 @@ TEST_CASE("a list of normals stands for its places", "[surface]") {
     CHECK(bumped(bump, normal, Vec3(1.5, 0.5, 0.5)) == normal);
     CHECK(bumped(bump, normal, Vec3(0.3, 0.5, 0.5)) != normal);
 }
+
+}  // namespace candelabra

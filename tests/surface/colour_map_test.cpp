@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a colour map is linear between its stops", "[surface]") {
     const ColourMap map = {
         {0.2, {Vec3(0), 0, 1}}, {0.6, {Vec3(1, 2, 4)}}, {0.6, {Vec3(8)}}, {0.8, {Vec3(0)}}};
@@ -27,3 +29,5 @@ TEST_CASE("just above a value that stops share, the last of them counts", "[surf
     CHECK(look_up(map, 0.5).rgb.x == 1);
     CHECK(look_up(map, 0.5000001).rgb.x == Approx(2));
 }
+
+}  // namespace candelabra

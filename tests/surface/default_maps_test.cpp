@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("patterns have POV-Ray's colours when none are given", "[surface]") {
     struct Case {
         Pattern pattern;
@@ -38,3 +40,5 @@ TEST_CASE("patterns have POV-Ray's colours when none are given", "[surface]") {
         CHECK(length(look_up(default_map(c.pattern), c.value).rgb - c.expected) < 1e-6);
     }
 }
+
+}  // namespace candelabra

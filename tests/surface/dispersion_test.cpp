@@ -5,6 +5,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 TEST_CASE("seven bands have the colours that POV-Ray gives them", "[surface]") {
     const std::array<Vec3, 7> expected = {Vec3(0.256, 0, 1.433), Vec3(0.021, 0, 2.565),
                                           Vec3(0, 0.767, 2.289), Vec3(0.069, 2.528, 0.686),
@@ -26,3 +28,5 @@ TEST_CASE("violet is bent most", "[surface]") {
     CHECK(SpectralBand{0, 2}.power() == 0.25);
     CHECK(SpectralBand{1, 2}.power() == -0.25);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a finish starts with POV-Ray 3.7's values", "[surface]") {
     const Finish finish;
     CHECK(finish.ambient == Vec3(0.1));
@@ -22,3 +24,5 @@ TEST_CASE("a finish is written in its own words", "[surface]") {
     finish.phong = 1;
     CHECK(written_fields(Finish::vocabulary, &finish) == "diffuse 0.25 phong 1");
 }
+
+}  // namespace candelabra

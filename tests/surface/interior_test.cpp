@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE(
     "an interior starts without an index of refraction of its own and is written in its own words",
     "[surface]") {
@@ -26,3 +28,5 @@ TEST_CASE("light is dimmed inside as POV-Ray 3.7 does it", "[surface]") {
     interior.fade_power = 1001;
     CHECK(attenuation(interior, 4).z == Approx(std::exp(-2)));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("filter of layers is transmit up to version 3.1", "[surface]") {
     const std::string layers =
         "; sphere { 0, 1 pigment { rgb 1 } texture { pigment { rgb x } } texture { pigment { "
@@ -31,3 +33,5 @@ TEST_CASE("filter becomes transmit in all that a pigment chooses from", "[surfac
     CHECK(last.filter == 0);
     CHECK(last.transmit == Approx(0.25));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Pigment pigment_of(const std::string& text) {
@@ -80,3 +82,5 @@ TEST_CASE("nesting counts maps within maps", "[surface]") {
     CHECK(nested.entries == 2 + 4 + 1);
     CHECK_FALSE(nested.too_deep());
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 /// All light that comes out of a plane where flux of 1 goes in.
@@ -54,3 +56,5 @@ TEST_CASE("subsurface starts opaque, with POV-Ray's numbers of samples", "[surfa
     CHECK(settings.single_samples == 50);
     CHECK_FALSE(settings.on);
 }
+
+}  // namespace candelabra

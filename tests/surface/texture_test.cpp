@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Handle<Texture> coloured(const Colour& colour, Handle<Texture> below = nullptr) {
@@ -73,3 +75,5 @@ TEST_CASE("all layers and choices move with the texture", "[surface]") {
     CHECK(transformed(halves(coloured({Vec3(1)}), coloured({Vec3(0)})), twice).choice->transform ==
           twice);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a minus sign behind a string belongs to the next value", "[syntax]") {
     const Parsed parsed("text { \"a\" -.3, 0 }");
     CHECK(parsed.messages() == "");
@@ -103,3 +105,5 @@ TEST_CASE("after an error the parser goes on at the end of the bracket or at the
     INFO(text);
     CHECK(Parsed(text).messages() == messages);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a tree is dumped a node a line", "[syntax]") {
     CHECK(Parsed("#macro M(a) sphere { A[1], a * 2 } #end M(\"s\")").dumped() ==
           "#macro M\n"
@@ -40,3 +42,5 @@ TEST_CASE("tokens are dumped with place, kind and text", "[syntax]") {
                       sources, names,
                       diagnostics) == "2:3 number 1\n3:6 number 2\n3:14 number 3\n");
 }
+
+}  // namespace candelabra

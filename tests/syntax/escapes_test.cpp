@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("escapes of strings", "[lexer]") {
     struct Case {
         const char* raw;
@@ -29,3 +31,5 @@ TEST_CASE("an unknown escape is pointed at", "[lexer]") {
     REQUIRE(diagnostics.all().size() == 1);
     CHECK(diagnostics.all()[0].span == Span{0, 12, 14});
 }
+
+}  // namespace candelabra

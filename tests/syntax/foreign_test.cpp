@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a foreign sign is known by its beginning", "[lexer]") {
     REQUIRE(
         foreign_sign("\u2013"
@@ -41,3 +43,5 @@ TEST_CASE("six hexadecimal digits are a colour", "[lexer]") {
     CHECK(hexadecimal_colour("ff80zz").empty());
     CHECK(hexadecimal_colour("").empty());
 }
+
+}  // namespace candelabra

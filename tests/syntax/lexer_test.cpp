@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+namespace candelabra {
+
 namespace {
 
 struct Lexed {
@@ -159,3 +161,5 @@ TEST_CASE("numbers of any length are the nearest doubles", "[syntax]") {
         REQUIRE(lexed.tree.numbers[0] == std::strtod(digits.c_str(), nullptr));
     }
 }
+
+}  // namespace candelabra

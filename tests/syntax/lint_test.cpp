@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string unused(const std::string& text) {
@@ -42,3 +44,5 @@ TEST_CASE("parameters that a macro does not name", "[lint]") {
     INFO(text);
     CHECK(unused(text) == expected);
 }
+
+}  // namespace candelabra

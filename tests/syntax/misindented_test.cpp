@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("an end that stands further left than its beginning is found", "[syntax]") {
     const std::string braces = "union {\n    merge {\n        a\n}\n";
     const auto found = misindented(braces, false);
@@ -21,3 +23,5 @@ TEST_CASE("an end that stands further left than its beginning is found", "[synta
     CHECK_FALSE(misindented("union { a\n  }\n", false));
     CHECK_FALSE(misindented("", true));
 }
+
+}  // namespace candelabra

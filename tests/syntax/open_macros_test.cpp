@@ -8,6 +8,8 @@
 
 #include <sstream>
 
+namespace candelabra {
+
 namespace {
 
 std::string squeezed(const std::string& text) {
@@ -44,8 +46,7 @@ TEST_CASE("macros may open braces for each other", "[syntax]") {
          "#macro A5() A6() #end #macro A6() A7() #end #macro A7() A8() #end #macro A8() A9() #end "
          "#macro A9() union { #end A1() }",
          "union { }"},
-        {"#macro A() b #end A() #macro A() union { #end A() }",
-         "#macro A() b #end, A() union { }"},
+        {"#macro A() b #end A() #macro A() union { #end A() }", "#macro A() b #end, A() union { }"},
         // One in another, and one that is defined again.
         {"#macro A() union { #end #macro B() A() merge { #end B() } }", "union { merge { } }"},
         {"#macro A() union { #end A() } #macro A() merge { #end A() }", "union { }, merge { }"},
@@ -117,3 +118,5 @@ TEST_CASE("macros whose braces are an oversight are named", "[syntax]") {
     INFO(text);
     CHECK_THAT(Parsed(text).messages(), Catch::Contains(says));
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("nodes are made in their simplest form", "[syntax]") {
     const auto [text, tree] = GENERATE(table<std::string, std::string>({
         {"-1", "number -1\n"},
@@ -46,3 +48,5 @@ TEST_CASE("two commas in a row are wrong", "[syntax]") {
 TEST_CASE("a lone semicolon is only a warning", "[syntax]") {
     CHECK(Parsed("box { };").messages() == "1:8 warning: this `;` has no effect\n");
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 struct Parsed {
     explicit Parsed(const std::string& text)
         : source(sources.add("test.pov", text)), tree(parse(source, sources, names, diagnostics)) {}
@@ -31,3 +33,5 @@ struct Parsed {
     SourceId source;
     Tree tree;
 };
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("vectors in a row are read as they are one by one", "[syntax]") {
     const auto [text, messages] = GENERATE(table<std::string, std::string>({
         {"mesh2 { 3, <1, 2, 3>, <4, 5, 6>, <7, 8, 9> }", ""},
@@ -153,3 +155,5 @@ TEST_CASE("any bytes give a tree", "[syntax]") {
         for (const Diagnostic& d : parsed.diagnostics.all()) CHECK(d.message != "");
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("printed text parses to the same tree", "[syntax]") {
     const std::string text = GENERATE(
         as<std::string>(), "", "1, -2, <1, 2>, a [1]",
@@ -57,3 +59,5 @@ TEST_CASE("a tree prints in this layout", "[syntax]") {
           "    }\n"
           "#end\n");
 }
+
+}  // namespace candelabra

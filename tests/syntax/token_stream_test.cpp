@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string without_double_spaces(const std::string& text) {
@@ -92,3 +94,5 @@ TEST_CASE("branches that do not open the same are an error", "[syntax]") {
     INFO(text);
     CHECK(Parsed(text).messages() != "");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("each kind of token has a name of its own", "[syntax]") {
     std::set<std::string_view> names;
     const auto count = static_cast<std::size_t>(TokenKind::semicolon) + 1;
@@ -13,3 +15,5 @@ TEST_CASE("each kind of token has a name of its own", "[syntax]") {
     CHECK(names.count("") == 0);
     CHECK(name(TokenKind::semicolon) == ";");
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("operators are spelt as they are written", "[syntax]") {
     CHECK(spelling(Operator::add) == "+");
     CHECK(spelling(Operator::not_equal) == "!=");
@@ -19,3 +21,5 @@ TEST_CASE("a node is found by its kind", "[syntax]") {
     CHECK(tree.get_if<node::Number>(no_node) == nullptr);
     CHECK(tree.span(id) == Span{3, 5, 9});
 }
+
+}  // namespace candelabra

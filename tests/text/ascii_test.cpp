@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the case of ASCII letters, and of no others, makes no difference") {
     CHECK(lower_case('A') == 'a');
     CHECK(lower_case('Z') == 'z');
@@ -38,3 +40,5 @@ TEST_CASE("parts are taken off a text up to a sign", "[text]") {
     CHECK(text.empty());
     CHECK(take_until(text, ",") == "");
 }
+
+}  // namespace candelabra

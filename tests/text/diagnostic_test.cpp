@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 TEST_CASE("each fault is listed once, in order, and has a name of its own") {
     std::set<std::string_view> names;
     for (std::size_t i = 0; i < all_faults().size(); ++i) {
@@ -65,7 +67,7 @@ TEST_CASE("the same message at the same place is kept once") {
 
 TEST_CASE("errors beyond the twentieth are not kept, warnings are") {
     Diagnostics diagnostics;
-    for (std::uint32_t i = 0; i < Diagnostics::most_errors; ++i) {
+    for (std::uint32_t i = 0; i < Diagnostics::max_errors; ++i) {
         CHECK_FALSE(diagnostics.full());
         diagnostics.add(error(Fault::syntax, {0, i, i}, "wrong"));
     }
@@ -138,3 +140,5 @@ TEST_CASE("what one collector has counted another one counts on") {
     whole.add(warning(Fault::domain, {1, 0, 0}, "outside"));
     CHECK(whole.all()[20].message == "and 6 more of this kind");
 }
+
+}  // namespace candelabra

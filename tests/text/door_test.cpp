@@ -7,6 +7,8 @@
 
 #include <sys/stat.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("a door without folders lets everything be read and nothing be written", "[door]") {
@@ -142,3 +144,5 @@ TEST_CASE("pipes and devices are odd", "[door]") {
     CHECK_FALSE(door.is_odd(folder / "none"));
     CHECK_FALSE(door.is_odd("/dev/zero"));  // not let through
 }
+
+}  // namespace candelabra

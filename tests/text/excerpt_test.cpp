@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+namespace candelabra {
+
 namespace {
 
 /// Two files, of which the second is included by the first.
@@ -223,7 +225,7 @@ TEST_CASE("a chain of inclusions is told from the inside, and a circle ends") {
     CHECK(text.ends_with("  |\n  = `c` is included at b:1:1\n  = `b` is included at a:1:1\n"));
 }
 
-TEST_CASE("messages of several lines are indented, and control characters are harmless") {
+TEST_CASE("messages of several lines are indented, and control characters are printable") {
     SourceStore sources;
     const SourceId id = sources.add("odd\x1bname", "\x1b[31mred");
     CHECK(format(error(Fault::user_error, {id, 0, 5}, "one\n\ntwo\x1b[0m\n").with_help("a\nb"),
@@ -250,3 +252,5 @@ TEST_CASE("colours add escape sequences and nothing else") {
         CHECK(std::regex_replace(coloured, escape, "") == plain);
     }
 }
+
+}  // namespace candelabra

@@ -13,6 +13,8 @@
 
 #include <sys/stat.h>
 
+namespace candelabra {
+
 namespace {
 
 using Paths = std::vector<std::string>;
@@ -264,3 +266,5 @@ TEST_CASE("what was perhaps meant tells of no name outside of the folders", "[te
         CHECK(said.find("did you mean") == std::string::npos);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -84,3 +86,5 @@ TEST_CASE("what ends in .tmp belongs to all scenes", "[door]") {
     CHECK_FALSE(place.write(one, "mine.tmp", 'a'));
     CHECK(place.folder.get("mine.tmp") == "m");
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+namespace candelabra {
+
 namespace {
 
 using Rows = std::vector<std::string>;
@@ -73,7 +75,7 @@ TEST_CASE("a text cannot break out of its row") {
 }
 
 TEST_CASE("a long line is cut to what is marked") {
-    const std::string exactly = times(most_columns, "x");
+    const std::string exactly = times(max_columns, "x");
     CHECK(rows(exactly, {{0, 1, true, ""}})[0] == exactly);
     CHECK(rows(exactly + "x", {{0, 1, true, ""}})[0] == times(99, "x") + "…");
     CHECK(rows(exactly + "x", {})[0] == times(99, "x") + "…");
@@ -112,3 +114,5 @@ TEST_CASE("colours surround the marks and change nothing else") {
     CHECK(shown.below == Rows{"\x1b[1;34m--\x1b[0m \x1b[1;31m^^\x1b[0m \x1b[1;31my\x1b[0m",
                               "\x1b[1;34m|\x1b[0m", "\x1b[1;34mx\x1b[0m"});
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+namespace candelabra {
+
 TEST_CASE("parts of several types are joined") {
     const std::string word = "torus";
     CHECK(message() == "");
@@ -47,3 +49,5 @@ TEST_CASE("floating point numbers are written shortly and exactly") {
     for (const Case& each : cases) CHECK(message(each.number) == each.text);
     CHECK(message(0.1f) == "0.1");
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 using Names = std::vector<std::string_view>;
 
 TEST_CASE("the nearest name is found, and nothing where nothing is near") {
@@ -71,3 +73,5 @@ TEST_CASE("words without end are no misspelt names") {
     const std::string near = std::string(63, 'a') + "b";
     CHECK(nearest(longest, {near}) == near);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -50,3 +52,5 @@ TEST_CASE("only regular files have a content, which is bounded", "[door]") {
     CHECK_FALSE(is_regular_file(open_without_links(here + "/pipe", O_RDONLY)));
     CHECK_FALSE(is_regular_file(OpenedFile()));
 }
+
+}  // namespace candelabra

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("digests are those of sha256sum") {
     struct Case {
         std::string text;
@@ -22,3 +24,5 @@ TEST_CASE("digests are those of sha256sum") {
         CHECK(sha256(each.text) == each.digest);
     }
 }
+
+}  // namespace candelabra

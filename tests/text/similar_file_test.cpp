@@ -7,6 +7,8 @@
 
 #include <map>
 
+namespace candelabra {
+
 namespace {
 
 const std::map<std::string, std::vector<std::string>> disk = {
@@ -72,3 +74,5 @@ TEST_CASE("the disk lister names files and folders in order", "[similar]") {
     CHECK(list(folder / "none").empty());
     CHECK(list(folder / "b.inc").empty());
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+namespace candelabra {
+
 TEST_CASE("a source keeps its name, text and place of inclusion, at a stable address") {
     SourceStore sources;
     const SourceId main = sources.add("main.pov", "#include \"a.inc\"");
@@ -88,3 +90,5 @@ TEST_CASE("what does not exist is empty") {
     CHECK_FALSE(sources.included_at(7).known());
     CHECK(sources.place(7, 3) == Place{1, 1});
 }
+
+}  // namespace candelabra

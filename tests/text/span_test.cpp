@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a default span is nowhere, and any other is somewhere") {
     CHECK_FALSE(Span{}.known());
     CHECK(Span{0, 0, 0}.known());
@@ -21,3 +23,5 @@ TEST_CASE("join covers both spans of one source and keeps the first of two sourc
     };
     for (const Case& each : cases) CHECK(join(each.a, each.b) == each.joined);
 }
+
+}  // namespace candelabra

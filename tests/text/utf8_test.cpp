@@ -5,6 +5,8 @@
 
 #include <string_view>
 
+namespace candelabra {
+
 TEST_CASE("characters are decoded, and bytes of no character stand alone") {
     struct Case {
         std::string_view text;
@@ -40,3 +42,5 @@ TEST_CASE("characters are counted in any bytes") {
     CHECK(character_count("aé€🙂") == 4);
     CHECK(character_count("a\xE9\xE9z") == 4);
 }
+
+}  // namespace candelabra

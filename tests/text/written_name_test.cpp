@@ -3,6 +3,8 @@
 
 #include "support/folder.h"
 
+namespace candelabra {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("names that programs believe are not written", "[door]") {
@@ -56,3 +58,5 @@ TEST_CASE("a path has no links, and none that leads to nothing", "[door]") {
     CHECK(part_below(here.string(), here / "x/y") == fs::path("x/y"));
     CHECK_FALSE(part_below((here / "a").string(), here / "ab"));
 }
+
+}  // namespace candelabra

@@ -7,26 +7,28 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
-RenderState made(const World& world, const Aovs& extras, int samples = 4) {
+RenderState made(const World& world, const Aovs& aovs, int samples = 4) {
     RenderSettings settings;
     settings.width = 24;
     settings.height = 18;
     settings.samples = samples;
-    RenderState state = begin_picture(settings, extras.count(world));
+    RenderState state = begin_picture(settings, aovs.count(world));
     RenderHooks hooks;
-    hooks.extras = extras;
+    hooks.aovs = aovs;
     LightLedger rays;
     CHECK(advance(plan_of(world, settings), state, rays, hooks));
     return state;
 }
 
-Vec3 light(const RenderState& state, const Aovs& extras, std::size_t pixel, std::size_t which) {
+Vec3 light(const RenderState& state, const Aovs& aovs, std::size_t pixel, std::size_t which) {
     Vec3 result;
     for (int c = 0; c < 3; ++c)
         result[c] =
-            state.film.extra(pixel)[extras.first_light() + 3 * which + static_cast<std::size_t>(c)]
+            state.film.extra(pixel)[aovs.first_light() + 3 * which + static_cast<std::size_t>(c)]
                 .value() /
             state.film.pixels()[pixel].samples;
     return result;
@@ -52,13 +54,13 @@ const std::string lamps[] = {
 TEST_CASE("the light of all statements together is the picture", "[render]") {
     const World world = world_of(room + lamps[0] + lamps[1] + lamps[2]);
     REQUIRE(world.provenance.light_statements.size() == 3);
-    Aovs extras;
-    extras.lights = true;
-    const RenderState state = made(world, extras);
+    Aovs aovs;
+    aovs.lights = true;
+    const RenderState state = made(world, aovs);
     int lit = 0;
     for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
         Vec3 sum(0);
-        for (std::size_t k = 0; k < 3; ++k) sum += light(state, extras, i, k);
+        for (std::size_t k = 0; k < 3; ++k) sum += light(state, aovs, i, k);
         const Vec3 seen = state.film.pixels()[i].mean();
         lit += seen.x > 0.01;
         for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
@@ -68,13 +70,13 @@ TEST_CASE("the light of all statements together is the picture", "[render]") {
 
 TEST_CASE("a statement's light is the picture that it makes alone", "[render]") {
     const World both = world_of(room + lamps[0] + lamps[1]);
-    Aovs extras;
-    extras.lights = true;
-    const RenderState state = made(both, extras);
+    Aovs aovs;
+    aovs.lights = true;
+    const RenderState state = made(both, aovs);
     for (std::size_t k = 0; k < 2; ++k) {
         const RenderState alone = made(world_of(room + lamps[k]), {});
         for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
-            const Vec3 part = light(state, extras, i, k), whole = alone.film.pixels()[i].mean();
+            const Vec3 part = light(state, aovs, i, k), whole = alone.film.pixels()[i].mean();
             for (int c = 0; c < 3; ++c) CHECK(part[c] == Approx(whole[c]).margin(1e-9));
         }
     }
@@ -82,9 +84,9 @@ TEST_CASE("a statement's light is the picture that it makes alone", "[render]") 
 
 TEST_CASE("gathering changes nothing in the picture", "[render]") {
     const World world = world_of(room + lamps[0] + lamps[2]);
-    Aovs extras;
-    extras.lights = extras.surface = true;
-    CHECK(made(world, extras).film.pixels() == made(world, {}).film.pixels());
+    Aovs aovs;
+    aovs.lights = aovs.surface = true;
+    CHECK(made(world, aovs).film.pixels() == made(world, {}).film.pixels());
 }
 
 TEST_CASE("depth and object are those of the pixel's middle; albedo is of all samples",
@@ -96,24 +98,24 @@ box { <-9, -9, 0>, <0.01, 9, 1> pigment { rgb <1, 0, 0.5> } })";
     options.remembers_objects = true;
     Diagnostics diagnostics;
     const World world = compile(scene_of(script), options, diagnostics);
-    Aovs extras;
-    extras.surface = true;
-    const RenderState state = made(world, extras, 16);
+    Aovs aovs;
+    aovs.surface = true;
+    const RenderState state = made(world, aovs, 16);
     const auto sum = [&](int x, std::size_t which) {
         return state.film.extra(state.film.index(x, 9))[which].value();
     };
-    CHECK(sum(3, extras.depth()) == Approx(5));
-    CHECK(sum(3, extras.object()) == 1);
-    CHECK(sum(3, extras.albedo()) == Approx(16));
-    CHECK(sum(3, extras.albedo() + 2) == Approx(8));
-    CHECK(sum(3, extras.normal() + 2) == Approx(-16));
-    CHECK(sum(20, extras.depth()) == 0);
-    CHECK(sum(20, extras.object()) == 0);
-    CHECK(sum(20, extras.albedo()) == 0);
+    CHECK(sum(3, aovs.depth()) == Approx(5));
+    CHECK(sum(3, aovs.object()) == 1);
+    CHECK(sum(3, aovs.albedo()) == Approx(16));
+    CHECK(sum(3, aovs.albedo() + 2) == Approx(8));
+    CHECK(sum(3, aovs.normal() + 2) == Approx(-16));
+    CHECK(sum(20, aovs.depth()) == 0);
+    CHECK(sum(20, aovs.object()) == 0);
+    CHECK(sum(20, aovs.albedo()) == 0);
     // The edge covers a part of this pixel, but not its middle.
-    CHECK(sum(12, extras.object()) == 0);
-    CHECK(sum(12, extras.albedo()) > 0);
-    CHECK(sum(12, extras.albedo()) < 8);
+    CHECK(sum(12, aovs.object()) == 0);
+    CHECK(sum(12, aovs.albedo()) > 0);
+    CHECK(sum(12, aovs.albedo()) < 8);
 }
 
 TEST_CASE("alpha follows POV-Ray's rules", "[render]") {
@@ -135,9 +137,11 @@ TEST_CASE("alpha follows POV-Ray's rules", "[render]") {
     };
     for (const Case& each : cases) {
         CAPTURE(each.script);
-        Aovs extras;
-        extras.alpha = true;
-        const RenderState state = made(world_of("#version 3.7;" + camera + each.script), extras, 1);
+        Aovs aovs;
+        aovs.alpha = true;
+        const RenderState state = made(world_of("#version 3.7;" + camera + each.script), aovs, 1);
         CHECK(1 - state.film.extra(200)[0].value() == Approx(each.opaque).margin(1e-4));
     }
 }
+
+}  // namespace candelabra

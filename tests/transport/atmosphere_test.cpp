@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 TEST_CASE("fog veils what is behind it, and not inside of solids", "[transport]") {
     const World world = world_of(
         "fog { rgb <1, 0.5, 0> distance 4 } sphere { 0, 1 } "
@@ -30,3 +32,5 @@ TEST_CASE("one veil before another", "[medium]") {
     const Veil near{Vec3(0.5), Vec3(1)}, far{Vec3(0.25), Vec3(2)};
     CHECK(near.before(far).through(Vec3(8)) == near.through(far.through(Vec3(8))));
 }
+
+}  // namespace candelabra

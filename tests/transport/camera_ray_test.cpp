@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("the normal of a camera bends its rays as POV-Ray does", "[render]") {
     struct Case {
         const char* camera;
@@ -46,3 +48,5 @@ TEST_CASE("the ray through a pixel's middle has no chance in it", "[render]") {
     CHECK(ray_through(world, at, {0.5, 0.5}, Key()).origin !=
           ray_through(world, at, {0.5, 0.5}, other).origin);
 }
+
+}  // namespace candelabra

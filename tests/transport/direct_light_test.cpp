@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a sphere above a floor gives the irradiance of its cone", "[render]") {
     // A sphere of radius r straight above at distance d: E = pi L (r/d)^2; albedo 0.8.
     const World world = world_of(R"(
@@ -113,3 +115,5 @@ TEST_CASE("a point light gives POV-Ray's colour", "[render]") {
     )");
     CHECK(mean_light(world, 1, 1) == Approx(0.8 * 0.5 * 2 * 0.8));
 }
+
+}  // namespace candelabra

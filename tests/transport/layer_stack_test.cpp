@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("layers are seen through those above them", "[transport]") {
     const World world = world_of(R"(sphere { 0, 1
         texture { pigment { rgb 0.5 } finish { reflection 0.3 } }
@@ -32,3 +34,5 @@ TEST_CASE("layers are seen through those above them", "[transport]") {
     CHECK(reflected[0] == Vec3(0));
     CHECK(reflected[2] == Vec3(0.3));
 }
+
+}  // namespace candelabra

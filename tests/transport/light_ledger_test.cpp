@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a ledger has the light of each statement until it is taken", "[transport]") {
     const World world = world_of(R"(
         sphere { 0, 1 pigment { rgb 1 } finish { emission 1 } }
@@ -40,3 +42,5 @@ TEST_CASE("ledgers of several jobs add up", "[transport]") {
     CHECK(all.scattered == 6);
     CHECK(all.lights[1].rays == 10);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// A stone in water in glass, from outside to inside: primitives 0, 1 and 2.
@@ -46,3 +48,5 @@ TEST_CASE("leaving one of two solids that overlap bends nothing", "[transport]")
     REQUIRE(out.behind.size() == 1);
     CHECK(out.behind.back() == 1);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Mean of many samples of one ray.
@@ -89,3 +91,5 @@ TEST_CASE("a thin surface lets diffuse light through to what is behind", "[trans
     CHECK(seen("diffuse 0, 0.5") == Approx(0.5).epsilon(0.02));
     CHECK(seen("diffuse 0.5, 0") == 0);
 }
+
+}  // namespace candelabra

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace candelabra {
+
 namespace {
 
 /// The picture's only pixel, which shows the floor at the origin.
@@ -46,3 +48,5 @@ TEST_CASE("fog weakens light that says so", "[render]") {
     CHECK(x("media_attenuation on media_interaction off") ==
           Approx(0.5 * std::exp(-0.75)).epsilon(1e-4));
 }
+
+}  // namespace candelabra

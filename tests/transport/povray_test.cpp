@@ -8,6 +8,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+namespace candelabra {
+
 namespace {
 
 Vec3 seen(const std::string& script, const Vec3& from = Vec3(0),
@@ -228,3 +230,5 @@ TEST_CASE("parts of a union that overlap bend light as in POV-Ray", "[render]") 
     CHECK(seen(away + "union { " + rest, from, towards).x == Approx(0.7313).margin(1e-4));
     CHECK(seen(away + "merge { " + rest, from, towards).x == Approx(0.7244).margin(1e-4));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 World remembering(const std::string& script) {
@@ -67,3 +69,5 @@ TEST_CASE("objects have numbers in the order of the scene", "[render]") {
     CHECK(world.provenance.object_count == 7);
     CHECK(world_of(scene).provenance.object_of.empty());
 }
+
+}  // namespace candelabra

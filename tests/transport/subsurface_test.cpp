@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Straight at a solid of white light from the viewer's side. `solid` has no closing brace yet.
@@ -83,3 +85,5 @@ TEST_CASE("light inside is as even as POV-Ray's with as many samples", "[render]
     // There the deviation is 2.6 % of the mean.
     CHECK(std::sqrt(squares / count - mean * mean) < 0.035 * mean);
 }
+
+}  // namespace candelabra

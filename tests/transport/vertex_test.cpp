@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("a vertex looks to the side that is seen", "[transport]") {
     const World world = world_of("sphere { 0, 1 pigment { rgbt <1, 0.5, 0, 0.25> } }");
     for (const double from : {-3.0, 0.0}) {
@@ -40,3 +42,5 @@ TEST_CASE("textures of a small share are left out", "[transport]") {
     CHECK(all == 2);
     CHECK(large == 1);
 }
+
+}  // namespace candelabra

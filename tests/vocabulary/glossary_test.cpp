@@ -9,6 +9,8 @@
 #include <set>
 #include <string>
 
+namespace candelabra {
+
 TEST_CASE("the glossary explains words of the language, each once") {
     std::set<std::string> seen;
     for (const GlossaryEntry& entry : glossary()) {
@@ -38,3 +40,5 @@ TEST_CASE("every directive is in the glossary") {
         CHECK(glossary_entry(word.spelling) != nullptr);
     }
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 struct Apple {
@@ -55,3 +57,5 @@ TEST_CASE(
         CHECK(info.get(Kinds<Fruit>::address(other), 0) == before);
     }
 }
+
+}  // namespace candelabra

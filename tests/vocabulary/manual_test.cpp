@@ -6,6 +6,8 @@
 
 #include <array>
 
+namespace candelabra {
+
 namespace {
 
 struct Lamp {
@@ -151,3 +153,5 @@ TEST_CASE("text is broken between words") {
     CHECK(wrapped("unbreakable", 2, 5) == "unbreakable");
     CHECK(wrapped("", 2, 5).empty());
 }
+
+}  // namespace candelabra

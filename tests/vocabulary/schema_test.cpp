@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// One field of each type.
@@ -129,3 +131,5 @@ TEST_CASE("ranges contain their ends unless they exclude them, and no NaN", "[vo
     CHECK_FALSE(between(0, 9).contains(9.1));
     CHECK_FALSE(Range{}.contains(std::nan("")));
 }
+
+}  // namespace candelabra

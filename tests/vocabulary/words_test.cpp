@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 TEST_CASE("each reserved word is there once", "[vocabulary]") {
     std::set<std::string_view> seen;
     for (const Word& word : reserved_words()) {
@@ -48,3 +50,5 @@ TEST_CASE("names are interned beside the words", "[vocabulary]") {
     CHECK(names.spelling(names.find("n12345")) == "n12345");
     CHECK(names.size() == reserved_words().size() + 20001);
 }
+
+}  // namespace candelabra

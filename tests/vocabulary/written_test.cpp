@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("values are written as a scene would give them") {
     struct Case {
         FieldValue value;
@@ -64,3 +66,5 @@ TEST_CASE("fields that have their defaults are left out, places never are") {
     thing.wide = 2;
     CHECK(written_fields(Item::vocabulary, &thing) == "0, 1 angle 45 open closed off wide 2");
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <set>
 
+namespace candelabra {
+
 namespace {
 
 const WebKey own_key{80, "secret"};
@@ -143,3 +145,5 @@ TEST_CASE("tokens are new each time") {
     CHECK(seen.size() == 100);
     for (const std::string& each : seen) CHECK(each.size() == 32);
 }
+
+}  // namespace candelabra

@@ -12,6 +12,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+namespace candelabra {
+
 namespace {
 
 /// A connection on which the message has been sent.
@@ -118,3 +120,5 @@ TEST_CASE("a request that drips has a time for all of it") {
     CHECK(answer.starts_with("HTTP/1.1 408 "));
     ::close(connection);
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Bent normals of the luminaires of a scene whose camera is at this place.
@@ -83,3 +85,5 @@ TEST_CASE("leans are the same for any number of threads", "[world]") {
     for (std::size_t i = 0; i < one.lights.luminaires.size(); ++i)
         CHECK(one.lights.luminaires[i].lean == three.lights.luminaires[i].lean);
 }
+
+}  // namespace candelabra

@@ -5,12 +5,14 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("every object that emits becomes a luminaire", "[world]") {
     const World world = world_of(R"(
-        #declare Glow = texture { pigment { rgb <1, 0.5, 0> } finish { emission 4 } }
-        sphere { 0, 1 texture { Glow } }
-        triangle { 0, x, y texture { Glow } }
-        box { 2, 3 texture { Glow } }
+        #declare LightProxy = texture { pigment { rgb <1, 0.5, 0> } finish { emission 4 } }
+        sphere { 0, 1 texture { LightProxy } }
+        triangle { 0, x, y texture { LightProxy } }
+        box { 2, 3 texture { LightProxy } }
         disc { 9, y, 1 pigment { checker rgb 1, rgb 0 } finish { emission 2 } }
         sphere { 20, 1 pigment { rgb 0 } finish { emission 4 } }
         sphere { 30, 1 }
@@ -58,3 +60,5 @@ TEST_CASE("a survey finds the materials and luminaires that a world has, and no 
     CHECK(seen.geometry.shapes.empty());
     CHECK(seen.geometry.composites.size() == 1);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("objects are dark when none of their parts can glow", "[world]") {
     const auto [script, dark] = GENERATE(table<std::string, bool>({
         {"sphere { 0, 1 pigment { rgb 1 } }", true},
@@ -27,3 +29,5 @@ TEST_CASE("what has no texture at all may glow", "[world]") {
     const Handle<Texture> plain = make_handle<Texture>();
     CHECK(cannot_emit(Object{}, &plain));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("primitives of each kind become luminaires", "[world]") {
     const World world = world_of(R"(#version 3.7;
         #default { pigment { rgb 1 } finish { emission 2 } }
@@ -41,3 +43,5 @@ TEST_CASE("textures of a blob that is not placed do not go to the next shape", "
     REQUIRE(world.lights.luminaires.size() == 1);
     CHECK_FALSE(world.lights.luminaires[0].varying);
 }
+
+}  // namespace candelabra

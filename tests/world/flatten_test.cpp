@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("children inherit what they do not say", "[world]") {
     const World world = world_of(R"(
         union {
@@ -103,3 +105,5 @@ TEST_CASE("parts of a union share the interior that it gives them", "[world]") {
                  "merge { object { B } object { B translate x } }") == 2);
     CHECK(solids("#declare D = difference { " + parts + glass + "object { D } object { D }") == 2);
 }
+
+}  // namespace candelabra

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace candelabra {
+
 namespace {
 
 // One item of each kind; the composite has two leaves.
@@ -74,3 +76,5 @@ TEST_CASE("what has no end is kept apart, planes in their own place from others"
     CHECK(infinite.others.size() == 2);
     CHECK(infinite.planes[0].intersect({Vec3(0, 2, 0), Vec3(0, -1, 0)}) == 2);
 }
+
+}  // namespace candelabra

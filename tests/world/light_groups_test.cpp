@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("lights of a group light the objects of the group", "[world]") {
     const World world = world_of(
         "light_source { y, 1 } sphere { 0, 1 }"
@@ -39,3 +41,5 @@ TEST_CASE("a light in a union in a group lights what is outside", "[world]") {
     REQUIRE(world.lights.sources.size() == 1);
     CHECK(world.lights.reach[0].group == 0);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// The colour without light that a ray along z sees at x, y.
@@ -112,3 +114,5 @@ TEST_CASE("a component that glows makes a luminaire of its blob", "[world]") {
     CHECK(world.lights.luminaires[0].radiance == Vec3(2));
     CHECK(world.lights.luminaires[0].varying);
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 TEST_CASE("what looks the same is one material, unless it is its own", "[world]") {
     World world;
     Materials materials(world);
@@ -109,3 +111,5 @@ TEST_CASE("what lights nothing is seen to glow as before", "[world]") {
     REQUIRE(world.lights.luminaires.empty());
     CHECK(world.emission(0, Vec3(0, 0, -1)) == Vec3(0.5));
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 /// Eight copies of a wavy sheet of 51,200 faces with two looks; `copy` is the sheet.
@@ -117,3 +119,5 @@ TEST_CASE("a whole copy of a mesh is one luminaire, and as bright as its faces a
     }
     CHECK(sum_a.x == Approx(sum_b.x).epsilon(0.01));
 }
+
+}  // namespace candelabra

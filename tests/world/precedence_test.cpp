@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 bool is_red(const World& world, const Vec3& from, const Vec3& to) {
@@ -38,3 +40,5 @@ TEST_CASE("what has no end comes before all that is in the same place", "[world]
             for (const std::string& scene : {floor + thing, thing + floor})
                 CHECK(is_red(world_of(scene), Vec3(0.1, 0.5, 0), Vec3(0.2, 0, 0.1)));
 }
+
+}  // namespace candelabra

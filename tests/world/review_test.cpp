@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::string said_about(const std::string& script, bool surveyed) {
@@ -113,3 +115,5 @@ TEST_CASE("light below surfaces that the scene does not ask for is warned of", "
     CHECK(said_about(seen, false) == "no-effect ");
     CHECK(said_about(seen + "global_settings { subsurface { } }", false).empty());
 }
+
+}  // namespace candelabra

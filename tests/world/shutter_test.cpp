@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Scene lamp_at(double clock) {
@@ -65,3 +67,5 @@ TEST_CASE("lights of all shutter samples are counted by the statements that make
     CHECK(world.shutter[0].provenance.statement_of_luminaire == std::vector<std::uint32_t>{2, 1});
     CHECK(world.shutter[0].provenance.statement_of_light == std::vector<std::uint32_t>{1});
 }
+
+}  // namespace candelabra

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 std::vector<Light> lights(std::size_t count, const PointLight& like = {}) {
@@ -86,3 +88,5 @@ TEST_CASE("each light group has its own set", "[world]") {
     }
     CHECK(world.light_is_drawn());
 }
+
+}  // namespace candelabra

@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace candelabra {
+
 namespace {
 
 Hit first(const World& world, const Vec3& from, const Vec3& to) {
@@ -169,3 +171,5 @@ TEST_CASE("a visit that raises the tolerance of a hit leaves out what is close b
     });
     CHECK(distances == std::vector<double>{1, 4});
 }
+
+}  // namespace candelabra

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions of one thread about a picture that another one makes, answered by the latter when it
+// has a moment: so that nobody reads what is being written. Between the preview's server and its
+// renderer.
+#pragma once
+
+#include "app/console.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace candelabra {
+
+class Questions {
+public:
+    using Question = std::function<std::string(const Exhibit&)>;
+
+    /// Waits for the answer; empty when there is no picture, or nobody answers for some seconds.
+    std::string ask(Question question) {
+        std::future<std::string> answer;
+        {
+            const std::lock_guard lock(mutex_);
+            if (!open_) return {};
+            asked_.push_back({std::move(question), {}});
+            answer = asked_.back().answer.get_future();
+            waiting_ = true;
+        }
+        constexpr auto patience = std::chrono::seconds(10);
+        return answer.wait_for(patience) == std::future_status::ready ? answer.get()
+                                                                      : std::string();
+    }
+
+    /// Whether somebody waits.
+    bool waiting() const { return waiting_; }
+
+    /// Answers all that was asked; from now on there is a picture.
+    void answer(const Exhibit& exhibit) {
+        for (Asked& each : taken(true)) each.answer.set_value(each.question(exhibit));
+    }
+
+    /// There is no picture any more.
+    void close() {
+        for (Asked& each : taken(false)) each.answer.set_value({});
+    }
+
+private:
+    struct Asked {
+        Question question;
+        std::promise<std::string> answer;
+    };
+
+    std::vector<Asked> taken(bool open) {
+        const std::lock_guard lock(mutex_);
+        open_ = open;
+        waiting_ = false;
+        return std::exchange(asked_, {});
+    }
+
+    std::mutex mutex_;
+    bool open_ = false;
+    std::atomic<bool> waiting_ = false;
+    std::vector<Asked> asked_;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marks a loop that is compiled for several instruction sets, of which the widest that the machine
+// has is chosen when the program starts. The answers are the same to the last bit.
+#pragma once
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define CANDELABRA_TARGET_CLONES \
+    [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#else
+#define CANDELABRA_TARGET_CLONES
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces of many corners as triangles, and the places of what they name, for the readers of files.
+#pragma once
+
+#include "cgal/polyhedra.h"
+
+#include <cmath>
+#include <limits>
+
+namespace candelabra {
+
+namespace polyhedra {
+
+/// Cut along diagonals as they come from its first corner when it is convex; modellers write no
+/// others but by mistake.
+inline void add_fan(std::span<const int> corners, std::vector<Polyhedron::Face>& faces) {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        faces.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+/// A number of a file as a place in a list, -1 when it cannot be one.
+template <class Number>
+int place(Number number) {
+    const bool fits = number >= 0 && number < std::numeric_limits<int>::max();
+    return fits ? static_cast<int>(number) : -1;
+}
+
+/// Says which face names what is not there, or an empty string.
+inline std::string wrong_place(std::span<const Polyhedron::Face> faces, std::size_t count,
+                               const char* what) {
+    for (const Polyhedron::Face& face : faces)
+        for (const int i : face)
+            if (i < 0 || static_cast<std::size_t>(i) >= count)
+                return "a face names " + std::string(what) +
+                       (i < 0 ? "" : " " + std::to_string(i)) + " that is not there: there are " +
+                       std::to_string(count) + ", counted from 0";
+    return {};
+}
+
+/// Says which of the points, or other lists of numbers, has one that is not finite, or an empty
+/// string.
+template <class List>
+std::string not_finite(const List& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (const double number : points[i])
+            if (!std::isfinite(number))
+                return "a number of entry " + std::to_string(i) + " is not finite";
+    return {};
+}
+
+}  // namespace polyhedra
+
+}  // namespace candelabra

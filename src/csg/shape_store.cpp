@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "csg/shape_store.h"
+
+namespace candelabra {
+
+namespace {
+
+/// What copies of the shape share when it has to be built; null for shapes that are ready.
+const void* shared_content(const Shape& shape) {
+    return std::visit(
+        [](const auto& stored) -> const void* {
+            using Stored = std::remove_cvref_t<decltype(stored)>;
+            if constexpr (Prepared<ContentOf<Stored>>)
+                return &*stored;
+            else
+                return nullptr;
+        },
+        shape);
+}
+
+/// A landscape for a place that stretches it.
+BuiltHeightField stretched(BuiltHeightField field, const Handle<Transform>& place) {
+    field.stretched = place;
+    return field;
+}
+
+/// A patch for a place that mirrors it: as in POV-Ray, its points are mirrored before its normals
+/// are computed, so that its outer side is another one.
+BuiltBicubicPatch mirrored(BuiltBicubicPatch patch) {
+    for (BuiltBicubicPatch::Facet& facet : patch.facets)
+        for (Vec3& normal : facet.normals) normal = -normal;
+    return patch;
+}
+
+}  // namespace
+
+BuiltShape ShapeStore::built(const Shape& shape) {
+    const void* content = shared_content(shape);
+    if (!content) return candelabra::built(shape, index_);
+    const auto found = known_.find(content);
+    if (found != known_.end()) return found->second.built;
+    return known_.emplace(content, Known{shape, candelabra::built(shape, index_)})
+        .first->second.built;
+}
+
+BuiltShape ShapeStore::built(const Shape& shape, const Handle<Transform>& place) {
+    BuiltShape result = built(shape);
+    if (!place) return result;
+    const auto made = [&](const auto& shared, auto make) {
+        const auto [found, added] = placed_.try_emplace({&*shared, place.get()});
+        if (added) found->second = {place, Shared(make(*shared))};
+        return found->second.built;
+    };
+    const auto* field = std::get_if<Shared<BuiltHeightField>>(&result);
+    if (field && (*field)->smooth && place->uniform_scale() == 0)
+        return made(*field, [&](const auto& each) { return stretched(each, place); });
+    const auto* patch = std::get_if<Shared<BuiltBicubicPatch>>(&result);
+    if (patch && place->determinant() < 0) return made(*patch, mirrored);
+    return result;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/cut_calibration.h"
+
+#include "base/random.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+namespace {
+
+/// Shadow rays for each entry.
+constexpr std::uint32_t rays = 6;
+/// Places that these rays start from.
+constexpr std::size_t max_places = 8;
+/// Greatest share of an entry as a multiple of the mean, and the least for what is far.
+constexpr double least = 0.1, greatest = 4;
+/// What all entries that have the least share may count together, as a share of what arrives: a sun
+/// behind shutters must not take all rays.
+constexpr double max_unseen = 0.1;
+
+double trial_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return uniform(Key::of(Survey::visibility, a, b, c), Purpose::light_representative);
+}
+
+/// What was found of an entry: the share of its weight that arrives, and its mean weight.
+struct Trial {
+    double share = 0, weight = 0;
+};
+
+std::vector<float> judged(std::span<const Trial> trials) {
+    double sum = 0, squares = 0;
+    for (const Trial& t : trials) {
+        sum += t.share * t.weight;
+        squares += t.share * t.share * t.weight;
+    }
+    if (!(sum > 0)) return std::vector<float>(trials.size(), 1.0f);
+    // Of what arrives, so that what is strong and hidden does not count.
+    const double mean = squares / sum;
+    // First each of those that little arrives of for itself, so that one does not make the others
+    // lose their chance.
+    const double most = max_unseen * sum / mean;
+    const auto dark = [&](const Trial& t) {
+        return t.weight * least > most ? most / t.weight : least;
+    };
+    double faint = 0;
+    for (const Trial& t : trials)
+        if (t.share < least * mean) faint += dark(t) * t.weight;
+    const double kept = faint > most ? most / faint : 1;
+    std::vector<float> shares;
+    for (const Trial& t : trials)
+        shares.push_back(static_cast<float>(std::clamp(t.share / mean, kept * dark(t), greatest)));
+    return shares;
+}
+
+}  // namespace
+
+double arriving(std::span<const Luminaire> luminaires, LightIndex light, const SurveyPlace& from,
+                const Vec2& u, const LightProbe& probe) {
+    const auto drawn = sample(luminaires[light], from.point, u);
+    if (!drawn) return 0;
+    const double cosine = from.point.cosine(drawn->direction);
+    const bool source = std::holds_alternative<SourceEmitter>(luminaires[light].emitter);
+    if (!(cosine > 0) && !source) return 0;
+    const Ray ray{from.point.position, drawn->direction};
+    if (source) {
+        const auto sight = probe(ray, from.tolerance);
+        const bool hidden = sight && sight->distance < drawn->distance * (1 - 1e-9);
+        return hidden ? 0 : unoccluded(luminaires[light], from.point);
+    }
+    double luminance = 0;
+    look_along(ray, from.tolerance, probe, [&](const ProbeHit& sight, double share) {
+        if (sight.light != light) return false;
+        luminance = share * sight.luminance;
+        return true;
+    });
+    return luminance * cosine / drawn->density;
+}
+
+float cautious_share(float share, const Box& cell, const LightProxy& g) {
+    const double reach = 0.5 * length(cell.size()) + g.radius;
+    const Vec3 offset = g.centre - cell.centre();
+    const double lowest = std::fmin(reach * reach / dot(offset, offset), 1);
+    return std::fmax(share, static_cast<float>(lowest));
+}
+
+std::vector<float> arriving_shares(const LightCut& cut, const LightTree& tree,
+                                   std::span<const Luminaire> luminaires,
+                                   std::span<const SurveyPlace> receivers,
+                                   const LightProbe& probe) {
+    const std::size_t places = std::min(receivers.size(), max_places);
+    std::vector<CutWeights> weights(places);
+    for (std::size_t i = 0; i < places; ++i) cut.weigh(receivers[i].point, weights[i]);
+    const auto place_of = [&](std::size_t entry, std::size_t i) { return (i + entry) % places; };
+    std::vector<std::array<double, rays>> given(cut.entries());
+    std::vector<double> at_place(places, 0);
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry)
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            const auto n = static_cast<std::uint32_t>(entry);
+            const LightCluster& cluster = cut.cluster(entry);
+            const std::size_t place = place_of(entry, i);
+            const double weight = weights[place].weight[entry];
+            if (!(weight > 0)) continue;
+            const std::uint32_t member = tree.draw(cluster, trial_number(n, i, 0));
+            const double light = arriving(luminaires, tree.light(member), receivers[place],
+                                          {trial_number(n, i, 1), trial_number(n, i, 2)}, probe) /
+                                 tree.share(cluster, member);
+            given[entry][i] = light / weight;
+            at_place[place] += light;
+        }
+    const std::vector<double> counts = balanced(at_place);
+    std::vector<Trial> trials(cut.entries());
+    for (std::size_t entry = 0; entry < cut.entries(); ++entry) {
+        double squares = 0, weight_sum = 0;
+        int tried = 0;
+        for (std::size_t i = 0; i < rays; ++i) {
+            const std::size_t place = place_of(entry, i);
+            const double weight = weights[place].weight[entry];
+            if (!(weight > 0)) continue;
+            ++tried;
+            weight_sum += weight;
+            squares += std::pow(counts[place] * given[entry][i], 2);
+        }
+        if (tried > 0) trials[entry] = {std::sqrt(squares / tried), weight_sum / tried};
+    }
+    return judged(trials);
+}
+
+double mean_total(const LightCut& cut, std::span<const SurveyPlace> receivers) {
+    CutWeights weights;
+    double sum = 0;
+    for (const SurveyPlace& receiver : receivers) {
+        cut.weigh(receiver.point, weights);
+        sum += weights.total;
+    }
+    return sum / static_cast<double>(receivers.size());
+}
+
+}  // namespace candelabra

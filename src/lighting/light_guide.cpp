@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lighting/light_guide.h"
+
+#include "base/random.h"
+#include "base/target_clones.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t rings = LightGuide::rings, sectors = LightGuide::sectors;
+/// Lines that look for surfaces in a cell, and places that are enough.
+constexpr std::uint32_t lines = 48, enough = 12;
+/// How many times as much as the place with the least light others may count.
+constexpr double max_counted = 4;
+/// Rays tried for each bin: what some tell is held against what the others tell.
+constexpr std::size_t tries = 2;
+/// The luminaires' ball is looked at as such from so many of its radii on.
+constexpr double well_outside = 1.15;
+/// Share of a bin that its neighbours have in what is thought to come from it.
+constexpr double neighbours = 0.3;
+/// How many tries the mean of all bins may count for; the last is all but no picture at all.
+constexpr std::array<double, 5> caution = {1, 2, 6, 20, 1e6};
+
+double outlook_number(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return uniform(Key::of(Survey::cell, a, b, c), Purpose::light_representative);
+}
+
+/// Sine and cosine of the middles of the sectors.
+struct Compass {
+    std::array<float, sectors> cosine, sine;
+};
+const Compass& compass() {
+    static const Compass made = [] {
+        Compass c{};
+        for (std::size_t i = 0; i < sectors; ++i) {
+            const double angle = 2 * pi * (static_cast<double>(i) + 0.5) / sectors;
+            c.cosine[i] = static_cast<float>(std::cos(angle));
+            c.sine[i] = static_cast<float>(std::sin(angle));
+        }
+        return c;
+    }();
+    return made;
+}
+
+/// A ring's directions are along + across (cosine x + sine y) of the sectors.
+struct RingView {
+    float along, x, y;
+};
+using RingViews = std::array<RingView, rings>;
+
+/// Weights of a ring's bins by their light and their height above the horizon. Returns their sum.
+[[gnu::always_inline]] inline double weigh_ring(const float* light, const Compass& c,
+                                                const RingView& view, float margin, Horizon horizon,
+                                                float* out) {
+    std::array<float, sectors> weights;
+    for (std::size_t i = 0; i < sectors; ++i) {
+        const float signed_height = view.along + (view.x * c.cosine[i] + view.y * c.sine[i]);
+        const float height =
+            horizon == Horizon::both_sides ? std::abs(signed_height) : signed_height;
+        const float lifted = horizon == Horizon::none ? 1 : height + margin;
+        weights[i] = light[i] * (lifted > 0 ? lifted : 0);
+    }
+    std::ranges::copy(weights, out);
+    std::array<double, 8> strand{};
+    for (std::size_t i = 0; i < sectors; i += 8)
+        for (std::size_t j = 0; j < 8; ++j) strand[j] += static_cast<double>(weights[i + j]);
+    for (std::size_t half = 4; half > 0; half /= 2)
+        for (std::size_t j = 0; j < half; ++j) strand[j] += strand[j + half];
+    return strand[0];
+}
+
+CANDELABRA_TARGET_CLONES
+void weigh_rings(const float* light, const Compass& c, const RingViews& views, float margin,
+                 Horizon horizon, LightGuide::Weights& result) {
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const std::size_t first = ring * sectors;
+        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, horizon,
+                                       result.weight.data() + first);
+    }
+}
+
+/// The index at which the running sum passes the target, which becomes what is left, as a share.
+template <class Number>
+std::size_t find(const Number* sums, std::size_t count, double& target) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double sum = sums[i];
+        if (!(sum > 0)) continue;
+        last = i;
+        if (target < sum) {
+            target /= sum;
+            return i;
+        }
+        target -= sum;
+    }
+    target = 1 - 0x1p-53;
+    return last;
+}
+
+using Picture = std::array<double, LightGuide::bins>;
+
+/// What is thought to come from each bin after one ray for each: some of it from the bins beside
+/// it, and, by this weight, from anywhere.
+Picture guess(const Picture& seen, double care) {
+    double mean = 0;
+    for (const double light : seen) mean += light / LightGuide::bins;
+    Picture result{};
+    for (std::size_t r = 0; r < rings; ++r)
+        for (std::size_t s = 0; s < sectors; ++s) {
+            const auto at = [&](std::size_t ring, std::size_t sector) {
+                return seen[ring * sectors + sector % sectors];
+            };
+            const double beside = at(r, s + 1) + at(r, s + sectors - 1) + at(r > 0 ? r - 1 : r, s) +
+                                  at(r + 1 < rings ? r + 1 : r, s);
+            const double here = (1 - neighbours) * at(r, s) + neighbours / 4 * beside;
+            result[r * sectors + s] = (here + care * mean) / (1 + care);
+        }
+    return result;
+}
+
+/// Variance over squared mean of rays drawn in proportion to a guess, as other rays tell it.
+double noise_of(const Picture& guess, const Picture& seen) {
+    double all = 0, sum = 0, second = 0;
+    for (std::size_t bin = 0; bin < LightGuide::bins; ++bin) {
+        all += guess[bin];
+        sum += seen[bin];
+        if (seen[bin] > 0) second += seen[bin] * seen[bin] / guess[bin];
+    }
+    return sum > 0 && all > 0 ? std::fmax(second * all / (sum * sum) - 1, 0) : INFINITY;
+}
+
+/// What lines meet in a cell: outsides of solids that do not glow, which are looked at most, then
+/// what glows, then insides.
+using Found = std::array<std::vector<SurveyPlace>, 3>;
+
+template <class Line>
+Found met_by(const Box& cell, const LightProbe& probe, const Line& line) {
+    Found found;
+    for (std::uint32_t i = 0; i < lines && found[0].size() < enough; ++i) {
+        const Vec3 place(outlook_number(i, 0, 1), outlook_number(i, 0, 2), outlook_number(i, 0, 3));
+        const Ray ray = line(i, cell.low + place * cell.size());
+        const auto sight = probe(ray, 0);
+        if (!sight) continue;
+        const Vec3 position = ray.at(sight->distance);
+        if (!contains(cell, position)) continue;
+        const bool within = dot(sight->normal, ray.direction) > 0;
+        const Receiver point{position, within ? -sight->normal : sight->normal};
+        found[within ? 2 : (sight->light ? 1 : 0)].push_back({point, sight->tolerance});
+    }
+    return found;
+}
+
+}  // namespace
+
+LightBall ball_around(const Box& box, std::span<const Luminaire> luminaires) {
+    LightBall ball{box.centre(), 0};
+    for (const Luminaire& luminaire : luminaires) {
+        const LightBounds b = bounds(luminaire);
+        ball.radius = std::fmax(ball.radius, length(b.centre - ball.centre) + b.radius);
+    }
+    return ball;
+}
+
+std::vector<double> balanced(std::span<const double> arriving) {
+    double least = INFINITY;
+    for (const double light : arriving)
+        if (light > 0) least = std::fmin(least, light);
+    std::vector<double> result;
+    for (const double light : arriving)
+        result.push_back(light > max_counted * least ? max_counted * least / light : 1);
+    return result;
+}
+
+std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
+                                          const LightProbe& probe) {
+    if (eye) {
+        Found seen = met_by(cell, probe, [&](std::uint32_t, const Vec3& place) {
+            return Ray{*eye, unit(place - *eye)};
+        });
+        if (!seen[0].empty()) return std::move(seen[0]);
+    }
+    Found found = met_by(cell, probe, [&](std::uint32_t i, const Vec3& place) {
+        const double height = 2 * outlook_number(i, 0, 4) - 1,
+                     angle = 2 * pi * outlook_number(i, 0, 5);
+        const double across = std::sqrt(1 - height * height);
+        return Ray{place, Vec3(across * std::cos(angle), across * std::sin(angle), height)};
+    });
+    for (auto& kind : found)
+        if (!kind.empty()) return std::move(kind);
+    std::vector<SurveyPlace> anywhere;
+    for (std::uint32_t i = 0; i < enough; ++i) {
+        const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
+        const Vec3 position = cell.low + place * cell.size();
+        anywhere.push_back({{position, Vec3(0, 1, 0), Horizon::both_sides}, 0});
+    }
+    return anywhere;
+}
+
+Vec3 LightGuide::Cone::direction(double ring, double sector) const {
+    const double versine = ring / rings * widest, angle = 2 * pi * sector / sectors;
+    const double sine = std::sqrt(versine * (2 - versine));
+    return (1 - versine) * middle + sine * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+double LightGuide::Cone::bin_density() const { return bins / (2 * pi * widest); }
+
+LightGuide::LightGuide(const Box& cell, const LightBall& ball,
+                       std::span<const SurveyPlace> receivers, const LightProbe& probe)
+    : ball_(ball) {
+    const Vec3 nearest = glm::clamp(ball.centre, cell.low, cell.high);
+    around_ = !(length(nearest - ball.centre) > well_outside * ball.radius);
+    // A pole far from the ball, so that all points of the cell turn the picture alike.
+    const Vec3 away = glm::abs(cell.centre() - ball.centre);
+    if (!around_)
+        pole_ = away.x < away.y ? (away.x < away.z ? Vec3(1, 0, 0) : Vec3(0, 0, 1))
+                                : (away.y < away.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1));
+    const auto place_of = [&](std::size_t bin, std::size_t i) {
+        return (tries * bin + i) * 5 % receivers.size();
+    };
+    std::array<Picture, tries> seen{};
+    std::vector<double> arriving(receivers.size(), 0);
+    double cosines = 0, sum = 0, squares = 0;
+    for (std::uint32_t bin = 0; bin < bins; ++bin)
+        for (std::uint32_t i = 0; i < tries; ++i) {
+            const std::size_t place = place_of(bin, i);
+            const SurveyPlace& from = receivers[place];
+            const Cone cone = cone_at(from.point.position);
+            const Vec3 direction = cone.direction(bin / sectors + outlook_number(bin, i, 10),
+                                                  bin % sectors + outlook_number(bin, i, 11));
+            const double cosine = from.point.cosine(direction);
+            if (cosine <= 0) continue;
+            cosines += cosine;
+            double luminance = 0;
+            look_along({from.point.position, direction}, from.tolerance, probe,
+                       [&](const ProbeHit& sight, double share) {
+                           luminance += share * sight.luminance;
+                           return false;
+                       });
+            seen[i][bin] = luminance;
+            arriving[place] += cosine * luminance;
+            sum += cosine * luminance;
+            irradiance_ += cosine * luminance / (tries * cone.bin_density());
+            squares += cosine * luminance * luminance;
+        }
+    if (around_ && sum > 0) {
+        mean_luminance_ = sum / cosines;
+        noise_of_scattering_ = std::fmax(squares * cosines / (sum * sum) - 1, 0);
+    }
+    const std::vector<double> counts = balanced(arriving);
+    for (std::size_t bin = 0; bin < bins; ++bin)
+        for (std::size_t i = 0; i < tries; ++i) seen[i][bin] *= counts[place_of(bin, i)];
+    noise_ = INFINITY;
+    double best = caution[0];
+    for (const double care : caution) {
+        // Each half of the rays says how well the picture by the other half does.
+        const double noise = 0.5 * (noise_of(guess(seen[0], care), seen[1]) +
+                                    noise_of(guess(seen[1], care), seen[0]));
+        if (!(noise < noise_)) continue;
+        noise_ = noise;
+        best = care;
+    }
+    if (std::isinf(noise_)) return;
+    Picture all{};
+    for (std::size_t bin = 0; bin < bins; ++bin) all[bin] = 0.5 * (seen[0][bin] + seen[1][bin]);
+    const Picture picture = guess(all, best / tries);
+    light_.assign(picture.begin(), picture.end());
+}
+
+LightGuide::Cone LightGuide::cone_at(const Vec3& point) const {
+    if (around_) return {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 1, 0), 2};
+    const Vec3 offset = ball_.centre - point;
+    const double distance = length(offset), sine = ball_.radius / distance;
+    if (!(sine < 0.99)) return {};
+    const Vec3 middle = offset / distance, x = unit(cross(pole_, middle));
+    return {middle, x, cross(middle, x), sine * sine / (1 + std::sqrt(1 - sine * sine))};
+}
+
+void LightGuide::weigh(const Receiver& point, Weights& result) const {
+    result.total = 0;
+    if (light_.empty()) return;
+    result.cone = cone_at(point.position);
+    const double widest = result.cone.widest;
+    if (!(widest > 0)) return;
+    const double along = dot(result.cone.middle, point.normal),
+                 x = dot(result.cone.x, point.normal), y = dot(result.cone.y, point.normal);
+    RingViews views;
+    for (std::size_t ring = 0; ring < rings; ++ring) {
+        const double versine = (static_cast<double>(ring) + 0.5) / rings * widest;
+        const double sine = std::sqrt(versine * (2 - versine));
+        views[ring] = {static_cast<float>((1 - versine) * along), static_cast<float>(sine * x),
+                       static_cast<float>(sine * y)};
+    }
+    // Bins that the horizon cuts get something as well.
+    const double margin = 0.12 * std::sqrt(widest / 2);
+    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin), point.horizon, result);
+    for (const double ring : result.ring) result.total += ring;
+}
+
+LightGuide::Drawn LightGuide::draw(const Weights& weights, const Vec2& u) {
+    double along = u.x * weights.total, around = 0;
+    const std::size_t ring = find(weights.ring.data(), rings, along);
+    around = u.y * weights.ring[ring];
+    const float* sector_weights = weights.weight.data() + ring * sectors;
+    const std::size_t sector = find(sector_weights, sectors, around);
+    return {weights.cone.direction(static_cast<double>(ring) + along,
+                                   static_cast<double>(sector) + around),
+            sector_weights[sector] / weights.total * weights.cone.bin_density()};
+}
+
+double LightGuide::density(const Weights& weights, const Vec3& direction) {
+    if (!(weights.total > 0)) return 0;
+    const Vec3 off = direction - weights.cone.middle;
+    const double share = dot(off, off) / 2 / weights.cone.widest;
+    if (share > 1 + 1e-12) return 0;
+    const double angle =
+        std::atan2(dot(direction, weights.cone.y), dot(direction, weights.cone.x)) / (2 * pi);
+    const auto ring = static_cast<std::size_t>(share * rings);
+    const auto sector = static_cast<std::size_t>((angle < 0 ? angle + 1 : angle) * sectors);
+    const std::size_t bin = std::min(ring, rings - 1) * sectors + std::min(sector, sectors - 1);
+    return weights.weight[bin] / weights.total * weights.cone.bin_density();
+}
+
+}  // namespace candelabra

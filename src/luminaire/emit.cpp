@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/emit.h"
+
+#include "luminaire/area.h"
+#include "luminaire/composite.h"
+#include "luminaire/source.h"
+#include "luminaire/sphere.h"
+#include "luminaire/triangle.h"
+
+#include <numbers>
+
+namespace candelabra {
+
+EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area, Vec2 direction,
+                       bool both_sides) {
+    Vec3 side = normal;
+    if (both_sides) {
+        if (direction.x >= 0.5) side = -normal;
+        direction.x = direction.x < 0.5 ? 2 * direction.x : 2 * direction.x - 1;
+    }
+    const auto [x, y] = perpendiculars(side);
+    const double cosine = std::sqrt(1 - direction.x), across = std::sqrt(direction.x);
+    const double angle = 2 * std::numbers::pi * direction.y;
+    const Vec3 towards = unit(across * (std::cos(angle) * x + std::sin(angle) * y) + cosine * side);
+    const double share = both_sides ? 0.5 : 1;
+    return {{position, towards}, side, per_area * share * dot(towards, side) / std::numbers::pi};
+}
+
+std::optional<EmittedRay> emit(const Luminaire& luminaire, const Vec2& where,
+                               const Vec2& direction) {
+    return std::visit([&](const auto& e) { return emit(e, where, direction); }, luminaire.emitter);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A luminaire reduced to a few numbers, and the estimate of its irradiance that is made from them,
+// many millions of times a second. Used by the luminaires and by the light samplers; the formula
+// stands here only.
+#pragma once
+
+#include "luminaire/luminaire.h"
+
+namespace candelabra {
+
+/// A luminaire as a sphere that glows all over, or, when it is flat, more in the direction of its
+/// axis.
+struct LightProxy {
+    Vec3 centre = Vec3(0);
+    double radius = 1;        ///< above 0
+    double strength = 0;      ///< intensity / radius
+    Vec3 axis = Vec3(0);      ///< 0: the same in all directions
+    double evenness = 1;      ///< share of the intensity that goes in all directions
+    Vec3 half = Vec3(1e300);  ///< of a box around it, from the centre: some are thinner than the
+                              ///< sphere
+    Vec3 lean = Vec3(0);      ///< see leaning()
+};
+
+/// Flat luminaires are thought to shine a little along their plane too, since the estimate looks at
+/// their centre only.
+inline constexpr double flat_evenness = 0.05;
+
+inline LightProxy light_proxy(const LightBounds& b) {
+    const bool flat = b.axis != Vec3(0);
+    const double radius = std::fmax(b.radius, 1e-150);
+    return {b.centre,
+            radius,
+            b.intensity / radius,
+            b.axis,
+            flat ? flat_evenness + b.evenness : 1,
+            glm::max(b.box.high - b.centre, b.centre - b.box.low)};
+}
+
+/// The same with what it is set into taken into account: towards a unit vector d it has the
+/// strength that it had times (1 - |lean|), and dot(lean, d) of the strength face on.
+inline LightProxy leaning(LightProxy g, const Vec3& lean) {
+    const double rest = 1 - length(lean);
+    g.axis *= rest;
+    g.evenness *= rest;
+    g.lean = lean;
+    return g;
+}
+
+/// What one that leans keeps in any case, as a share of its lean: rays that were tried when the
+/// scene was made do not tell all, and from nearby not all of it is seen in the same direction.
+inline constexpr double min_leaning = 0.1;
+
+/// Radius over distance at which rounding may still lift a luminaire over the horizon.
+inline constexpr double horizon_slack = 1e-14;
+/// Points whose squared distance from the centre is below this share of the squared radius are
+/// inside.
+inline constexpr double inside_share = 1 - 2e-9;
+
+/// How far a luminaire reaches towards a plane with this normal: not beyond its box, nor beyond its
+/// sphere. Never quite 0.
+[[gnu::always_inline]] inline double reach_along(const Vec3& n, const Vec3& half, double radius) {
+    const double of_box = std::abs(n.x) * half.x + std::abs(n.y) * half.y + std::abs(n.z) * half.z;
+    const double least = 1e-3 * radius, reach = of_box > least ? of_box : least;
+    return reach < radius ? reach : radius;
+}
+
+/// What one sphere gives: elementwise arithmetic without branches, so that loops over it are
+/// vectorised, and so that every instruction set gives the same bits. v goes from the point to the
+/// centre, n is the point's normal.
+///
+/// With h = n.v the irradiance is strength r h r / d^3 when the whole sphere is above the horizon,
+/// and strength (h + r)^2 r / 4 d^3 is put in the place of the exact formula where the horizon cuts
+/// it: the two meet at h = r, the second is zero only where all of the sphere is below, and never
+/// below the first. What is flatter than its sphere is cut by the horizon within its reach instead:
+/// strength (h + reach)^2 r^2 / (4 reach d^3). Inside, all directions meet the surface. Without a
+/// horizon it is strength r / d^2, and four times that of one side from inside.
+template <Horizon horizon>
+[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
+                                                double strength, double reach) {
+    const double r2 = radius * radius;
+    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    const double outside2 = d2 > r2 ? d2 : r2;
+    const double distance = std::sqrt(outside2);
+    const double inverse = 1 / distance;
+    if constexpr (horizon == Horizon::none)
+        return strength * radius * (d2 < r2 * inside_share ? 4 : 1) * inverse * inverse;
+    constexpr bool both_sides = horizon == Horizon::both_sides;
+    const double signed_height = n.x * v.x + n.y * v.y + n.z * v.z;
+    const double height = both_sides ? std::abs(signed_height) : signed_height;
+    const double cut = height < reach ? height : reach;
+    double lifted = cut + reach + horizon_slack * distance;
+    lifted = lifted > 0 ? lifted : 0;
+    const double partly =
+        both_sides ? 0.5 * (cut * cut / reach + reach) : 0.25 * lifted * lifted / reach;
+    const double above = radius * (partly + (height - cut));
+    const double surrounded = (both_sides ? 2 : 1) * radius * reach;
+    const double within = d2 < r2 * inside_share ? surrounded : 0;
+    const double seen = above > within ? above : within;
+    return strength * seen * inverse * inverse * inverse;
+}
+
+/// The same for a sphere.
+template <Horizon horizon>
+[[gnu::always_inline]] inline double irradiance(const Vec3& v, const Vec3& n, double radius,
+                                                double strength) {
+    return irradiance<horizon>(v, n, radius, strength, radius);
+}
+
+/// The factor for the direction in which a flat luminaire is seen; 1 for others.
+[[gnu::always_inline]] inline double facing(const Vec3& v, double radius, const Vec3& axis,
+                                            double evenness) {
+    const double r2 = radius * radius;
+    const double d2 = v.x * v.x + v.y * v.y + v.z * v.z;
+    const double outside2 = d2 > r2 ? d2 : r2;
+    return evenness + std::abs(axis.x * v.x + axis.y * v.y + axis.z * v.z) / std::sqrt(outside2);
+}
+
+/// The factor for the direction in which something is seen that may lean.
+inline double turned(const LightProxy& g, const Vec3& v, double radius) {
+    const double distance = std::sqrt(std::fmax(dot(v, v), radius * radius));
+    const double seen = g.evenness + (std::abs(dot(g.axis, v)) - dot(g.lean, v)) / distance;
+    return std::fmax(seen, length(g.lean) * (min_leaning + radius / distance));
+}
+
+/// Estimate of the irradiance of one luminaire; see unoccluded().
+inline double irradiance(const LightProxy& g, const Receiver& point) {
+    const Vec3 v = g.centre - point.position;
+    const double reach = reach_along(point.normal, g.half, g.radius);
+    const auto of_sphere = [&]<Horizon horizon>() {
+        return irradiance<horizon>(v, point.normal, g.radius, g.strength, reach);
+    };
+    const double even = point.horizon == Horizon::one_side
+                            ? of_sphere.template operator()<Horizon::one_side>()
+                        : point.horizon == Horizon::both_sides
+                            ? of_sphere.template operator()<Horizon::both_sides>()
+                            : of_sphere.template operator()<Horizon::none>();
+    if (g.lean != Vec3(0)) return even * turned(g, v, g.radius);
+    return g.axis == Vec3(0) ? even * g.evenness : even * facing(v, g.radius, g.axis, g.evenness);
+}
+
+}  // namespace candelabra

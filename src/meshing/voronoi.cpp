@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshing/voronoi.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace candelabra {
+
+namespace {
+
+double square(const Vec2& v) { return dot(v, v); }
+
+/// The part of the polygon that is nearer to p than to q.
+std::vector<Vec2> nearer(const std::vector<Vec2>& polygon, const Vec2& p, const Vec2& q) {
+    const Vec2 across = q - p;
+    const double border = dot(across, 0.5 * (p + q));
+    std::vector<Vec2> result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double beyond_a = dot(across, a) - border, beyond_b = dot(across, b) - border;
+        if (beyond_a <= 0) result.push_back(a);
+        if ((beyond_a < 0 && beyond_b > 0) || (beyond_a > 0 && beyond_b < 0))
+            result.push_back(a + beyond_a / (beyond_a - beyond_b) * (b - a));
+    }
+    return result.size() < 3 ? std::vector<Vec2>() : result;
+}
+
+}  // namespace
+
+std::vector<Vec2> voronoi_cell(std::span<const Vec2> points, std::size_t i, const Vec2& low,
+                               const Vec2& high) {
+    const Vec2 own = points[i];
+    std::vector<Vec2> cell = {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)};
+    std::vector<std::size_t> others(points.size());
+    std::iota(others.begin(), others.end(), std::size_t{0});
+    std::ranges::sort(others, {}, [&](std::size_t k) { return square(points[k] - own); });
+    for (const std::size_t k : others) {
+        if (k == i || cell.empty()) continue;
+        if (points[k] == own) return {};
+        // No corner is so far away that this one, or any after it, could be nearer.
+        double reach = 0;
+        for (const Vec2& corner : cell) reach = std::max(reach, square(corner - own));
+        if (square(points[k] - own) > 4 * reach) break;
+        cell = nearer(cell, own, points[k]);
+    }
+    return cell;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cgal/shapes.h"
+
+#include "support/folder.h"
+
+namespace candelabra {
+
+TEST_CASE("meshes are read from files, larger faces in parts", "[polyhedra]") {
+    struct Case {
+        const char *extension, *text;
+        std::size_t points, faces;
+    };
+    const Case cases[] = {
+        {"obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", 4, 2},
+        {"off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 3, 1},
+        {"ply",
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         3, 1},
+        {"stl",
+         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+         "endloop\nendfacet\nendsolid s\n",
+         3, 1}};
+    for (const Case& c : cases) {
+        CAPTURE(c.extension);
+        const Folder folder;
+        const std::string name = std::string("a.") + c.extension;
+        folder.put(name, c.text);
+        Polyhedron made;
+        PolyhedronLook look;
+        REQUIRE(the_polyhedra().read(folder / name, made, look) == "");
+        CHECK(look.normals.empty());
+        CHECK(look.uvs.empty());
+        CHECK(made.points.size() == c.points);
+        CHECK(made.faces.size() == c.faces);
+    }
+}
+
+TEST_CASE("what is no mesh is said", "[polyhedra]") {
+    Polyhedron made;
+    PolyhedronLook look;
+    CHECK(the_polyhedra().read("/nowhere/nothing.ply", made, look) == "the file cannot be opened");
+    const Folder folder;
+    folder.put("text.off", "no mesh");
+    CHECK(the_polyhedra().read(folder / "text.off", made, look) ==
+          "it is no OBJ, PLY, STL or OFF file, or is damaged");
+    folder.put("wild.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    CHECK(the_polyhedra().read(folder / "wild.off", made, look) != "");
+    folder.put("NONE.OBJ", "v 0 0 0\n");
+    CHECK(the_polyhedra().read(folder / "NONE.OBJ", made, look) == "it has no faces");
+}
+
+}  // namespace candelabra

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "luminaire/emit.h"
+
+#include "base/random.h"
+#include "support/lights.h"
+
+#include <catch2/catch.hpp>
+
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+/// The power of a luminaire of radiance 1, by its own rays.
+double emitted_power(const Luminaire& luminaire, std::uint32_t count) {
+    double sum = 0;
+    Key key;
+    for (key.sample = 0; key.sample < count; ++key.sample) {
+        const auto drawn =
+            emit(luminaire, {uniform(key, Purpose::light_u), uniform(key, Purpose::light_v)},
+                 {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
+        if (!drawn) continue;
+        const double cosine = dot(drawn->ray.direction, drawn->normal);
+        CHECK(cosine >= 0);
+        CHECK(length(drawn->ray.direction) == Approx(1));
+        sum += cosine / drawn->density;
+    }
+    return sum / count;
+}
+
+}  // namespace
+
+TEST_CASE("rays that leave a luminaire carry its power", "[luminaire]") {
+    Draw draw(4);
+    for (int i = 0; i < 4 * emitter_kinds; ++i) {
+        const Luminaire luminaire = glowing(emitter(i % emitter_kinds, draw.point(3), 1, draw));
+        if (std::holds_alternative<SourceEmitter>(luminaire.emitter)) continue;
+        CAPTURE(i % emitter_kinds);
+        const double found = emitted_power(luminaire, 20000);
+        const double area = emitting_area(luminaire.emitter);
+        const bool closed = std::holds_alternative<SphereEmitter>(luminaire.emitter);
+        if (const auto* composite = std::get_if<CompositeEmitter>(&luminaire.emitter))
+            CHECK(found == Approx(4 * std::numbers::pi * composite->seen_area).epsilon(0.1));
+        else
+            CHECK(found == Approx((closed ? 1 : 2) * std::numbers::pi * area).epsilon(0.02));
+    }
+}
+
+TEST_CASE("rays leave the surface itself", "[luminaire]") {
+    Draw draw(5);
+    for (int i = 0; i < 300; ++i) {
+        const Luminaire luminaire = glowing(emitter(i % emitter_kinds, draw.point(3), 1, draw));
+        const auto drawn =
+            emit(luminaire, {draw.number(), draw.number()}, {draw.number(), draw.number()});
+        if (!drawn) continue;
+        const LightBounds b = bounds(luminaire);
+        CHECK(length(drawn->ray.origin - b.centre) <= b.radius * (1 + 1e-6));
+        // Seen from along the ray, the point is there, with some density.
+        if (!std::holds_alternative<SourceEmitter>(luminaire.emitter))
+            CHECK(density(luminaire, drawn->ray.at(3 * b.radius), -drawn->ray.direction) > 0);
+    }
+}
+
+TEST_CASE("a source sends rays evenly from its place", "[luminaire]") {
+    const Luminaire source = glowing(SourceEmitter{Vec3(1, 2, 3), 0.1, {}});
+    Vec3 sum(0);
+    Draw draw(6);
+    for (int i = 0; i < 20000; ++i) {
+        const auto drawn = emit(source, Vec2(0), {draw.number(), draw.number()});
+        REQUIRE(drawn);
+        CHECK(drawn->ray.origin == Vec3(1, 2, 3));
+        CHECK(drawn->density == Approx(1 / (4 * std::numbers::pi)));
+        sum += drawn->ray.direction;
+    }
+    CHECK(length(sum) / 20000 < 0.02);
+}
+
+}  // namespace candelabra
