@@ -41,8 +41,8 @@ enum class Purpose : std::uint32_t {
 struct Key {
     std::uint64_t pixel = 0;  ///< pixel index with the seed mixed in by the renderer
     std::uint32_t sample = 0;
-    std::uint32_t path =
-        0;  ///< hash of the bounces (reflected or refracted) so far; 0 for the camera ray
+    /// Hash of the bounces (reflected or refracted) so far; 0 for the camera ray.
+    std::uint32_t path = 0;
     std::uint32_t branch = 0;  ///< number of the shadow ray at this hit
 
     /// The key of the n-th of some shadow rays at one hit: as if the pixel had so many times more
