@@ -13,8 +13,8 @@ namespace candelabra {
 namespace {
 
 constexpr double terminal_interval = 0.2;  ///< seconds between two changes of the line
-constexpr double line_interval =
-    10;  ///< seconds after which a line is due even without a tenth of progress
+/// Seconds after which a line is due even without a tenth of progress.
+constexpr double line_interval = 10;
 constexpr double program_interval = 0.5;
 constexpr double shortest_interval = 1;  ///< lines of a quick rendering would be noise
 

@@ -53,8 +53,8 @@ inline Interval clip(const Ray& ray, const Box& box, Interval range) {
 /// One point where a ray crosses a surface.
 struct Crossing {
     double t = 0;
-    Vec3 normal =
-        Vec3(0);  ///< unit, outward (for surfaces without an inside: as defined by the shape)
+    /// Unit, outward; for surfaces without an inside: as defined by the shape.
+    Vec3 normal = Vec3(0);
     bool entering = true;    ///< the ray goes from outside to inside here
     std::uint32_t part = 0;  ///< which piece of the shape it is: the face of a mesh
 };

@@ -34,8 +34,8 @@ public:
     Binder& binder;
     std::string_view name;
     Span span;  ///< of the block's word: where what is missing is reported
-    std::string_view form =
-        {};  ///< what follows the name, braces and all; empty: by the item's vocabulary
+    /// What follows the name, braces and all; empty: by the item's vocabulary.
+    std::string_view form = {};
     const ItemInfo* item = nullptr;  ///< what the block describes
     std::string_view ignored = {};   ///< words of POV-Ray that may stand here and change nothing
     bool broken = false;  ///< something has been reported: do not speak of what follows from it

@@ -11,8 +11,8 @@ namespace candelabra {
 
 struct CountedList {
     FieldValue value;
-    std::vector<Face>
-        looks;  ///< of faces: numbers of their corners' textures; empty: none is given
+    /// Of faces: numbers of their corners' textures; empty: none is given.
+    std::vector<Face> looks;
 };
 
 /// The list as a field of the type has it; nothing after a report.

@@ -90,8 +90,8 @@ public:
 
 private:
     Workspace& workspace_;
-    std::map<std::string, std::pair<FileHandle, LineTable>>
-        tables_;  ///< the handles hold the texts
+    /// The handles hold the texts.
+    std::map<std::string, std::pair<FileHandle, LineTable>> tables_;
 };
 
 }  // namespace

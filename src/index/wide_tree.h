@@ -108,8 +108,8 @@ struct TreeFrame {
 /// A leaf whose box a ray meets.
 struct TreeLeaf {
     std::span<const std::uint32_t> items;  ///< at most 8, in ascending order
-    const std::uint32_t*
-        pack;      ///< what WideTree::pack() was given for them; null in a tree that is not packed
+    /// What WideTree::pack() was given for them; null in a tree that is not packed.
+    const std::uint32_t* pack;
     double entry;  ///< the ray's parameter somewhere near: where it enters the leaf's box, or its
                    ///< range
 };

@@ -82,8 +82,8 @@ public:
 
     std::size_t count() const { return arguments_.size(); }
     double number(std::size_t i);
-    std::int64_t integer(
-        std::size_t i);  ///< towards zero; what does not fit becomes the nearest that does
+    /// Towards zero; a number that does not fit becomes the nearest that does.
+    std::int64_t integer(std::size_t i);
     Vec3 vector(std::size_t i);
     const Numbers& numbers(std::size_t i);
     std::string_view text(std::size_t i);

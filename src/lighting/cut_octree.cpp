@@ -119,8 +119,8 @@ struct BuiltCutOctree::State {
     LightTree tree;
     LightBall ball;
     std::optional<Vec3> eye;
-    double coarse =
-        0;  ///< size of cells that are small, at distance 1 from the eye if there is one
+    /// Size of cells that are small, at distance 1 from the eye if there is one.
+    double coarse = 0;
     double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;

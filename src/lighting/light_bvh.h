@@ -20,8 +20,8 @@ struct LightNode {
         0};  ///< middle of the normals of flat luminaires; 0 when they look everywhere
     float cos_spread = 1, sin_spread = 0;  ///< of the angle around the axis that holds all normals
     std::uint32_t parent = 0;
-    std::uint32_t second =
-        0;  ///< second child, the first is the next node; in leaves the luminaire
+    /// The second child, the first is the next node; in leaves the luminaire.
+    std::uint32_t second = 0;
     bool leaf = false;
 };
 

@@ -162,8 +162,8 @@ private:
     const LightOctree& settings_;
     const LightScene& scene_;
     const std::vector<Vec3>& centres_;
-    const std::vector<double>&
-        reach2_;  ///< squares of the distances within which luminaires are bright
+    /// Squares of the distances within which luminaires are bright.
+    const std::vector<double>& reach2_;
 };
 
 /// Cells of a part of the tree, behind those that are there; its first cell takes the given place.

@@ -19,8 +19,8 @@ struct LightList {
 
 class LightTable {
 public:
-    static constexpr std::size_t lanes =
-        8;  ///< rows are added up in so many strands; lists are padded to full ones
+    /// Rows are added up in so many strands; lists are padded to full ones.
+    static constexpr std::size_t lanes = 8;
     static constexpr std::size_t block = 64;  ///< rows estimated at once
     static constexpr std::size_t max_parts = 512;
 

@@ -22,8 +22,8 @@ using LightPicks = std::vector<LightPick>;
 /// Everything a strategy is built from. The luminaires outlive it.
 struct LightScene {
     std::span<const Luminaire> luminaires;
-    std::span<const Box>
-        surfaces;  ///< bounds of the finite primitives: where points to be lit may be
+    /// Bounds of the finite primitives: where points to be lit may be.
+    std::span<const Box> surfaces;
     std::span<const Plane> planes = {};  ///< the unbounded ones, in world space
     std::optional<Vec3> eye = {};        ///< where most points to be lit are seen from
     double pixel = 0.004;                ///< angle that a pixel of the picture fills, in radians

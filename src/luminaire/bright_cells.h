@@ -38,8 +38,8 @@ private:
 
     std::size_t row_count_, column_count_;
     double covered_ = 0, mean_ = 0, mean_square_ = 0;
-    std::vector<double> rows_ = {},
-                        columns_ = {};  ///< sums of brightness: up to each row, and within each
+    /// Sums of brightness: up to each row, and within each.
+    std::vector<double> rows_ = {}, columns_ = {};
 };
 
 }  // namespace candelabra

@@ -112,10 +112,10 @@ struct LightBounds {
     Box box;
     Vec3 centre = Vec3(0);  ///< of a sphere around it, for a glowing sphere the sphere itself
     double radius = 0;
-    Vec3 axis =
-        Vec3(0);  ///< unit normal when it is flat (either sign: both sides shine), 0 when it is not
-    double intensity =
-        0;  ///< luminance times the area seen: face on when flat, else the mean over all directions
+    /// Unit normal when it is flat (either sign: both sides shine), 0 when it is not.
+    Vec3 axis = Vec3(0);
+    /// Luminance times the area seen: face on when flat, else the mean over all directions.
+    double intensity = 0;
     double luminance = 0;  ///< of its brightest point
     double evenness = 0;   ///< what a flat one with some thickness shows in all directions, as a
                            ///< share of its intensity

@@ -23,8 +23,8 @@ struct PictureFormat {
     bool grey = false;        ///< one channel; png and ppm only
     double gamma = 1;         ///< the picture's values to this power are linear
     double file_gamma = -1;   ///< the file's to this power are; below 0: the curve of sRGB
-    bool encoded =
-        true;  ///< false: values are neither made linear nor encoded, as before POV-Ray 3.7
+    /// False: values are neither made linear nor encoded, as before POV-Ray 3.7.
+    bool encoded = true;
     std::string description = {};  ///< what made the picture, where the format has room for a text
 };
 

@@ -36,8 +36,8 @@ struct PlacedLight {
     Light light;
     Span span;
     ObjectHandle looks_like = {};  ///< stands at the light, casts no shadow; null: none
-    ObjectHandle projected_through =
-        {};  ///< it lights what is seen through this, which is not there otherwise; null: all
+    /// It lights what is seen through this, which is not there otherwise; null: all.
+    ObjectHandle projected_through = {};
 };
 
 /// How several objects make one.
@@ -100,8 +100,8 @@ struct Switches {
 struct Object : Switches {
     std::variant<Shape, Union, SphereRow> form;
     Handle<Transform> transform;  ///< of the form; null: none
-    Handle<Texture>
-        texture;  ///< in the space after the transform; null: the parent's, or the default
+    /// In the space after the transform; null: the parent's, or the default.
+    Handle<Texture> texture;
     Handle<Interior> interior;           ///< null: the parent's, or the atmosphere
     Handle<Clipping> clipping;           ///< null: none
     Handle<PartTextures> part_textures;  ///< in the same space as the texture; null: none

@@ -28,8 +28,8 @@ struct GlobalSettings {
     bool luminaires_said = false;   ///< the scene says what is one
     double mm_per_unit = 10;        ///< millimetres; for translucency
     SubsurfaceSettings subsurface;  ///< from the block of that name
-    LightSampler light_sampler =
-        LightOctree{};              ///< from the block of that name, which the evaluator reads
+    /// From the block of that name, which the evaluator reads.
+    LightSampler light_sampler = LightOctree{};
     RayIndex index;                 ///< the same
     IntegratorSettings integrator;  ///< the same
 

@@ -16,8 +16,8 @@ struct Mesh {
     std::vector<Vec3> vertices;
     std::vector<Vec3> normals;
     std::vector<Face> faces;
-    std::vector<Face>
-        normal_faces;  ///< empty: the faces' own indices when there is a normal for each vertex
+    /// Empty: the faces' own indices when there is a normal for each vertex.
+    std::vector<Face> normal_faces;
     std::vector<Vec2> uvs;
     std::vector<Face> uv_faces;  ///< empty: the faces' own indices
     std::vector<Face> looks;     ///< numbers of the textures of each face's corners, -1 for none;

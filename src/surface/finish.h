@@ -58,8 +58,8 @@ struct Finish {
     double metallic = 0;
     bool conserve_energy = false;
     double ior = 0;  ///< instead of the interior's; 0: not
-    double caustics =
-        -1;  ///< of the top layer, instead of the interior's: an exponent; below 0: not
+    /// Of the top layer, instead of the interior's: an exponent; below 0: not.
+    double caustics = -1;
     double refraction = 1;  ///< share of what is seen through it
     Reflection reflection;
     Irid irid;

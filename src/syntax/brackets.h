@@ -98,8 +98,8 @@ private:
     std::vector<Token> pending_;  ///< the next one last
     Token last_;
     bool member_ = false;  ///< the last token comes behind a dot
-    int spare_braces_ =
-        0;  ///< how many `}` without partner are no news, because their `{` was closed in a branch
+    /// How many `}` without partner are no news, because their `{` was closed in a branch.
+    int spare_braces_ = 0;
     int spare_ends_ = 0;
     Open closed_;         ///< what was closed last
     bool hangs_ = false;  ///< what the last token closed

@@ -22,9 +22,8 @@ public:
         Shading shading;
         Vec3 through = Vec3(1);  ///< share of its radiance that the layers above it leave
         double weight = 1;       ///< grey of that
-        Vec3 reflected =
-            Vec3(0);  ///< share of the radiance from the mirror direction, with `through`
-                      ///< not in it
+        /// Share of the radiance from the mirror direction, with `through` not in it.
+        Vec3 reflected = Vec3(0);
     };
     /// From the top, as far as a layer counts.
     void visit(FunctionRef<void(const Seen&)> use) const;

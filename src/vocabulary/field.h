@@ -30,8 +30,8 @@ struct Field {
     Range range = {};
     bool colour = false;  ///< a Vec3 that means red, green, blue: any colour is taken, filter and
                           ///< transmit are dropped
-    bool may_be_left_out =
-        false;          ///< a value without a word that the text may omit (the hole of a disc)
+    /// A value without a word that the text may omit (the hole of a disc).
+    bool may_be_left_out = false;
     double chosen = 0;  ///< what the word of a choice stands for
     int entries = 0;    ///< of a counted field that has always so many; 0: the text says how many
     const PartsInfo* parts = nullptr;  ///< see parts.h

@@ -120,10 +120,10 @@ struct ItemInfo {
     std::string_view name;
     std::string_view help;
     std::span<const FieldInfo> fields;
-    void (*set)(void* item, std::size_t field,
-                const FieldValue& value);  ///< value must be of the field's type
-    FieldValue (*get)(const void* item,
-                      std::size_t field);  ///< monostate: an optional that is not set
+    /// The value must be of the field's type.
+    void (*set)(void* item, std::size_t field, const FieldValue& value);
+    /// Monostate: an optional that is not set.
+    FieldValue (*get)(const void* item, std::size_t field);
     FieldValue (*default_value)(std::size_t field);
     NameId word;     ///< of the name, when it is reserved
     int positional;  ///< how many fields come without a word; they are the first ones

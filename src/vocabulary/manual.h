@@ -20,8 +20,8 @@ struct ItemGroup {
     std::string_view name;
     std::string_view help;
     std::span<const ItemInfo* const> items;
-    std::string_view block =
-        {};  ///< the block whose first word is the item's name; empty: the item is a block itself
+    /// The block whose first word is the item's name; empty: the item is a block itself.
+    std::string_view block = {};
 };
 
 /// One line of a list: what is written, and what it means.

@@ -75,8 +75,8 @@ private:
     void grow();
 
     std::vector<Entry> entries_;
-    std::vector<std::uint32_t>
-        slots_;  ///< open addressing; a power of two, at most half full; 0: free, else id + 1
+    /// Open addressing; a power of two, at most half full; 0: free, else id + 1.
+    std::vector<std::uint32_t> slots_;
     std::deque<std::string> texts_;  ///< owns the spellings that are not reserved
 };
 

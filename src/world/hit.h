@@ -14,8 +14,8 @@ struct Hit {
     Vec3 position = Vec3(0);
     Vec3 normal = Vec3(0);         ///< unit, outward: of the surface as it is
     Vec3 smooth_normal = Vec3(0);  ///< unit, outward: of the surface as it is shaded
-    double tolerance =
-        0;  ///< rays that start here begin this far away, to miss the surface they come from
+    /// Rays that start here begin this far away, to miss the surface they come from.
+    double tolerance = 0;
 };
 
 /// Who asks: some objects are left out for some rays.
