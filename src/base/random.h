@@ -38,8 +38,8 @@ enum class Purpose : std::uint32_t {
     roulette
 };
 
-/// Ways on which a path goes on, and decisions beside it that need numbers of their own. One that is
-/// appended at the end changes no other number.
+/// Ways on which a path goes on, and decisions beside it that need numbers of their own. One that
+/// is appended at the end changes no other number.
 enum class Branch : std::uint32_t {
     reflection,
     refraction,
@@ -77,7 +77,7 @@ struct Key {
     /// The key after one more branch; `number` tells several of one kind.
     Key branched(Branch, std::uint32_t number = 0) const;
 
-    /// Of three numbers that tell the trials of a survey apart, of which the second one counts them.
+    /// Of three numbers that tell the trials of a survey apart; the second one counts them.
     static Key of(Survey survey, std::uint64_t a, std::uint32_t b, std::uint32_t c) {
         return {a, b, c, static_cast<std::uint32_t>(survey)};
     }

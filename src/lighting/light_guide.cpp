@@ -56,14 +56,13 @@ using RingViews = std::array<RingView, rings>;
 
 /// Weights of a ring's bins by their light and their height above the horizon. Returns their sum.
 [[gnu::always_inline]] inline double weigh_ring(const float* light, const Compass& c,
-                                                const RingView& view, float margin, Horizon horizon,
+                                                const RingView& view, float margin, bool both_sides,
                                                 float* out) {
     std::array<float, sectors> weights;
     for (std::size_t i = 0; i < sectors; ++i) {
         const float signed_height = view.along + (view.x * c.cosine[i] + view.y * c.sine[i]);
-        const float height =
-            horizon == Horizon::both_sides ? std::abs(signed_height) : signed_height;
-        const float lifted = horizon == Horizon::none ? 1 : height + margin;
+        const float height = both_sides ? std::abs(signed_height) : signed_height;
+        const float lifted = height + margin;
         weights[i] = light[i] * (lifted > 0 ? lifted : 0);
     }
     std::ranges::copy(weights, out);
@@ -77,10 +76,10 @@ using RingViews = std::array<RingView, rings>;
 
 CANDELABRA_TARGET_CLONES
 void weigh_rings(const float* light, const Compass& c, const RingViews& views, float margin,
-                 Horizon horizon, LightGuide::Weights& result) {
+                 bool both_sides, LightGuide::Weights& result) {
     for (std::size_t ring = 0; ring < rings; ++ring) {
         const std::size_t first = ring * sectors;
-        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, horizon,
+        result.ring[ring] = weigh_ring(light + first, c, views[ring], margin, both_sides,
                                        result.weight.data() + first);
     }
 }
@@ -287,18 +286,22 @@ void LightGuide::weigh(const Receiver& point, Weights& result) const {
     result.cone = cone_at(point.position);
     const double widest = result.cone.widest;
     if (!(widest > 0)) return;
+    // In the air all directions count alike, as if all were straight above.
+    const bool in_air = point.horizon == Horizon::none;
     const double along = dot(result.cone.middle, point.normal),
                  x = dot(result.cone.x, point.normal), y = dot(result.cone.y, point.normal);
     RingViews views;
     for (std::size_t ring = 0; ring < rings; ++ring) {
         const double versine = (static_cast<double>(ring) + 0.5) / rings * widest;
         const double sine = std::sqrt(versine * (2 - versine));
-        views[ring] = {static_cast<float>((1 - versine) * along), static_cast<float>(sine * x),
-                       static_cast<float>(sine * y)};
+        views[ring] = in_air ? RingView{1, 0, 0}
+                             : RingView{static_cast<float>((1 - versine) * along),
+                                        static_cast<float>(sine * x), static_cast<float>(sine * y)};
     }
     // Bins that the horizon cuts get something as well.
-    const double margin = 0.12 * std::sqrt(widest / 2);
-    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin), point.horizon, result);
+    const double margin = in_air ? 0 : 0.12 * std::sqrt(widest / 2);
+    weigh_rings(light_.data(), compass(), views, static_cast<float>(margin),
+                point.horizon == Horizon::both_sides, result);
     for (const double ring : result.ring) result.total += ring;
 }
 

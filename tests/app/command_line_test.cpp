@@ -15,7 +15,7 @@ TEST_CASE("the command that makes a picture says what options come to", "[app]")
         std::vector<std::string_view> words;
         const char* command;
     };
-    const auto [words, command] = GENERATE(values<Case>({
+    const auto [words, command] = GENERATE(Catch::Generators::values<Case>({
         {{"x/a.pov"}, "candelabra a.pov +W640 +H480"},
         {{"Width=20", "-V", "+WT3", "+Oz.png", "-"}, "candelabra - +W20 +H480"},
         {{"+Ia=b c.pov"}, "candelabra '+Ia=b c.pov' +W640 +H480"},

@@ -5,6 +5,4 @@
 #include <cstddef>
 #include <cstdint>
 
-using namespace candelabra;
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

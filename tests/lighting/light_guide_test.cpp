@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lighting/light_guide.h"
 
-#include "support/draw.h"
+#include "support/lights.h"
 
 #include <catch2/catch.hpp>
 

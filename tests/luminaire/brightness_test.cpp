@@ -40,7 +40,7 @@ LampMoments moments(const Luminaire& luminaire, const Receiver& point, int steps
             const auto s = sample(luminaire, point,
                                   {(i + draw.number()) / steps, (j + draw.number()) / steps});
             if (!s) continue;
-            const double light = light_proxy(s->position) *
+            const double light = glow(s->position) *
                                  std::fmax(dot(s->direction, point.normal), 0) / s->density;
             sum += light;
             squares += light * light;

@@ -73,7 +73,7 @@ TEST_CASE("a sweep is the union of its spheres", "[shape]") {
 }
 
 TEST_CASE("a sweep of one place is a sphere", "[shape]") {
-    const BuiltSphereSweep still = build({linear_way, {{x, 1}, {x, 1}}});
+    const BuiltSphereSweep still = build(SphereSweep{linear_way, {{x, 1}, {x, 1}}});
     CHECK(answers(still, {{-5.0 * x, x}, {{5, -x, true}, {7, x, false}}}));
 }
 
