@@ -15,7 +15,7 @@ namespace {
 
 using enum Takes;
 
-constexpr std::string_view no_radiosity = "there is no radiosity";
+constexpr std::string_view no_radiosity = "radiosity has no cache";
 constexpr std::string_view no_preview = "no preview is shown";
 constexpr std::string_view order =
     "tiles are made in their own order, all of them better and better";

@@ -162,6 +162,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"no_shadow", "object"},
     {"no_image", "object"},
     {"no_reflection", "object"},
+    {"no_radiosity", "object"},
     {"hollow", "object"},
     {"double_illuminate", "object"},
     {"inverse", "object"},

@@ -34,7 +34,7 @@ namespace candelabra {
 namespace {
 
 constexpr std::string_view ignored_words =
-    "sturm hierarchy photons radiosity no_radiosity split_union dtag color colour";
+    "sturm hierarchy photons radiosity split_union dtag color colour";
 
 /// Objects and lights in a union; the one object in `object`; a declared object in the place of a
 /// shape's values. Objects lie inside each other by the thousand, so what is rare has functions of

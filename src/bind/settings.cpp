@@ -163,9 +163,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
                           GivenSettings& before) {
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
-    block.ignored =
-        "charset utf8 ascii sys hf_gray_16 max_intersections "
-        "radiosity photons";
+    block.ignored = "charset utf8 ascii sys hf_gray_16 max_intersections photons";
     // Strings are read as UTF-8, and ASCII is the same in any coding.
     if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
     const double gamma = settings.assumed_gamma;
@@ -176,7 +174,9 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     LuminairesReader luminaires(block, settings);
     ItemBlock subsurface(block, SubsurfaceSettings::vocabulary, &settings.subsurface,
                          &settings.subsurface.on, "radiosity");
-    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface);
+    ItemBlock radiosity(block, Radiosity::vocabulary, &settings.radiosity, &settings.radiosity.on,
+                        "importance");
+    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);

@@ -144,9 +144,13 @@ Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, Lobes lobes, double grain
         return Vec3(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));
     }
     if (shading_.finish->microfacet.on)
-        return lobes == Lobes::diffuse ? facet_base_response(shading_, to_light)
-                                       : facet_response(shading_, to_light, lobes == Lobes::wide);
-    const FinishTerms terms{part_ != Part::highlights, lobes == Lobes::all || lobes == Lobes::wide};
+        return lobes == Lobes::diffuse
+                   ? facet_base_response(shading_, to_light)
+                   : facet_response(shading_, to_light,
+                                    lobes != Lobes::all && lobes != Lobes::without_highlights);
+    const FinishTerms terms{part_ != Part::highlights,
+                            lobes == Lobes::all || lobes == Lobes::wide || lobes == Lobes::even,
+                            lobes != Lobes::even && lobes != Lobes::even_diffuse};
     return finish_response(shading_, to_light, terms, grain);
 }
 

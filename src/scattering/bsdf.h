@@ -17,6 +17,8 @@ enum class Lobes {
     all,
     wide,  ///< without lobes of facets that are so narrow that scattered rays find luminaires
            ///< better
+    even,  ///< all, but the diffuse part by the cosine alone, whatever the brilliance
+    even_diffuse,        ///< the same without highlights of POV-Ray's finish
     without_highlights,  ///< of POV-Ray's finish; of facets all
     diffuse
 };

@@ -41,8 +41,9 @@ Vec3 finish_response(const Shading& s, const Vec3& to_light, FinishTerms terms, 
     const bool behind = signed_cosine < 1e-10;
     if (behind && !s.both_sides && f.diffuse_back == 0) return Vec3(0);
     const double cosine = std::abs(signed_cosine);
-    const double falloff =
-        f.brilliance == 1 ? cosine : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
+    const double falloff = f.brilliance == 1 || !terms.brilliance
+                               ? cosine
+                               : std::pow(std::fmax(cosine, 1e-10), f.brilliance);
     const bool back = behind && !s.both_sides;
     const double diffuse = !terms.diffuse ? 0 : back ? f.diffuse_back : std::fmax(f.diffuse, 0);
     Vec3 result = s.colour.rgb * (diffuse * falloff * s.opacity - f.crand * grain);

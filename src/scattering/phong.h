@@ -19,6 +19,7 @@ Vec3 iridescence(const Shading&, const ShadingRules&, const Vec3& direction);
 struct FinishTerms {
     bool diffuse = true;
     bool highlights = true;
+    bool brilliance = true;  ///< false: as if it were 1
 };
 
 /// Radiance towards the viewer when light of colour 1 (in POV-Ray's sense: perpendicular irradiance

@@ -18,7 +18,8 @@ constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
 constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
-constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary};
+constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
+                                     &Radiosity::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},

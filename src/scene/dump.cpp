@@ -49,6 +49,11 @@ std::string settings_text(const Scene& scene) {
         text += message(text.empty() ? "" : " ", "subsurface {", fields.empty() ? "" : " ", fields,
                         " }");
     }
+    if (settings.radiosity.on) {
+        const std::string fields = written_fields(Radiosity::vocabulary, &settings.radiosity);
+        text += message(text.empty() ? "" : " ", "radiosity {", fields.empty() ? "" : " ", fields,
+                        " }");
+    }
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
         text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");

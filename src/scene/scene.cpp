@@ -12,6 +12,7 @@ const ItemInfo Switches::vocabulary = described<Switches>([] {
         F{"no_shadow", &Switches::no_shadow, flag, "casts no shadow"},
         F{"no_image", &Switches::no_image, flag, "is not seen by the camera"},
         F{"no_reflection", &Switches::no_reflection, flag, "is not seen in reflections"},
+        F{"no_radiosity", &Switches::no_radiosity, flag, "reflects no light to others"},
         F{"no_luminaire", &Switches::no_luminaire, flag, "lights nothing, though it may glow"},
         F{"hollow", &Switches::hollow, flag, "is filled with what surrounds it"},
         F{"inverse", &Switches::inverse, flag, "swaps inside and outside"},

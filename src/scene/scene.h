@@ -86,6 +86,7 @@ struct Switches {
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
+    bool no_radiosity = false;
     bool no_luminaire = false;
     bool hollow = false;
     bool inverse = false;

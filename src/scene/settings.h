@@ -4,6 +4,7 @@
 
 #include "index/settings.h"
 #include "lighting/settings.h"
+#include "method/radiosity.h"
 #include "method/settings.h"
 #include "surface/subsurface.h"
 #include "vocabulary/item_info.h"
@@ -28,6 +29,7 @@ struct GlobalSettings {
     bool luminaires_said = false;   ///< the scene says what is one
     double mm_per_unit = 10;        ///< millimetres; for translucency
     SubsurfaceSettings subsurface;  ///< from the block of that name
+    Radiosity radiosity;            ///< the same
     /// From the block of that name, which the evaluator reads.
     LightSampler light_sampler = LightOctree{};
     RayIndex index;                 ///< the same

@@ -29,7 +29,10 @@ constexpr double min_chance = 1.0 / 256;
 
 /// What the layer sends on of a luminaire's light from there.
 Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
-    return layer.bsdf.evaluate(direction, Lobes::wide, layer.grain(key));
+    const Lobes lobes = !layer.radiosity   ? Lobes::wide
+                        : layer.highlights ? Lobes::even
+                                           : Lobes::even_diffuse;
+    return layer.bsdf.evaluate(direction, lobes, layer.grain(key));
 }
 
 /// A difference of radiance that is so many steps of what is displayed.
@@ -47,7 +50,8 @@ double LitLayer::grain(const Key& key) const {
 Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     Vec3 sum(0);
     if (!layer.bsdf.answers_light()) return sum;
-    sum = from_sources(layer, key, ledger);
+    if (layer.sources) sum = from_sources(layer, key, ledger);
+    if (!layer.luminaires) return sum;
     if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
     if (world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
@@ -64,6 +68,11 @@ void DirectLight::record(LightLedger& ledger, LightIndex light, const Vec3& seen
     own.light.add(grey(seen) / asked_here_);
     own.seen += throughput * seen / asked_here_;
     own.rays += count;
+}
+
+/// What radiosity makes of the radiance that comes from one direction.
+Vec3 DirectLight::gathered(const LitLayer& layer, const Vec3& light) {
+    return layer.radiosity ? gathered_light(*layer.radiosity, light) : light;
 }
 
 Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
@@ -177,7 +186,7 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
                                              point->distance, layer.vertex.around);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     const Vec3 seen = passed == Vec3(0) ? passed
-                                        : answer * sent * passed /
+                                        : answer * gathered(layer, sent * passed) /
                                               (pi * density(point->direction, point->density));
     record(ledger, pick.light, seen, layer.throughput, 1);
     return seen;
@@ -227,8 +236,8 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
             world_.transmittance(ray, vertex.tolerance(), met.meeting.distance, vertex.around);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.lights.luminaires[met.light];
-        const Vec3 seen = weight(met.light, met.meeting.density) * passed *
-                          radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 light = passed * radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 seen = weight(met.light, met.meeting.density) * gathered(layer, light);
         record(ledger, met.light, seen, layer.throughput, 1);
         sum += seen;
         if (world_.material(luminaire.primitive).stops_light()) break;
@@ -260,7 +269,9 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
                       [&](double density) { weights += weight(light, density); });
         const Luminaire& luminaire = world_.lights.luminaires[light];
         const Vec3 seen =
-            weights == Vec3(0) ? weights : clear * weights * radiance(luminaire, hit.position);
+            weights == Vec3(0)
+                ? weights
+                : weights * gathered(layer, clear * radiance(luminaire, hit.position));
         record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
         met_.push_back({{distance, 0}, light});
         sum += seen;
@@ -319,7 +330,7 @@ Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& l
                                              far_away, vertex.around);
     if (passed == Vec3(0)) return Vec3(0);
     const double density = 0.5 * (sky.density(*direction) + layer.bsdf.pdf(*direction));
-    return answer * passed * world_.sky_radiance(*direction) / (pi * density);
+    return answer * gathered(layer, passed * world_.sky_radiance(*direction)) / (pi * density);
 }
 
 // POV-Ray's light sources: each of them is asked, or some of many.

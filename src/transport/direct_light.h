@@ -44,6 +44,11 @@ struct LitLayer {
     const Vertex& vertex;
     const Bsdf& bsdf;
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
+    bool highlights = true;     ///< phong and specular ones count
+    bool sources = true;        ///< light sources count
+    bool luminaires = true;     ///< they and the sky count
+    /// Light of luminaires is part of what this gathers; null: nothing is.
+    const Radiosity* radiosity = nullptr;
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
 };
@@ -99,6 +104,7 @@ private:
 
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
+    static Vec3 gathered(const LitLayer&, const Vec3& light);
     Vec3 radiance(const Luminaire&, const Vec3& position) const;
     template <LightAnswer Answer>
     double chance_of_asking(const Answer&, const LitLayer&, const Vec3& straight,

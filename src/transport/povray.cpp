@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace candelabra {
 
@@ -29,9 +30,13 @@ PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shadi
 
 PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
+      radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
       clear_sky_(wanted.clear_sky) {
+    // The ambient term stands for light that surfaces reflect. Old scenes keep both, as in POV-Ray.
+    if (world.gathers_light() && world.rules.language_version >= 3.7)
+        rules_.ambient_light = Vec3(0);
     if (wanted.counts_lights) ledger_.lights.resize(world.provenance.light_statements.size() + 1);
     if (world.notes_solids() && !world.view.camera.parallel)
         around_camera_ = world.containing(world.view.camera.location);
@@ -56,7 +61,8 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
         return Vec3(0);
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
-    if (!world_.has_air()) return met ? surface(path, hit) : background(path);
+    const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
+    if (!world_.has_air() || airless) return met ? surface(path, hit) : background(path);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
     const Veil veil = veil_along(world_, path, distance);
@@ -131,14 +137,80 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
                            bool emission) {
     const Vec3 own = own_radiance(s, rules_, emission);
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
+    // Gathered light shows no highlights; the last gathering shows lights, but what glows was there
+    // before.
+    const bool highlights = path.bounces == 0,
+               luminaires = !world_.gathers_light() || path.bounces < radiosity_.recursion_limit;
     if (!scatters_inside(world_, s)) {
         const Bsdf bsdf(s, rules_);
-        return own + direct_light_({vertex, bsdf, path.throughput}, path.key, ledger_);
+        if (!world_.gathers_light())
+            return own + direct_light_({vertex, bsdf, path.throughput}, path.key, ledger_);
+        return own +
+               direct_light_({.vertex = vertex,
+                              .bsdf = bsdf,
+                              .throughput = path.throughput,
+                              .highlights = highlights,
+                              .luminaires = false},
+                             path.key, ledger_) +
+               (luminaires ? gathered(path, vertex, s) : Vec3(0));
     }
-    const Bsdf whole(s, rules_), highlights = Bsdf::highlights_of(s, rules_);
-    return own + direct_light_({vertex, highlights, path.throughput}, path.key, ledger_) +
+    const Bsdf whole(s, rules_), shine = Bsdf::highlights_of(s, rules_);
+    return own + direct_light_({vertex, shine, path.throughput}, path.key, ledger_) +
            light_from_inside(world_, direct_light_, {vertex, whole, path.throughput}, path,
                              ledger_);
+}
+
+/// What the diffuse part sends on of light that other surfaces reflect: POV-Ray's radiosity, by one
+/// ray for each side that answers.
+Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, const Shading& s) {
+    const Finish& f = *s.finish;
+    const double front = f.microfacet.on ? 1 - f.microfacet.metallic : f.diffuse;
+    const auto side = [&](double share, bool behind) {
+        const Vec3 amount = s.colour.rgb * (s.opacity * share);
+        if (!(share > 0) || amount == Vec3(0)) return Vec3(0);
+        return amount * gathered_from(path.dimmed(amount), vertex, s, behind);
+    };
+    // What glows is chosen as elsewhere. Only one side of a surface gathers, unless it has a second
+    // diffuse value.
+    Shading one_side = s;
+    one_side.both_sides = false;
+    const Bsdf bsdf(one_side, rules_);
+    const Vec3 straight = direct_light_({.vertex = vertex,
+                                         .bsdf = bsdf,
+                                         .throughput = path.throughput,
+                                         .highlights = path.bounces == 0,
+                                         .sources = false,
+                                         .radiosity = &radiosity_},
+                                        path.key, ledger_);
+    return straight + side(front, false) + side(f.microfacet.on ? 0 : f.diffuse_back, true);
+}
+
+/// An estimate of the mean radiance over the directions of one side, by the cosine.
+Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
+                                     bool behind) {
+    const Key key = path.key.branched(Branch::diffuse, behind ? 1 : 0);
+    const double v = uniform(key, Purpose::bounce_u), angle = uniform(key, Purpose::bounce_v);
+    const Vec3 seen = radiosity_.normal ? s.normal : s.smooth_normal,
+               normal = behind ? -seen : seen;
+    const Vec3 surface = behind ? -s.geometric_normal : s.geometric_normal;
+    const auto [x, y] = perpendiculars(normal);
+    const double turn = 2 * std::numbers::pi * angle, across = std::sqrt(v);
+    Vec3 direction =
+        unit(across * (std::cos(turn) * x + std::sin(turn) * y) + std::sqrt(1 - v) * normal);
+    // Below the real surface nothing comes from; its mirror image stands for such a direction.
+    if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
+    PathState next = path.dimmed(Vec3(radiosity_.brightness));
+    next.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);
+    next.key = key;
+    next.depth = next.passed = 0;
+    next.clear = 0;
+    ++next.bounces;
+    next.kind = RayKind::gathering;
+    next.counted = true;
+    if (behind && vertex.material->transparent)
+        next.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
+    ++ledger_.scattered;
+    return gathered_light(radiosity_, follow(next));
 }
 
 Vec3 PovRayIntegrator::reflected(const PathState& path, const Vertex& vertex, const Shading& s,

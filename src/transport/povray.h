@@ -32,6 +32,8 @@ private:
     Vec3 surface(const PathState&, const Hit&);
     Vec3 layered(const PathState&, const Vertex&, std::span<const Layer>);
     Vec3 lit(const PathState&, const Vertex&, const Shading&, bool emission);
+    Vec3 gathered(const PathState&, const Vertex&, const Shading&);
+    Vec3 gathered_from(const PathState&, const Vertex&, const Shading&, bool behind);
     Vec3 reflected(const PathState&, const Vertex&, const Shading&, const Vec3& amount,
                    double weight);
     Vec3 reflected_to_a_power(const PathState&, const Vertex&, const Shading&, const Vec3& amount,
@@ -43,6 +45,7 @@ private:
                const Vec3& share);
 
     const World& world_;
+    const Radiosity& radiosity_;
     ShadingRules rules_;
     DirectLight direct_light_;
     MediaStack around_camera_;

@@ -76,8 +76,9 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"looks_like projected_through", "light_source { ... looks_like { object } }",
      "the object that is seen in a light's place; or the one that the light has to pass"},
     {"no_shadow no_image no_reflection no_radiosity", "sphere { ... no_shadow }",
-     "an object that throws no shadow, that the camera does not see, or that mirrors do not see; "
-     "no_radiosity is without effect"},
+     "an object that throws no shadow, that the camera does not see, that mirrors do not see, or "
+     "that "
+     "reflects no light to others"},
     {"no_luminaire", "sphere { ... no_luminaire }",
      "an object that glows, but lights nothing; in a finish: its emission does not"},
     {"hollow inverse double_illuminate", "sphere { ... hollow }",
@@ -167,11 +168,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"dtag", "object { ... dtag }", "without effect"},
     {"photons gather pass_through autostop spacing expand_thresholds target steps",
      "photons { ... }", "without effect in this version; `caustics` in an interior has one"},
-    {"radiosity always_sample brightness count error_bound gray_threshold importance load_file "
-     "low_error_factor max_sample maximum_reuse minimum_reuse nearest_count pretrace_end "
-     "pretrace_start recursion_limit save_file",
-     "global_settings { radiosity { ... } }",
-     "without effect in this version: light between surfaces that do not glow is not followed"},
+    {"importance", "radiosity { ... }", "without effect in this version"},
 });
 
 bool has_word(std::string_view words, std::string_view word) {

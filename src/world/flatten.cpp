@@ -173,7 +173,8 @@ private:
             const bool shared = outer.of_several || (group && group->csg == Csg::together);
             here.shared_interior = shared ? ++shared_interiors_ : 0;
         }
-        here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection};
+        here.said = outer.said | Hidden{object.no_shadow, object.no_image, object.no_reflection,
+                                        object.no_radiosity};
         static_cast<Hidden&>(here) = outer | (here.said & outer.heeded);
         here.no_luminaire |= object.no_luminaire;
         here.double_illuminate |= object.double_illuminate;

@@ -23,6 +23,7 @@ struct Material {
     bool no_shadow = false;
     bool no_image = false;
     bool no_reflection = false;
+    bool no_radiosity = false;
     bool double_illuminate = false;
     bool hollow = false;
     bool uv = false;                  ///< a texture asks for u and v

@@ -27,7 +27,8 @@ Handle<Interior> settled(const Handle<Interior>& interior, const Texture& textur
 std::size_t Materials::Hash::operator()(const Key& key) const {
     const std::hash<const void*> of;
     const int switches = key.no_shadow | key.no_image << 1 | key.no_reflection << 2 |
-                         key.double_illuminate << 3 | key.hollow << 4 | key.no_luminaire << 5;
+                         key.double_illuminate << 3 | key.hollow << 4 | key.no_luminaire << 5 |
+                         key.no_radiosity << 6;
     return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
            std::size_t{key.shared_interior} * 4096 + static_cast<std::size_t>(switches);
 }
@@ -55,6 +56,7 @@ std::uint32_t Materials::index(const Inherited& look) {
                   look.no_shadow,
                   look.no_image,
                   look.no_reflection,
+                  look.no_radiosity,
                   look.no_luminaire,
                   look.double_illuminate,
                   look.hollow};
@@ -89,13 +91,14 @@ void Materials::add(const Inherited& look) {
     material.no_shadow = look.no_shadow || world_.rules.quality < quality_shadows;
     material.no_image = look.no_image;
     material.no_reflection = look.no_reflection;
+    material.no_radiosity = look.no_radiosity;
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
     material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;
     world_.appearance.any_clear |= material.transparent || material.no_shadow;
-    world_.appearance.any_left_out |= look.no_image || look.no_reflection;
+    world_.appearance.any_left_out |= look.no_image || look.no_reflection || look.no_radiosity;
     world_.appearance.any_scattering |= scatters(texture);
     glows_.push_back(world_.rules.quality >= quality_shadows && !look.no_luminaire &&
                      max_component(lighting_emission(texture)) >

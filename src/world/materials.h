@@ -14,15 +14,15 @@ namespace candelabra {
 
 /// Who does not see an object; or to whom this is said, or heeded.
 struct Hidden {
-    bool no_shadow = false, no_image = false, no_reflection = false;
+    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
 
     friend Hidden operator|(Hidden a, Hidden b) {
         return {a.no_shadow || b.no_shadow, a.no_image || b.no_image,
-                a.no_reflection || b.no_reflection};
+                a.no_reflection || b.no_reflection, a.no_radiosity || b.no_radiosity};
     }
     friend Hidden operator&(Hidden a, Hidden b) {
         return {a.no_shadow && b.no_shadow, a.no_image && b.no_image,
-                a.no_reflection && b.no_reflection};
+                a.no_reflection && b.no_reflection, a.no_radiosity && b.no_radiosity};
     }
 };
 
@@ -83,7 +83,8 @@ private:
         const Texture* inner;
         const Interior* interior;
         std::uint32_t light_group, shared_interior;
-        bool no_shadow, no_image, no_reflection, no_luminaire, double_illuminate, hollow;
+        bool no_shadow, no_image, no_reflection, no_radiosity, no_luminaire, double_illuminate,
+            hollow;
 
         friend bool operator==(const Key&, const Key&) = default;
     };

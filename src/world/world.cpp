@@ -87,7 +87,8 @@ void World::intersect(std::uint32_t item, RayConstants& constants, const Interva
 
 bool World::left_out(PrimitiveIndex primitive, RayKind kind) const {
     const Material& m = material(primitive);
-    if (kind == RayKind::light || kind == RayKind::gathering) return false;
+    if (kind == RayKind::light) return false;
+    if (kind == RayKind::gathering) return m.no_radiosity;
     return kind == RayKind::camera ? m.no_image : m.no_reflection;
 }
 

@@ -142,10 +142,14 @@ public:
         return geometry.is_triangle(primitive) ? ~material(primitive).solid : primitive;
     }
 
+    /// Whether diffuse surfaces get light from each other, as `radiosity` says.
+    bool gathers_light() const { return rules.settings.radiosity.on && rules.quality >= 9; }
+
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || std::holds_alternative<PathTraced>(rules.settings.integrator);
+               !shutter.empty() || std::holds_alternative<PathTraced>(rules.settings.integrator) ||
+               gathers_light();
     }
 
     Geometry geometry;

@@ -57,6 +57,24 @@ TEST_CASE("each index can be chosen", "[bind]") {
     CHECK(std::holds_alternative<LightBvh>(done.scene.settings.light_sampler));
 }
 
+TEST_CASE("radiosity has all of POV-Ray's words", "[bind]") {
+    const Script done = run(R"(#version 3.7; global_settings { radiosity {
+        count 50, 900 error_bound 0.5 nearest_count 5, 2 low_error_factor 0.4 minimum_reuse 0.01
+        maximum_reuse 0.1 pretrace_start 0.08 pretrace_end 0.01 recursion_limit 3 brightness 1.5
+        gray_threshold 0.25 max_sample 2 adc_bailout 0.01 always_sample off normal on media on
+        subsurface off } } sphere { 0, 1 no_radiosity })");
+    CHECK(done.text.empty());
+    const Radiosity& found = done.scene.settings.radiosity;
+    CHECK(found.on);
+    CHECK(found.recursion_limit == 3);
+    CHECK(found.gray_threshold == 0.25);
+    CHECK(found.max_sample == 2);
+    CHECK(found.normal);
+    CHECK_FALSE(found.always_sample);
+    CHECK(done.scene.objects.size() == 1);
+    CHECK(complaint("global_settings { radiosity { recursion_limit 0 } }") != "nothing");
+}
+
 TEST_CASE("each integrator can be chosen", "[bind]") {
     for (std::size_t kind = 0; kind < Kinds<IntegratorSettings>::count; ++kind) {
         const std::string name(Kinds<IntegratorSettings>::infos[kind]->name);
@@ -80,8 +98,10 @@ TEST_CASE("wrong settings are told of once", "[bind]") {
     CHECK(complaint("global_settings { charset utf8 } #declare A = \"plain\";") == "nothing");
     CHECK(complaint("global_settings { charset utf8 } #declare A = \"\xC3\xA9\";") ==
           "warning no-effect: `charset` has no effect in this version");
-    CHECK(complaint("global_settings { radiosity { count 100 } }") ==
-          "warning no-effect: `radiosity` has no effect in this version");
+    CHECK(complaint("global_settings { photons { count 100 } }") ==
+          "warning no-effect: `photons` has no effect in this version");
+    CHECK(complaint("global_settings { radiosity { importance 1 } }") ==
+          "warning no-effect: `importance` has no effect in this version");
     CHECK(complaint("global_settings { subsurface { samples 9, 9 radiosity on } }") ==
           "warning no-effect: `radiosity` has no effect in this version");
     CHECK(complaint("global_settings { foo 1 }") ==
