@@ -230,6 +230,27 @@ TEST_CASE("files stay short and lines narrow", "[house]") {
     if (!long_ones.empty()) WARN("files of more than " << aim << " lines:" << long_ones);
 }
 
+TEST_CASE("functions stay small", "[house]") {
+    constexpr std::size_t limit = 80;
+    // A function begins in a line that ends in a brace, and ends where one stands as far to the left.
+    const std::regex begins(
+        R"(^( {0,4})(?! |namespace|struct|class|enum|union|extern|if |for |while )"
+        R"(|switch |else|return|\}|//|#|public|private|template).*[^=] \{$)");
+    for (const fs::path& file : files_below(root / "src", {".h", ".cpp"})) {
+        const auto lines = lines_of(file);
+        for (std::size_t first = 0; first < lines.size(); ++first) {
+            std::smatch found;
+            if (!std::regex_search(lines[first], found, begins)) continue;
+            const std::string end = found[1].str() + "}";
+            std::size_t last = first + 1;
+            while (last < lines.size() && lines[last].rfind(end, 0) != 0) ++last;
+            if (last == lines.size() || lines[last] != end) continue;  // what it begins is a value
+            INFO(file << ":" << first + 1 << ": " << lines[first]);
+            CHECK(last - first - 1 <= limit);
+        }
+    }
+}
+
 TEST_CASE("there are no mutable globals", "[house]") {
     for (const auto& [name, module] : modules()) {
         const fs::path archive = fs::path(CANDELABRA_BINARY).parent_path() / ("lib" + name + ".a");
