@@ -5,6 +5,10 @@
 
 #include "bind/block.h"
 
+#include <span>
+#include <string>
+#include <string_view>
+
 namespace candelabra {
 
 class ItemBlock : public SimpleReader {
@@ -14,6 +18,12 @@ public:
     ItemBlock(OpenBlock& block, const ItemInfo& info, void* item, bool* given = nullptr,
               std::string_view ignored = {})
         : block_(block), info_(info), item_(item), given_(given), effectless_(ignored) {}
+
+    /// Fields that are read, and change nothing: one warning names those that are given.
+    void without_effect(std::span<const std::string_view> fields, std::string_view why) {
+        idle_ = fields;
+        why_idle_ = why;
+    }
 
     bool take(const Element& element) {
         if (element.kind != Element::Kind::block || block_.spelling(element.word) != info_.name)
@@ -25,17 +35,34 @@ public:
         ItemReader fields(inner, info_, item_);
         inner.read(element.body, fields);
         block_.broken |= inner.broken;
+        report_idle(fields, element.word_span);
         return true;
     }
 
     void add_words(WordList& words) const { words.push_back(info_.name); }
 
 private:
+    void report_idle(const ItemReader& fields, Span span) {
+        std::string list;
+        bool several = false;
+        for (const std::string_view field : idle_) {
+            if (!fields.given(field)) continue;
+            several = !list.empty();
+            list += message(several ? ", `" : "`", field, '`');
+        }
+        if (list.empty()) return;
+        block_.report(warning(Fault::no_effect, span,
+                              message(list, " of `", info_.name, several ? "` have" : "` has",
+                                      " no effect: ", why_idle_)));
+    }
+
     OpenBlock& block_;
     const ItemInfo& info_;
     void* item_;
     bool* given_;
     std::string_view effectless_;
+    std::span<const std::string_view> idle_ = {};
+    std::string_view why_idle_ = {};
 };
 
 }  // namespace candelabra

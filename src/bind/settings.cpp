@@ -43,24 +43,31 @@ void warn_of_idle(OpenBlock& block, const LightSampler& sampler, const ItemReade
     if (octree->alone && !octree->paper) check("outlook", "with `alone`");
 }
 
+/// Words of radiosity that are about POV-Ray's cache.
+constexpr auto words_of_cache = std::to_array<std::string_view>(
+    {"count", "error_bound", "nearest_count", "low_error_factor", "minimum_reuse", "maximum_reuse",
+     "pretrace_start", "pretrace_end", "adc_bailout", "always_sample", "subsurface", "save_file",
+     "load_file"});
+
 ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler) {
     return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
 }
 
+/// For alternatives whose parameters all have an effect.
+template <class Variant>
+void all_have_effect(OpenBlock&, const Variant&, const ItemReader&, Span) {}
+
 ChoiceBlock<RayIndex> index_block(OpenBlock& block, RayIndex& index) {
-    const auto all_have_effect = [](OpenBlock&, const RayIndex&, const ItemReader&, Span) {};
     return {block,
             {"index", "structure", "{ kd_tree [node_cost n] ... }, or { bounding_boxes }"},
-            all_have_effect,
+            all_have_effect<RayIndex>,
             index};
 }
 
 ChoiceBlock<IntegratorSettings> integrator_block(OpenBlock& block, IntegratorSettings& integrator) {
-    const auto all_have_effect = [](OpenBlock&, const IntegratorSettings&, const ItemReader&,
-                                    Span) {};
     return {block,
             {"integrator", "way of following light", "{ pov_ray }, or { path_traced [bounces n] }"},
-            all_have_effect,
+            all_have_effect<IntegratorSettings>,
             integrator};
 }
 
@@ -176,6 +183,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
                          &settings.subsurface.on, "radiosity");
     ItemBlock radiosity(block, Radiosity::vocabulary, &settings.radiosity, &settings.radiosity.on,
                         "importance");
+    radiosity.without_effect(words_of_cache, "light is gathered without a cache");
     block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "luminaire/emit.h"
 
+#include "base/cosine_direction.h"
 #include "luminaire/area.h"
 #include "luminaire/composite.h"
 #include "luminaire/source.h"
@@ -18,10 +19,7 @@ EmittedRay emitted_ray(const Vec3& position, const Vec3& normal, double per_area
         if (direction.x >= 0.5) side = -normal;
         direction.x = direction.x < 0.5 ? 2 * direction.x : 2 * direction.x - 1;
     }
-    const auto [x, y] = perpendiculars(side);
-    const double cosine = std::sqrt(1 - direction.x), across = std::sqrt(direction.x);
-    const double angle = 2 * std::numbers::pi * direction.y;
-    const Vec3 towards = unit(across * (std::cos(angle) * x + std::sin(angle) * y) + cosine * side);
+    const Vec3 towards = cosine_direction(side, direction);
     const double share = both_sides ? 0.5 : 1;
     return {{position, towards}, side, per_area * share * dot(towards, side) / std::numbers::pi};
 }

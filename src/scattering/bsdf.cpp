@@ -138,20 +138,17 @@ Vec3 Bsdf::film(const Vec3& to_light) const {
     return part_ == Part::entering ? Vec3(1) : iridescence(shading_, *rules_, to_light);
 }
 
-Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, Lobes lobes, double grain) const {
+Vec3 Bsdf::evaluate_without_film(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
     if (part_ == Part::entering) {
         const double cosine = dot(shading_.normal, to_light);
         return Vec3(cosine < 1e-10 ? 0 : cosine * (1 - fresnel(cosine, ior_)));
     }
     if (shading_.finish->microfacet.on)
-        return lobes == Lobes::diffuse
+        return terms.facets == FacetLobes::none
                    ? facet_base_response(shading_, to_light)
-                   : facet_response(shading_, to_light,
-                                    lobes != Lobes::all && lobes != Lobes::without_highlights);
-    const FinishTerms terms{part_ != Part::highlights,
-                            lobes == Lobes::all || lobes == Lobes::wide || lobes == Lobes::even,
-                            lobes != Lobes::even && lobes != Lobes::even_diffuse};
-    return finish_response(shading_, to_light, terms, grain);
+                   : facet_response(shading_, to_light, terms.facets == FacetLobes::wide);
+    return finish_response(shading_, to_light,
+                           {part_ != Part::highlights, terms.highlights, terms.brilliance}, grain);
 }
 
 }  // namespace candelabra

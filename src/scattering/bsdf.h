@@ -12,15 +12,15 @@
 
 namespace candelabra {
 
-/// What light is asked for.
-enum class Lobes {
-    all,
-    wide,  ///< without lobes of facets that are so narrow that scattered rays find luminaires
-           ///< better
-    even,  ///< all, but the diffuse part by the cosine alone, whatever the brilliance
-    even_diffuse,        ///< the same without highlights of POV-Ray's finish
-    without_highlights,  ///< of POV-Ray's finish; of facets all
-    diffuse
+/// Which facets are asked for. Scattered rays find luminaires better than lobes of facets that are
+/// very narrow.
+enum class FacetLobes { all, wide, none };
+
+/// What light is asked for; by default all.
+struct BsdfTerms {
+    bool highlights = true;  ///< phong and specular
+    bool brilliance = true;  ///< of the diffuse part; false: as if it were 1
+    FacetLobes facets = FacetLobes::all;
 };
 
 /// Throughout, light of colour 1 is that of a perpendicular irradiance of pi, as in POV-Ray, and
@@ -52,12 +52,12 @@ public:
 
     /// Radiance towards the viewer by light of colour 1 from a unit direction. `grain` is the
     /// random number of `crand`, the same for all channels.
-    Vec3 evaluate(const Vec3& to_light, Lobes lobes, double grain) const {
-        return film(to_light) * evaluate_without_film(to_light, lobes, grain);
+    Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+        return film(to_light) * evaluate_without_film(to_light, terms, grain);
     }
     /// The same without the colours of a thin film, which are apart: POV-Ray asks them once for all
     /// lights of a grid.
-    Vec3 evaluate_without_film(const Vec3& to_light, Lobes, double grain) const;
+    Vec3 evaluate_without_film(const Vec3& to_light, const BsdfTerms&, double grain) const;
     Vec3 film(const Vec3& to_light) const;
 
     /// A unit direction, drawn about as the surface scatters light that comes from everywhere; u is

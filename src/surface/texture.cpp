@@ -232,6 +232,11 @@ bool lets_light_in(const Texture& texture) {
         texture, [](const Finish& finish) { return finish.subsurface.translucency != Vec3(0); });
 }
 
+bool reflects_to_a_power(const Texture& texture) {
+    return any_finish(texture,
+                      [](const Finish& finish) { return finish.reflection.exponent != 1; });
+}
+
 Vec3 passing(const Texture& texture, const Vec3& point, const PatternScene& scene) {
     if (texture.choice) {
         Vec3 sum(0);

@@ -86,6 +86,9 @@ bool scatters(const Texture&);
 /// Whether one of its finishes has light spread below the surface, if the scene wants that.
 bool lets_light_in(const Texture&);
 
+/// Whether one of its finishes raises what it reflects to a power.
+bool reflects_to_a_power(const Texture&);
+
 /// The radiance that all layers emit at a point. `opacity` is the share of a layer's colour that is
 /// its own, which depends on the version of the language.
 Vec3 emission(const Texture&, const Vec3& point, const PatternScene&,

@@ -29,10 +29,9 @@ constexpr double min_chance = 1.0 / 256;
 
 /// What the layer sends on of a luminaire's light from there.
 Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
-    const Lobes lobes = !layer.radiosity   ? Lobes::wide
-                        : layer.highlights ? Lobes::even
-                                           : Lobes::even_diffuse;
-    return layer.bsdf.evaluate(direction, lobes, layer.grain(key));
+    // What radiosity gathers has no brilliance.
+    const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
+    return layer.bsdf.evaluate(direction, terms, layer.grain(key));
 }
 
 /// A difference of radiance that is so many steps of what is displayed.

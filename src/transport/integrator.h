@@ -19,6 +19,7 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
     // Radiance along a camera ray: unbiased, and a pure function of both.
     { integrator.radiance(ray, key) } -> std::same_as<Vec3>;
     { integrator.ledger() } -> std::same_as<LightLedger&>;
+    { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
     { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
 };
@@ -33,7 +34,10 @@ public:
     LightLedger& ledger() {
         return std::visit([](auto& built) -> LightLedger& { return built.ledger(); }, built_);
     }
-    const LightLedger& ledger() const { return const_cast<Integrator*>(this)->ledger(); }
+    const LightLedger& ledger() const {
+        return std::visit([](const auto& built) -> const LightLedger& { return built.ledger(); },
+                          built_);
+    }
     HitNoise noise() const {
         return std::visit([](const auto& built) { return HitNoise(built.noise()); }, built_);
     }

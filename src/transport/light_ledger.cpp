@@ -5,6 +5,12 @@
 
 namespace candelabra {
 
+LightLedger empty_ledger(const World& world, bool counted) {
+    LightLedger ledger;
+    if (counted) ledger.lights.resize(world.provenance.light_statements.size() + 1);
+    return ledger;
+}
+
 void record_seen(LightLedger& ledger, const World& world, PrimitiveIndex primitive,
                  const Vec3& light) {
     if (ledger.lights.empty() || world.lights.luminaires.empty()) return;

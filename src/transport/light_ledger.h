@@ -41,6 +41,9 @@ struct LightLedger {
     }
 };
 
+/// One without entries, for the lights of the world one by one where they are `counted`.
+LightLedger empty_ledger(const World&, bool counted);
+
 /// Notes the light of a luminaire that is seen itself: what of it comes to the sample.
 void record_seen(LightLedger&, const World&, PrimitiveIndex, const Vec3& light);
 

@@ -36,9 +36,12 @@ struct PathState {
     /// The same path where only a share of the radiance comes on to the sample.
     PathState dimmed(const Vec3& share) const {
         PathState result = *this;
-        result.throughput *= share;
-        result.clear *= std::min(1.0, std::abs(grey(share)));
+        result.dim(share);
         return result;
+    }
+    void dim(const Vec3& share) {
+        throughput *= share;
+        clear *= std::min(1.0, std::abs(grey(share)));
     }
 
     /// Goes on from a surface along the ray, one level deeper.

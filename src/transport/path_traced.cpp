@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/path_traced.h"
 
-#include "scattering/microfacet.h"
+#include "base/cosine_direction.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "surface/quality.h"
 #include "transport/atmosphere.h"
+#include "transport/path_steps.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 namespace candelabra {
 
@@ -20,14 +20,6 @@ namespace {
 constexpr int first_roulette = 2;
 /// That a path goes on all the same.
 constexpr double min_survival = 0.05;
-
-/// The ambient term stands for light that was reflected, so that it has no place beside it. As with
-/// POV-Ray's radiosity, old scenes keep it.
-ShadingRules rules_without_ambient(const World& world) {
-    ShadingRules rules = shading_rules(world);
-    if (world.rules.language_version >= 3.7) rules.ambient_light = Vec3(0);
-    return rules;
-}
 
 /// The share of light from everywhere that the diffuse part sends to the viewer, roughly.
 Vec3 diffuse_albedo(const Shading& s) {
@@ -49,26 +41,17 @@ bool is_lower(double& u, double share) {
 
 PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
-      rules_(rules_without_ambient(world)),
+      rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
-      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces),
-      clear_sky_(wanted.clear_sky) {
-    if (wanted.counts_lights) ledger_.lights.resize(world.provenance.light_statements.size() + 1);
-    if (world.notes_solids() && !world.view.camera.parallel)
-        around_camera_ = world.containing(world.view.camera.location);
-}
+      ends_(world, wanted.clear_sky),
+      ledger_(empty_ledger(world, wanted.counts_lights)),
+      max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces) {}
 
 Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
-    clear_ = 0;
     sum_ = Vec3(0);
+    PathState path = ends_.begin(ray, key);
     if (ray.direction == Vec3(0)) return sum_;
     ++ledger_.camera;
-    PathState path;
-    path.ray = ray;
-    path.key = key;
-    path.media = world_.notes_solids() && world_.view.camera.parallel
-                     ? world_.containing(ray.origin)
-                     : around_camera_;
     while (path.throughput != Vec3(0)) {
         Hit hit;
         const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
@@ -76,9 +59,9 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
             world_, path,
             met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity());
         sum_ += path.throughput * veil.added;
-        path = path.dimmed(veil.transmittance);
+        path.dim(veil.transmittance);
         if (!met) {
-            sum_ += path.throughput * background(path);
+            sum_ += path.throughput * ends_.background(path);
             break;
         }
         const Vertex vertex =
@@ -97,18 +80,6 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
         path = next;
     }
     return sum_;
-}
-
-/// What lies behind everything.
-Vec3 PathTracedIntegrator::background(const PathState& path) {
-    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
-    const Vec3& direction = path.ray.direction;
-    if (!clear_sky_) return world_.sky_radiance(direction);
-    if (path.kind != RayKind::camera)
-        return world_.sky_radiance(direction, world_.sky.background.mirrored());
-    clear_ += path.clear * world_.sky_clear(direction);
-    if (world_.rules.language_version < 3.7) return Vec3(0);
-    return world_.sky_radiance(direction, world_.sky.background.covering());
 }
 
 /// Adds what the layers send by themselves and of direct light, and lets the path go on.
@@ -149,9 +120,7 @@ void PathTracedIntegrator::at_vertex(PathState& path, const Vertex& vertex,
 
 /// What one layer sends by itself and of direct light.
 void PathTracedIntegrator::gather(const PathState& path, const Vertex& vertex, const Shading& s) {
-    const bool counted = path.counted && !world_.lights.luminaires.empty() &&
-                         world_.lights.luminaire_of[vertex.hit.primitive] != no_primitive;
-    const Vec3 own = own_radiance(s, rules_, !counted);
+    const Vec3 own = own_radiance(s, rules_, shows_emission(world_, path, vertex.hit.primitive));
     record_seen(ledger_, world_, vertex.hit.primitive, path.throughput * own);
     const Bsdf whole(s, rules_);
     Vec3 light = own;
@@ -190,20 +159,20 @@ bool PathTracedIntegrator::follow(const Way& way, double chance, const Vertex& v
         if (uniform(path.key, Purpose::roulette) >= survival) return false;
     }
     ++ledger_.scattered;
-    path = path.dimmed(way.through / (chance * survival));
+    path.dim(way.through / (chance * survival));
     switch (way.kind) {
         case Way::mirror:
-        case Way::total_reflection: {
-            const Vec3 direction = reflected_direction(way.shading);
+        case Way::total_reflection:
+            path = mirrored_path(path, vertex, way.shading);
             if (way.kind == Way::mirror)
-                path = path.dimmed(iridescence(way.shading, rules_, direction));
-            path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::reflection);
-            path.kind = RayKind::reflected;
-            path.counted = false;
+                path.dim(iridescence(way.shading, rules_, path.ray.direction));
             return path.depth < world_.rules.settings.max_trace_level;
-        }
         case Way::facets:
-            return scatter_by_facets(way.shading, vertex, path);
+            if (auto scattered = facet_path(path, vertex, way.shading)) {
+                path = scattered->next;
+                return true;
+            }
+            return false;
         case Way::diffuse:
             return bounce(way.shading, vertex, stack, path);
         case Way::behind:
@@ -224,38 +193,16 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
                             : 0;
     const bool from_behind = is_lower(u.x, back);
     const Vec3 normal = from_behind ? -s.normal : s.normal;
-    const double cosine = std::sqrt(1 - u.x), across = std::sqrt(u.x);
-    const double angle = 2 * std::numbers::pi * u.y;
-    const auto [x, y] = perpendiculars(normal);
-    const Vec3 direction =
-        unit(across * (std::cos(angle) * x + std::sin(angle) * y) + cosine * normal);
+    const Vec3 direction = cosine_direction(normal, u);
     // A bump must not send it through the surface.
     if ((dot(direction, s.geometric_normal) < 0) != from_behind) return false;
     const double side = from_behind ? back : 1 - back;
     // The density is side cosine / pi.
-    const Vec3 answer = Bsdf(s, rules_).evaluate(direction, Lobes::diffuse, 0);
-    path = path.dimmed(answer / (side * std::fmax(cosine, 1e-9)));
-    path.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);
-    path.depth = 0;
-    path.passed = 0;
-    path.clear = 0;
-    ++path.bounces;
-    path.kind = RayKind::gathering;
-    path.counted = true;
+    const Vec3 answer =
+        Bsdf(s, rules_).evaluate(direction, {.highlights = false, .facets = FacetLobes::none}, 0);
+    path.dim(answer / (side * std::fmax(dot(direction, normal), 1e-9)));
+    path = gathering_path(path, vertex, direction);
     if (from_behind && vertex.material->transparent) path.media = stack.interface().behind;
-    return true;
-}
-
-bool PathTracedIntegrator::scatter_by_facets(const Shading& s, const Vertex& vertex,
-                                             PathState& path) {
-    const auto drawn =
-        scatter(s, uniform(path.key, Purpose::facet_choice),
-                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
-    if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return false;
-    path = path.dimmed(drawn->weight);
-    path.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
-    path.kind = RayKind::reflected;
-    path.counted = !drawn->narrow;
     return true;
 }
 
@@ -268,13 +215,10 @@ bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
         const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
                                              static_cast<double>(surface.bands));
         path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
-        path = path.dimmed(hue(*path.band));
+        path.dim(hue(*path.band));
         ratio *= std::pow(surface.dispersion, path.band->power());
         if (reflects_totally(s, ratio)) {
-            path.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(),
-                       Branch::reflection);
-            path.kind = RayKind::reflected;
-            path.counted = false;
+            path = mirrored_path(path, vertex, s);
             return path.depth < world_.rules.settings.max_trace_level;
         }
     }

@@ -7,6 +7,7 @@
 
 #include "transport/direct_light.h"
 #include "transport/layer_stack.h"
+#include "transport/path_steps.h"
 #include "transport/tracing.h"
 
 namespace candelabra {
@@ -18,8 +19,9 @@ public:
     Vec3 radiance(const Ray& ray, const Key& key);
 
     LightLedger& ledger() { return ledger_; }
+    const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
-    double clear() const { return std::min(clear_, 1.0); }
+    double clear() const { return ends_.clear(); }
 
 private:
     /// A way in which a path may go on from a vertex.
@@ -32,24 +34,20 @@ private:
     };
     using Ways = ShortList<Way, 4>;
 
-    Vec3 background(const PathState&);
     void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
     void gather(const PathState&, const Vertex&, const Shading&);
     void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
     bool follow(const Way&, double chance, const Vertex&, const LayerStack&, PathState&);
     bool bounce(const Shading&, const Vertex&, const LayerStack&, PathState&);
-    bool scatter_by_facets(const Shading&, const Vertex&, PathState&);
     bool go_behind(const Shading&, const Vertex&, const LayerStack&, PathState&);
 
     const World& world_;
     ShadingRules rules_;
     DirectLight direct_light_;
-    MediaStack around_camera_;
+    PathEnds ends_;
     LightLedger ledger_;
     Vec3 sum_ = Vec3(0);  ///< the sample's radiance so far
     int max_bounces_;
-    bool clear_sky_;
-    double clear_ = 0;
 };
 
 }  // namespace candelabra

@@ -26,7 +26,7 @@ public:
           // and one that is not there knows nothing.
           bsdf_(light.area_illumination && light.size1 == 0 ? layer.bsdf.on_both_sides()
                                                             : layer.bsdf),
-          highlights_(layer.highlights),
+          terms_{.highlights = layer.highlights && !light.shadowless},
           grain_(layer.grain(key)),
           key_(key),
           ledger_(ledger) {}
@@ -45,10 +45,8 @@ private:
     Vec3 answer_to(const Incidence& light) const {
         if (light.colour == Vec3(0)) return Vec3(0);
         // Its film shimmers by where the middle of the light is.
-        const Lobes lobes =
-            light_.shadowless || !highlights_ ? Lobes::without_highlights : Lobes::all;
         return light.colour * bsdf_.film(direction_) *
-               bsdf_.evaluate_without_film(light.direction, lobes, grain_);
+               bsdf_.evaluate_without_film(light.direction, terms_, grain_);
     }
 
     Vec3 grid_answer() const {
@@ -138,7 +136,7 @@ private:
     const Composite* window_;  ///< null: none
     const Vertex& vertex_;
     const Bsdf bsdf_;
-    const bool highlights_;
+    const BsdfTerms terms_;
     const double grain_;
     const Key key_;
     LightLedger& ledger_;

@@ -1,57 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/povray.h"
 
-#include "scattering/microfacet.h"
+#include "base/cosine_direction.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
 #include "surface/quality.h"
 #include "transport/atmosphere.h"
 #include "transport/layer_stack.h"
+#include "transport/path_steps.h"
 #include "transport/subsurface.h"
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 namespace candelabra {
-
-namespace {
-
-/// The path that goes on as a mirror sends it; without its throughput.
-PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
-    PathState next = path;
-    next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);
-    next.kind = RayKind::reflected;
-    next.counted = false;
-    return next;
-}
-
-}  // namespace
 
 PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
-      clear_sky_(wanted.clear_sky) {
-    // The ambient term stands for light that surfaces reflect. Old scenes keep both, as in POV-Ray.
-    if (world.gathers_light() && world.rules.language_version >= 3.7)
-        rules_.ambient_light = Vec3(0);
-    if (wanted.counts_lights) ledger_.lights.resize(world.provenance.light_statements.size() + 1);
-    if (world.notes_solids() && !world.view.camera.parallel)
-        around_camera_ = world.containing(world.view.camera.location);
-}
+      ends_(world, wanted.clear_sky),
+      ledger_(empty_ledger(world, wanted.counts_lights)) {}
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
-    clear_ = 0;
+    const PathState path = ends_.begin(ray, key);
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
-    PathState path;
-    path.ray = ray;
-    path.key = key;
-    path.media = world_.notes_solids() && world_.view.camera.parallel
-                     ? world_.containing(ray.origin)
-                     : around_camera_;
     return follow(path);
 }
 
@@ -62,24 +37,12 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
-    if (!world_.has_air() || airless) return met ? surface(path, hit) : background(path);
+    if (!world_.has_air() || airless) return met ? surface(path, hit) : ends_.background(path);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
     const Veil veil = veil_along(world_, path, distance);
     const PathState behind = path.dimmed(veil.transmittance);
-    return veil.through(met ? surface(behind, hit) : background(behind));
-}
-
-/// What lies behind everything.
-Vec3 PovRayIntegrator::background(const PathState& path) {
-    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
-    const Vec3& direction = path.ray.direction;
-    if (!clear_sky_) return world_.sky_radiance(direction);
-    if (path.kind != RayKind::camera)
-        return world_.sky_radiance(direction, world_.sky.background.mirrored());
-    clear_ += path.clear * world_.sky_clear(direction);
-    if (world_.rules.language_version < 3.7) return Vec3(0);
-    return world_.sky_radiance(direction, world_.sky.background.covering());
+    return veil.through(met ? surface(behind, hit) : ends_.background(behind));
 }
 
 /// What all textures that are mixed at a hit show together.
@@ -99,14 +62,13 @@ Vec3 PovRayIntegrator::layered(const PathState& path, const Vertex& vertex,
                                std::span<const Layer> layers) {
     if (world_.rules.quality < quality_light) return layers.back().colour.rgb;
     const LayerStack stack(world_, path, vertex, layers);
-    const bool counted = path.counted && !world_.lights.luminaires.empty() &&
-                         world_.lights.luminaire_of[vertex.hit.primitive] != no_primitive;
+    const bool emission = shows_emission(world_, path, vertex.hit.primitive);
     Vec3 result(0);
     stack.visit([&](const LayerStack::Seen& layer) {
         const Shading& s = layer.shading;
         const Finish& finish = *s.finish;
         const PathState below = path.dimmed(layer.through);
-        result += layer.through * lit(below, vertex, s, !counted);
+        result += layer.through * lit(below, vertex, s, emission);
         if (layer.reflected != Vec3(0)) {
             const double weight =
                 layer.weight * greatest_reflectivity(finish.reflection, layer.reflected);
@@ -189,24 +151,14 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
 Vec3 PovRayIntegrator::gathered_from(const PathState& path, const Vertex& vertex, const Shading& s,
                                      bool behind) {
     const Key key = path.key.branched(Branch::diffuse, behind ? 1 : 0);
-    const double v = uniform(key, Purpose::bounce_u), angle = uniform(key, Purpose::bounce_v);
-    const Vec3 seen = radiosity_.normal ? s.normal : s.smooth_normal,
-               normal = behind ? -seen : seen;
+    const Vec3 seen = radiosity_.normal ? s.normal : s.smooth_normal;
     const Vec3 surface = behind ? -s.geometric_normal : s.geometric_normal;
-    const auto [x, y] = perpendiculars(normal);
-    const double turn = 2 * std::numbers::pi * angle, across = std::sqrt(v);
-    Vec3 direction =
-        unit(across * (std::cos(turn) * x + std::sin(turn) * y) + std::sqrt(1 - v) * normal);
+    Vec3 direction = cosine_direction(
+        behind ? -seen : seen, {uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)});
     // Below the real surface nothing comes from; its mirror image stands for such a direction.
     if (dot(direction, surface) < 0) direction = mirrored(direction, surface);
-    PathState next = path.dimmed(Vec3(radiosity_.brightness));
-    next.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);
+    PathState next = gathering_path(path.dimmed(Vec3(radiosity_.brightness)), vertex, direction);
     next.key = key;
-    next.depth = next.passed = 0;
-    next.clear = 0;
-    ++next.bounces;
-    next.kind = RayKind::gathering;
-    next.counted = true;
     if (behind && vertex.material->transparent)
         next.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
     ++ledger_.scattered;
@@ -238,17 +190,11 @@ Vec3 PovRayIntegrator::reflected_to_a_power(const PathState& path, const Vertex&
 /// What small facets reflect, besides what direct_light_ has seen of it.
 Vec3 PovRayIntegrator::scattered(const PathState& path, const Vertex& vertex, const Shading& s,
                                  double weight) {
-    const auto drawn =
-        scatter(s, uniform(path.key, Purpose::facet_choice),
-                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
-    if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return Vec3(0);
-    PathState next = path.dimmed(drawn->weight);
-    next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
-    next.weight = path.weight * weight * max_component(drawn->weight);
-    next.kind = RayKind::reflected;
-    next.counted = !drawn->narrow;
+    auto scattered = facet_path(path, vertex, s);
+    if (!scattered) return Vec3(0);
+    scattered->next.weight = path.weight * weight * max_component(scattered->share);
     ++ledger_.scattered;
-    return drawn->weight * follow(next);
+    return scattered->share * follow(scattered->next);
 }
 
 /// White light, each of its bands on a way of its own. As in POV-Ray, bands that are reflected in

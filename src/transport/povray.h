@@ -6,7 +6,7 @@
 #pragma once
 
 #include "transport/direct_light.h"
-#include "transport/path.h"
+#include "transport/path_steps.h"
 #include "transport/tracing.h"
 
 namespace candelabra {
@@ -24,11 +24,10 @@ public:
     const HitNoise& noise() const { return direct_light_.noise(); }
 
     /// How much of the last sample is what is behind everything and clear: 0 to 1.
-    double clear() const { return std::min(clear_, 1.0); }
+    double clear() const { return ends_.clear(); }
 
 private:
     Vec3 follow(const PathState&);
-    Vec3 background(const PathState&);
     Vec3 surface(const PathState&, const Hit&);
     Vec3 layered(const PathState&, const Vertex&, std::span<const Layer>);
     Vec3 lit(const PathState&, const Vertex&, const Shading&, bool emission);
@@ -48,10 +47,8 @@ private:
     const Radiosity& radiosity_;
     ShadingRules rules_;
     DirectLight direct_light_;
-    MediaStack around_camera_;
+    PathEnds ends_;
     LightLedger ledger_;
-    bool clear_sky_;
-    double clear_ = 0;
 };
 
 }  // namespace candelabra

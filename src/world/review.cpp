@@ -150,6 +150,15 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                 "`subsurface` of finishes has no effect: the scene does not ask "
                                 "for it")
                             .with_help("global_settings { subsurface { } }"));
+    if (!std::holds_alternative<PathTraced>(world.rules.settings.integrator)) return;
+    if (world.rules.settings.radiosity.on)
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`radiosity` has no effect with path_traced, which follows all "
+                                "light"));
+    const auto raised = [](const Material& m) { return reflects_to_a_power(*m.texture); };
+    if (std::ranges::any_of(world.appearance.materials, raised))
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`exponent` of reflections has no effect with path_traced"));
 }
 
 }  // namespace candelabra

@@ -5,6 +5,7 @@
 
 #include "camera/camera.h"
 #include "scene/scene.h"
+#include "surface/quality.h"
 #include "world/hit.h"
 #include "world/lights.h"
 #include "world/material.h"
@@ -143,13 +144,18 @@ public:
     }
 
     /// Whether diffuse surfaces get light from each other, as `radiosity` says.
-    bool gathers_light() const { return rules.settings.radiosity.on && rules.quality >= 9; }
+    bool gathers_light() const {
+        return rules.settings.radiosity.on && rules.quality >= quality_full;
+    }
+    /// Whether light that surfaces reflect lights others.
+    bool has_indirect_light() const {
+        return gathers_light() || std::holds_alternative<PathTraced>(rules.settings.integrator);
+    }
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || std::holds_alternative<PathTraced>(rules.settings.integrator) ||
-               gathers_light();
+               !shutter.empty() || has_indirect_light();
     }
 
     Geometry geometry;

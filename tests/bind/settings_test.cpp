@@ -63,7 +63,11 @@ TEST_CASE("radiosity has all of POV-Ray's words", "[bind]") {
         maximum_reuse 0.1 pretrace_start 0.08 pretrace_end 0.01 recursion_limit 3 brightness 1.5
         gray_threshold 0.25 max_sample 2 adc_bailout 0.01 always_sample off normal on media on
         subsurface off } } sphere { 0, 1 no_radiosity })");
-    CHECK(done.text.empty());
+    REQUIRE(done.said.size() == 1);
+    CHECK(done.said.front().message ==
+          "`count`, `error_bound`, `nearest_count`, `low_error_factor`, `minimum_reuse`, "
+          "`maximum_reuse`, `pretrace_start`, `pretrace_end`, `adc_bailout`, `always_sample`, "
+          "`subsurface` of `radiosity` have no effect: light is gathered without a cache");
     const Radiosity& found = done.scene.settings.radiosity;
     CHECK(found.on);
     CHECK(found.recursion_limit == 3);
@@ -73,6 +77,10 @@ TEST_CASE("radiosity has all of POV-Ray's words", "[bind]") {
     CHECK_FALSE(found.always_sample);
     CHECK(done.scene.objects.size() == 1);
     CHECK(complaint("global_settings { radiosity { recursion_limit 0 } }") != "nothing");
+    CHECK(complaint("global_settings { radiosity { count 20 brightness 2 } }") ==
+          "warning no-effect: `count` of `radiosity` has no effect: light is gathered without a "
+          "cache");
+    CHECK(complaint("global_settings { radiosity { brightness 2 normal on } }") == "nothing");
 }
 
 TEST_CASE("each integrator can be chosen", "[bind]") {

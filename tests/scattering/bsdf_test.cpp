@@ -127,7 +127,7 @@ TEST_CASE("what the choice of luminaires knows of highlights is near what they a
                 const double fallen = 1 + h.sharpness * (1 - dot(h.axis, d)) / 2;
                 sum += h.peak / (fallen * fallen);
             }
-            const double answer = bsdf.evaluate(d, Lobes::wide, 0).x;
+            const double answer = bsdf.evaluate(d, {.facets = FacetLobes::wide}, 0).x;
             CAPTURE(finish.phong, finish.specular, finish.microfacet.roughness, d.x, d.y, d.z);
             CHECK(sum > 0.3 * answer);
             CHECK(sum < 5 * answer + 0.05);

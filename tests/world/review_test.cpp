@@ -116,4 +116,13 @@ TEST_CASE("light below surfaces that the scene does not ask for is warned of", "
     CHECK(said_about(seen + "global_settings { subsurface { } }", false).empty());
 }
 
+TEST_CASE("what path tracing passes over is warned of", "[world]") {
+    const std::string seen =
+        "light_source { 0, 1 } camera { location -9*z } sphere { 0, 1 finish { reflection { 0.5 "
+        "exponent 2 } } } global_settings { radiosity { } } ";
+    CHECK(said_about(seen, false).empty());
+    CHECK(said_about(seen + "global_settings { integrator { path_traced } }", false) ==
+          "no-effect no-effect ");
+}
+
 }  // namespace candelabra

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/path_steps.h"
+
+#include "scattering/microfacet.h"
+#include "scattering/mirror.h"
+
+namespace candelabra {
+
+PathEnds::PathEnds(const World& world, bool clear_sky) : world_(world), clear_sky_(clear_sky) {
+    if (world.notes_solids() && !world.view.camera.parallel)
+        around_camera_ = world.containing(world.view.camera.location);
+}
+
+PathState PathEnds::begin(const Ray& ray, const Key& key) {
+    clear_ = 0;
+    PathState path;
+    path.ray = ray;
+    path.key = key;
+    path.media = world_.notes_solids() && world_.view.camera.parallel
+                     ? world_.containing(ray.origin)
+                     : around_camera_;
+    return path;
+}
+
+Vec3 PathEnds::background(const PathState& path) {
+    if (path.counted && !world_.sky.light.empty()) return Vec3(0);
+    const Vec3& direction = path.ray.direction;
+    if (!clear_sky_) return world_.sky_radiance(direction);
+    if (path.kind != RayKind::camera)
+        return world_.sky_radiance(direction, world_.sky.background.mirrored());
+    clear_ += path.clear * world_.sky_clear(direction);
+    if (world_.rules.language_version < 3.7) return Vec3(0);
+    return world_.sky_radiance(direction, world_.sky.background.covering());
+}
+
+bool shows_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
+    return !path.counted || world.lights.luminaires.empty() ||
+           world.lights.luminaire_of[primitive] == no_primitive;
+}
+
+PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shading& s) {
+    PathState next = path;
+    next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);
+    next.kind = RayKind::reflected;
+    next.counted = false;
+    return next;
+}
+
+std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex, const Shading& s) {
+    const auto drawn =
+        scatter(s, uniform(path.key, Purpose::facet_choice),
+                {uniform(path.key, Purpose::facet_u), uniform(path.key, Purpose::facet_v)});
+    if (!drawn || dot(drawn->direction, s.geometric_normal) <= 0) return std::nullopt;
+    PathState next = path.dimmed(drawn->weight);
+    next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
+    next.kind = RayKind::reflected;
+    next.counted = !drawn->narrow;
+    return FacetPath{next, drawn->weight};
+}
+
+PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3& direction) {
+    PathState next = path;
+    next.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);
+    next.depth = next.passed = 0;
+    next.clear = 0;
+    ++next.bounces;
+    next.kind = RayKind::gathering;
+    next.counted = true;
+    return next;
+}
+
+}  // namespace candelabra
