@@ -68,6 +68,25 @@ TEST_CASE("the light of all statements together is the picture", "[render]") {
     CHECK(lit > 200);
 }
 
+TEST_CASE("light that surfaces reflect is counted for the statement that it came from",
+          "[render]") {
+    for (const char* const indirect :
+         {"radiosity { recursion_limit 2 }", "integrator { path_traced bounces 3 }"}) {
+        INFO(indirect);
+        const World world = world_of(room + lamps[0] + lamps[1] + lamps[2] + "global_settings { " +
+                                     indirect + " }");
+        Aovs aovs;
+        aovs.lights = true;
+        const RenderState state = made(world, aovs);
+        for (std::size_t i = 0; i < state.film.pixels().size(); ++i) {
+            Vec3 sum(0);
+            for (std::size_t k = 0; k < 3; ++k) sum += light(state, aovs, i, k);
+            const Vec3 seen = state.film.pixels()[i].mean();
+            for (int c = 0; c < 3; ++c) CHECK(sum[c] == Approx(seen[c]).margin(1e-9));
+        }
+    }
+}
+
 TEST_CASE("a statement's light is the picture that it makes alone", "[render]") {
     const World both = world_of(room + lamps[0] + lamps[1]);
     Aovs aovs;
