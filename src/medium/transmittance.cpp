@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medium/transmittance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+/// Points of one estimate of an optical depth.
+constexpr double max_points = 8;
+/// Parts of a way that is estimated as a whole.
+constexpr double max_parts = 64;
+/// Where the optical depth is at most this, the series may end before its first term.
+constexpr double thin = 0.005;
+/// A term of the series that is smaller than one over this may be the last.
+constexpr double kept_terms = 2;
+
+}  // namespace
+
+double max_extinction(MediaView media) {
+    double sum = 0;
+    for (const Media* each : media)
+        sum += max_component(glm::abs(each->extinction()) * max_density(*each));
+    return sum;
+}
+
+bool homogeneous(MediaView media) {
+    return std::ranges::all_of(media, [](const Media* each) { return each->homogeneous(); });
+}
+
+Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double greatest,
+                           const PatternScene& scene, RandomStream& random) {
+    const double way = segment.to - segment.from, depth = greatest * way;
+    if (!(depth > 0)) return Vec3(1);
+    const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
+    const double points = std::ceil(std::clamp(2 * depth, 1.0, max_points));
+    const auto estimate = [&] {
+        const double shift = random.next();
+        Vec3 sum(0);
+        for (double i = 0; i < points; ++i) {
+            const double t = segment.from + way * (i + shift) / points;
+            sum += coefficients(media, segment.ray.at(t), scene).extinction;
+        }
+        return -way / points * sum;
+    };
+    Vec3 sum(1), term(1);
+    double goes_on = std::min(1.0, depth / thin);
+    for (double order = 1; random.next() < goes_on; ++order) {
+        term *= (estimate() - pivot) / (order * goes_on);
+        sum += term;
+        goes_on =
+            std::min(order < max_parts ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
+    }
+    return glm::exp(pivot) * sum;
+}
+
+Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
+                   const Key& key) {
+    const double length = way.max - way.min;
+    const Vec3 first = coefficients(media, ray.at(way.min), scene).extinction;
+    if (homogeneous(media)) return glm::exp(-length * first);
+    const double greatest = max_extinction(media);
+    const double parts = std::ceil(std::clamp(greatest * length, 1.0, max_parts));
+    RandomStream random(key, Purpose::media_transmittance);
+    Vec3 left(1);
+    MediaSegment segment{ray, way.min, way.min, first, first};
+    for (double i = 1; i <= parts; ++i) {
+        segment.from = segment.to;
+        segment.extinction_from = segment.extinction_to;
+        segment.to = way.min + length * i / parts;
+        segment.extinction_to = coefficients(media, ray.at(segment.to), scene).extinction;
+        left *= segment_transmittance(media, segment, greatest, scene, random);
+    }
+    return left;
+}
+
+}  // namespace candelabra
