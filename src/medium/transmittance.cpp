@@ -8,10 +8,13 @@ namespace candelabra {
 
 namespace {
 
-/// Points of one estimate of an optical depth.
-constexpr double max_points = 8;
-/// Parts of a way that is estimated as a whole.
-constexpr double max_parts = 64;
+/// Points of one estimate of an optical depth: so many for each unit of the greatest depth, and at
+/// most. Densities are mostly far below their bounds.
+constexpr double points_per_depth = 1, max_points = 8;
+/// Parts of a way that is estimated as a whole, at most.
+constexpr double max_parts = 16;
+/// Terms after which each may be the last.
+constexpr double long_series = 64;
 /// Where the optical depth is at most this, the series may end before its first term.
 constexpr double thin = 0.005;
 /// A term of the series that is smaller than one over this may be the last.
@@ -35,7 +38,7 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
     const double way = segment.to - segment.from, depth = greatest * way;
     if (!(depth > 0)) return Vec3(1);
     const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
-    const double points = std::ceil(std::clamp(2 * depth, 1.0, max_points));
+    const double points = std::ceil(std::clamp(points_per_depth * depth, 1.0, max_points));
     const auto estimate = [&] {
         const double shift = random.next();
         Vec3 sum(0);
@@ -51,18 +54,18 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
         term *= (estimate() - pivot) / (order * goes_on);
         sum += term;
         goes_on =
-            std::min(order < max_parts ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
+            std::min(order < long_series ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
     }
     return glm::exp(pivot) * sum;
 }
 
 Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
                    const Key& key) {
-    const double length = way.max - way.min;
+    const double length = way.max - way.min, greatest = max_extinction(media);
+    if (!(greatest > 0)) return Vec3(1);
     const Vec3 first = coefficients(media, ray.at(way.min), scene).extinction;
     if (homogeneous(media)) return glm::exp(-length * first);
-    const double greatest = max_extinction(media);
-    const double parts = std::ceil(std::clamp(greatest * length, 1.0, max_parts));
+    const double parts = std::ceil(std::clamp(std::sqrt(greatest * length), 1.0, max_parts));
     RandomStream random(key, Purpose::media_transmittance);
     Vec3 left(1);
     MediaSegment segment{ray, way.min, way.min, first, first};

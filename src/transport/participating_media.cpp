@@ -14,7 +14,7 @@ namespace {
 
 /// Points along a stretch at which media are looked at; scenes may ask for more or fewer.
 constexpr int min_places = 8, max_places = 64;
-/// Light sources are asked at one of so many of them.
+/// Light sources are asked at one of so many of them, if samples differ in any case.
 constexpr int places_for_lit = 4;
 /// Light sources that tell at each point how bright it is there; more of them tell nothing.
 constexpr std::size_t max_telling = 16;
@@ -39,6 +39,7 @@ double brightness_of(const MediaPlace& place) {
 
 ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
     if (!world.has_media()) return;
+    lights_all_ = !world.differs_but_for_media();
     for (const SourceSet& set : world.lights.source_sets)
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
     if (sources_.size() > max_telling) sources_.clear();
@@ -64,7 +65,9 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     if (!world_.has_media()) return {};
     fill(path, distance);
     if (media_.empty()) return {};
-    const int count = path.depth + path.bounces > 0 ? min_places : effort(media_);
+    places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);
+    // Where nothing but the light differs, more places cost little.
+    const int count = homogeneous(view_of(media_)) ? places_ * places_for_lit : places_;
     march(view_of(media_), path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
@@ -133,7 +136,7 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
     };
     if (!world_.lights.sources.empty()) {
         const Key key = path.key.branched(Branch::medium, 0);
-        const int count = std::max(1, static_cast<int>(march_.places.size()) / places_for_lit);
+        const int count = lights_all_ ? places_ : std::max(1, places_ / places_for_lit);
         choose(
             key, count,
             [&](std::size_t i) {

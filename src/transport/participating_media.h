@@ -43,6 +43,8 @@ private:
 
     const World& world_;
     std::vector<std::uint32_t> sources_;  ///< that tell where light is bright, when they are few
+    bool lights_all_ = true;              ///< light sources are asked at all places
+    int places_ = 0;                      ///< the effort that the last stretch is worth
     // Kept from stretch to stretch for their memory.
     MediaList media_;
     MediaMarch march_;
