@@ -91,7 +91,7 @@ public:
         add_places(0, far ? near : distance, count - far_count, false);
         if (far) add_places(near, distance, far_count, true);
         if (!even_) {
-            pass_to(distance);
+            if (!opaque_) pass_to(distance);
             result_.veil = {left_, emitted_};
         }
         if (!scatters) result_.places.clear();
@@ -112,7 +112,7 @@ private:
                             : far ? Spread::Kind::ratios
                                   : Spread::Kind::even,
                             from, to, rate);
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count && !opaque_; ++i) {
             const double distance = spread.distance((i + shift_) / count);
             add(distance, spread.per_density(distance) / count);
         }
@@ -135,6 +135,8 @@ private:
         const MediumPoint here = coefficients(media_, ray_.at(distance), scene_);
         left_ *= segment_transmittance(media_, {ray_, passed_, distance, before_, here.extinction},
                                        greatest_, scene_, random_);
+        opaque_ = !survives(left_, random_);
+        if (opaque_) left_ = Vec3(0);
         passed_ = distance;
         before_ = here.extinction;
         return here;
@@ -149,6 +151,7 @@ private:
     double shift_, greatest_ = 0;
     MediaMarch& result_;
     double passed_ = 0;
+    bool opaque_ = false;  ///< nothing comes from further on
     Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0);
 };
 

@@ -8,9 +8,10 @@ namespace candelabra {
 
 namespace {
 
-/// Points of one estimate of an optical depth: so many for each unit of the greatest depth, and at
-/// most. Densities are mostly far below their bounds.
-constexpr double points_per_depth = 1, max_points = 8;
+/// Points of one estimate of an optical depth, for each unit of the depth that is expected, and at
+/// most. What is expected is at least a share of the greatest depth: densities are mostly far below
+/// their bounds.
+constexpr double points_per_depth = 1, max_points = 8, share_of_greatest = 0.1;
 /// Parts of a way that is estimated as a whole, at most.
 constexpr double max_parts = 16;
 /// Terms after which each may be the last.
@@ -38,7 +39,8 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
     const double way = segment.to - segment.from, depth = greatest * way;
     if (!(depth > 0)) return Vec3(1);
     const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
-    const double points = std::ceil(std::clamp(points_per_depth * depth, 1.0, max_points));
+    const double expected = std::fmax(max_component(glm::abs(pivot)), share_of_greatest * depth);
+    const double points = std::ceil(std::clamp(points_per_depth * expected, 1.0, max_points));
     const auto estimate = [&] {
         const double shift = random.next();
         Vec3 sum(0);
@@ -59,6 +61,14 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
     return glm::exp(pivot) * sum;
 }
 
+bool survives(Vec3& left, RandomStream& random) {
+    constexpr double little = 0.01, chance = 0.1;
+    if (max_component(glm::abs(left)) >= little) return true;
+    if (random.next() >= chance) return false;
+    left /= chance;
+    return true;
+}
+
 Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,
                    const Key& key) {
     const double length = way.max - way.min, greatest = max_extinction(media);
@@ -75,6 +85,7 @@ Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const P
         segment.to = way.min + length * i / parts;
         segment.extinction_to = coefficients(media, ray.at(segment.to), scene).extinction;
         left *= segment_transmittance(media, segment, greatest, scene, random);
+        if (!survives(left, random)) return Vec3(0);
     }
     return left;
 }

@@ -31,6 +31,9 @@ bool homogeneous(MediaView);
 Vec3 segment_transmittance(MediaView, const MediaSegment&, double greatest, const PatternScene&,
                            RandomStream&);
 
+/// Russian roulette, where hardly anything is left: false with what is left made up for otherwise.
+bool survives(Vec3& left, RandomStream&);
+
 /// The same between two points of a ray, however far apart they are.
 Vec3 transmittance(MediaView, const Ray&, const Interval&, const PatternScene&, const Key&);
 
