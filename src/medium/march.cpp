@@ -4,6 +4,7 @@
 #include "medium/transmittance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace candelabra {
@@ -58,6 +59,42 @@ private:
     double from_, to_, rate_;
 };
 
+/// A density over [0, 1) that is the same in each of several cells.
+class MarchCells {
+public:
+    static constexpr std::size_t count = 16;
+
+    static double middle(std::size_t cell) { return (static_cast<double>(cell) + 0.5) / count; }
+
+    /// Even where the worth is 0 everywhere.
+    explicit MarchCells(const std::array<double, count>& worth) {
+        double total = 0;
+        for (const double each : worth) total += each;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double share = total > 0 ? count * worth[i] / total : 1;
+            density_[i] = even_share + (1 - even_share) * share;
+        }
+    }
+
+    /// Where the integral of the density is v, which is in [0, 1); never moves backwards.
+    double place(double v) {
+        while (cell_ + 1 < count && below_ + density_[cell_] / count <= v)
+            below_ += density_[cell_++] / count;
+        const double within = (v - below_) / density_[cell_];
+        return std::min(static_cast<double>(cell_) / count + within, 1.0);
+    }
+    /// At the last place.
+    double density() const { return density_[cell_]; }
+
+private:
+    /// Share of the points that are spread evenly.
+    static constexpr double even_share = 0.3;
+
+    std::array<double, count> density_;
+    std::size_t cell_ = 0;
+    double below_ = 0;  ///< the integral before the cell
+};
+
 /// One channel of emission along a way, where it is the same everywhere.
 double emitted(double emission, double extinction, double way) {
     const double depth = extinction * way;
@@ -66,18 +103,22 @@ double emitted(double emission, double extinction, double way) {
 
 class Marcher {
 public:
-    Marcher(MediaView media, const Ray& ray, const PatternScene& scene, const Key& key,
+    Marcher(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
             MediaMarch& result)
         : media_(media),
-          ray_(ray),
+          stretch_(stretch),
+          ray_(stretch.ray),
           scene_(scene),
-          first_(coefficients(media, ray.origin, scene)),
+          first_(coefficients(media, ray_.origin, scene)),
           even_(homogeneous(media)),
           random_(key, Purpose::media_transmittance),
           shift_(uniform(key, Purpose::media_distance)),
           result_(result) {}
 
-    void go(double distance, double near, int count) {
+    void go() {
+        const double distance = stretch_.distance;
+        const int count = stretch_.count;
+        double near = stretch_.near;
         const bool scatters = std::ranges::any_of(media_, &Media::scatters);
         if (even_) {
             result_.veil = whole(distance);
@@ -112,10 +153,26 @@ private:
                             : far ? Spread::Kind::ratios
                                   : Spread::Kind::even,
                             from, to, rate);
+        MarchCells cells = cells_of(spread);
         for (int i = 0; i < count && !opaque_; ++i) {
-            const double distance = spread.distance((i + shift_) / count);
-            add(distance, spread.per_density(distance) / count);
+            const double distance = spread.distance(cells.place((i + shift_) / count));
+            add(distance, spread.per_density(distance) / (count * cells.density()));
         }
+    }
+
+    MarchCells cells_of(const Spread& spread) const {
+        std::array<double, MarchCells::count> worth{};
+        if (!stretch_.worth) return MarchCells(worth);
+        std::array<Vec3, MarchCells::count> places;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i] = ray_.at(spread.distance(MarchCells::middle(i)));
+        (*stretch_.worth)(places, worth);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double distance = spread.distance(MarchCells::middle(i));
+            worth[i] *= spread.per_density(distance);
+            if (even_) worth[i] *= max_component(glm::exp(-distance * first_.extinction));
+        }
+        return MarchCells(worth);
     }
 
     void add(double distance, double way) {
@@ -143,6 +200,7 @@ private:
     }
 
     MediaView media_;
+    const MediaStretch& stretch_;
     const Ray& ray_;
     const PatternScene& scene_;
     MediumPoint first_;  ///< at the ray's origin
@@ -157,12 +215,12 @@ private:
 
 }  // namespace
 
-void march(MediaView media, const Ray& ray, double distance, double near, int count,
-           const PatternScene& scene, const Key& key, MediaMarch& result) {
+void march(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
+           MediaMarch& result) {
     result.veil = {};
     result.places.clear();
-    if (media.empty() || !(distance > 0)) return;
-    Marcher(media, ray, scene, key, result).go(distance, near, count);
+    if (media.empty() || !(stretch.distance > 0)) return;
+    Marcher(media, stretch, scene, key, result).go();
 }
 
 }  // namespace candelabra

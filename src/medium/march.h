@@ -3,6 +3,7 @@
 // emit, and points at which they may be asked for light that they scatter to the viewer.
 #pragma once
 
+#include "base/function_ref.h"
 #include "base/random.h"
 #include "base/ray.h"
 #include "base/short_list.h"
@@ -27,10 +28,19 @@ struct MediaMarch {
     ShortList<MediaPlace, 64> places;
 };
 
-/// From the ray's origin to the distance. The ray's direction is a unit vector. `near` is how far
-/// most of the scene lies: beyond, points are rare. `count` is about the number of points; at
-/// least 2.
-void march(MediaView, const Ray&, double distance, double near, int count, const PatternScene&,
-           const Key&, MediaMarch&);
+/// A part of a ray, from its origin on, and how it is walked.
+struct MediaStretch {
+    const Ray& ray;  ///< its direction is a unit vector
+    double distance;
+    double near = 0;  ///< how far most of the scene lies: beyond, points are rare; 0: all is near
+    int count = 8;    ///< about the number of points
+    /// Fills the second span with what points at the places of the first are worth, on any scale,
+    /// not below 0: points are denser where they are worth more. Null: all are worth the same. What
+    /// is 0 does not stay without points.
+    using Worth = FunctionRef<void(std::span<const Vec3>, std::span<double>)>;
+    const Worth* worth = nullptr;
+};
+
+void march(MediaView, const MediaStretch&, const PatternScene&, const Key&, MediaMarch&);
 
 }  // namespace candelabra

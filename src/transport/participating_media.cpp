@@ -16,6 +16,8 @@ namespace {
 constexpr int min_places = 8, max_places = 64;
 /// Light sources are asked at one of so many of them, if samples differ in any case.
 constexpr int places_for_lit = 4;
+/// Luminaires are asked at so many on a camera's ray.
+constexpr int luminaire_places = 4;
 /// Light sources that tell at each point how bright it is there; more of them tell nothing.
 constexpr std::size_t max_telling = 16;
 /// Around what is near media count as well, so many of its diameters away.
@@ -67,8 +69,15 @@ Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLig
     if (media_.empty()) return {};
     places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);
     // Where nothing but the light differs, more places cost little.
-    const int count = homogeneous(view_of(media_)) ? places_ * places_for_lit : places_;
-    march(view_of(media_), path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
+    const int count = homogeneous(view_of(media_)) ? 2 * places_ : places_;
+    const auto worth = [&](std::span<const Vec3> places, std::span<double> values) {
+        expect_light(direct_light, places, values);
+    };
+    const MediaStretch::Worth expected(worth);
+    const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+    march(view_of(media_),
+          {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
+           scatters ? &expected : nullptr},
           world_.pattern_scene(), path.key, march_);
     Veil veil = march_.veil;
     if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
@@ -116,6 +125,21 @@ double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
     return 1 / (dot(away, away) + dot(half, half));
 }
 
+/// What places are worth by the light that is expected there: of sources and of luminaires in
+/// equal parts, as their scales differ.
+void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span<const Vec3> places,
+                                      std::span<double> worth) const {
+    const auto add = [&](auto light) {
+        ShortList<double, 16> found;
+        double total = 0;
+        for (const Vec3& place : places) found.push_back(light(place)), total += found.back();
+        for (std::size_t i = 0; i < found.size() && total > 0; ++i) worth[i] += found[i] / total;
+    };
+    if (!sources_.empty()) add([&](const Vec3& place) { return unshadowed(place); });
+    if (!world_.lights.luminaires.empty())
+        add([&](const Vec3& place) { return luminaires_at(direct_light, place); });
+}
+
 /// Radiance that comes to the viewer of lamps' light, by the places of the march.
 Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_light,
                                    LightLedger& ledger) {
@@ -157,13 +181,14 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
         mean += given.back() / static_cast<double>(march_.places.size());
     }
     const Key key = path.key.branched(Branch::medium, 1);
+    const int count = path.depth + path.bounces > 0 ? 1 : luminaire_places;
     choose(
-        key, 1,
+        key, count,
         [&](std::size_t i) {
             return brightness_of(march_.places[i]) > 0 ? given[i] + any_place * mean : 0;
         },
-        [&](const MediaPlace& place, int, double per_chance) {
-            light(place, key, per_chance, false);
+        [&](const MediaPlace& place, int number, double per_chance) {
+            light(place, key.part(count, number), per_chance, false);
         });
     return sum;
 }

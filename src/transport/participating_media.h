@@ -39,6 +39,8 @@ private:
     double near(const Vec3& from) const;
     Vec3 scattered(const PathState&, DirectLight&, LightLedger&);
     double unshadowed(const Vec3& position) const;
+    void expect_light(const DirectLight&, std::span<const Vec3> places,
+                      std::span<double> worth) const;
     double luminaires_at(const DirectLight&, const Vec3& position) const;
 
     const World& world_;

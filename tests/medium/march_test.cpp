@@ -18,14 +18,15 @@ struct Means {
 
 /// Means over many marches; `first` and `second` are integrals of scattering, and of that times
 /// the distance.
-Means marched(const Media& media, double distance, double near, std::uint32_t count) {
+Means marched(const Media& media, double distance, double near, std::uint32_t count,
+              const MediaStretch::Worth* worth = nullptr) {
     const std::array<const Media*, 1> view = {&media};
     const Ray ray{Vec3(0.001, 0.01, 0.02), Vec3(1, 0, 0)};
     Means means;
     MediaMarch out;
     Key key;
     for (key.sample = 0; key.sample < count; ++key.sample) {
-        march(view, ray, distance, near, 8, {}, key, out);
+        march(view, {ray, distance, near, 8, worth}, {}, key, out);
         means.left += out.veil.transmittance / static_cast<double>(count);
         means.emitted += out.veil.added / static_cast<double>(count);
         for (const MediaPlace& place : out.places) {
@@ -72,15 +73,33 @@ TEST_CASE("far parts of a ray are not forgotten", "[medium]") {
     }
 }
 
+TEST_CASE("where points are dense does not change what is expected", "[medium]") {
+    const auto bright = [](std::span<const Vec3> places, std::span<double> worth) {
+        for (std::size_t i = 0; i < places.size(); ++i)
+            worth[i] = 1 / (0.01 + (places[i].x - 1) * (places[i].x - 1));
+    };
+    const MediaStretch::Worth worth(bright);
+    for (const char* const density : {"", "density { gradient x scale 3 }"}) {
+        const std::string words =
+            std::string("absorption 0.7 scattering { 1, 0.5 extinction 1 } ") + density;
+        const Means even = marched(media_of(words), 2.9, 5, 20000),
+                    dense = marched(media_of(words), 2.9, 5, 20000, &worth);
+        CHECK(dense.left.x == Approx(even.left.x).epsilon(0.01));
+        CHECK(dense.first.x == Approx(even.first.x).epsilon(0.01));
+        CHECK(dense.second.x == Approx(even.second.x).epsilon(0.01));
+    }
+}
+
 TEST_CASE("what scatters nothing has no places", "[medium]") {
     const Media media = media_of("emission 1 density { gradient x }");
     const std::array<const Media*, 1> view = {&media};
     MediaMarch out;
-    march(view, {Vec3(0), Vec3(1, 0, 0)}, 4, 4, 8, {}, {}, out);
+    const Ray ray{Vec3(0), Vec3(1, 0, 0)};
+    march(view, {ray, 4, 4, 8}, {}, {}, out);
     CHECK(out.places.empty());
     CHECK(out.veil.transmittance == Vec3(1));
     CHECK(out.veil.added.x > 0);
-    march({}, {Vec3(0), Vec3(1, 0, 0)}, 4, 4, 8, {}, {}, out);
+    march({}, {ray, 4, 4, 8}, {}, {}, out);
     CHECK(out.veil.added == Vec3(0));
 }
 
