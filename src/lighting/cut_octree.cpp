@@ -20,6 +20,8 @@ constexpr double divided_above = 20;
 /// and what is seen from them differs. Smaller ones stay whole when they are surveyed, so that the
 /// survey's rays are a small part of all.
 constexpr double coarse_pixels = 32;
+/// The same of cells between surfaces, where light differs less: so many times as coarse.
+constexpr double coarser_in_air = 4;
 /// As an angle (size over distance): bounds for large and for small pictures.
 constexpr double min_coarse = 0.03, greatest_coarse = 0.5;
 /// Probabilities may fall this far before the random number that is used up level by level is
@@ -89,7 +91,7 @@ std::optional<Halves> divided(const LightTree& tree, const LightCluster& c, cons
 
 /// What rays that were tried tell of a cell.
 struct BuiltCutOctree::CellSurvey {
-    std::optional<LightGuide> outlook;  ///< none: of sources there is nothing to be seen
+    std::optional<LightGuide> outlook;  ///< none: nothing is drawn by it
     double by_direction = 0;            ///< see Weights
     bool as_scattered = false;
     /// See Weights; for each unit of the total weight.
@@ -98,7 +100,8 @@ struct BuiltCutOctree::CellSurvey {
 
 struct BuiltCutOctree::Cell {
     Box box;
-    int depth = 0;
+    int depth = -1;                    ///< 0 of the greatest
+    bool in_air = false;               ///< for points between surfaces
     std::optional<LightCut> cut;       ///< none: it is divided
     std::optional<CellSurvey> survey;  ///< none: the scene was not there to be asked
     std::array<std::atomic<Cell*>, 8> children{};
@@ -124,7 +127,8 @@ struct BuiltCutOctree::State {
     double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;
-    std::atomic<Cell*> air;  ///< of points between surfaces: its cells are not surveyed
+    std::atomic<Cell*> air;  ///< of points between surfaces
+    Cell above, above_air;   ///< what both are in
     std::atomic<std::size_t> cells = 0, bytes = 0;
 
     ~State() {
@@ -139,6 +143,7 @@ BuiltCutOctree::~BuiltCutOctree() = default;
 
 BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& scene)
     : state_(std::make_unique<State>()) {
+    state_->above_air.in_air = true;
     state_->rule = {settings.eta, entries_for(settings.cut, scene.luminaires)};
     state_->settings = settings;
     state_->luminaires = scene.luminaires;
@@ -159,13 +164,15 @@ BuiltCutOctree::BuiltCutOctree(const LightOctree& settings, const LightScene& sc
 
 const LightTree& BuiltCutOctree::tree() const { return state_->tree; }
 
-std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const Cell* parent,
+std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const Cell& parent,
                                                            const LightProbe* probe) const {
     auto cell = std::make_unique<Cell>();
     cell->box = box;
-    cell->depth = parent ? parent->depth + 1 : 0;
+    cell->depth = parent.depth + 1;
+    cell->in_air = parent.in_air;
     cell->cut.emplace(state_->tree, state_->luminaires, box, state_->rule, state_->unit);
-    const double limit = state_->eye ? state_->coarse * length(box.centre() - *state_->eye) : 0;
+    const double coarse = state_->coarse * (cell->in_air ? coarser_in_air : 1);
+    const double limit = state_->eye ? coarse * length(box.centre() - *state_->eye) : 0;
     const bool small = length(box.size()) <= limit, large = state_->eye && !small,
                learns = probe && !state_->settings.alone;
     const double noise = cell->cut->noise(), bound = state_->rule.noise;
@@ -174,18 +181,21 @@ std::unique_ptr<BuiltCutOctree::Cell> BuiltCutOctree::make(const Box& box, const
     if (uneven && cell->depth < state_->settings.max_depth)
         cell->cut.reset();
     else if (learns)
-        cell->survey = survey(box, *cell->cut, *probe);
+        cell->survey = survey(*cell, *cell->cut, *probe);
     return cell;
 }
 
 /// Teaches the cut of a cell, too, what arrives of its entries' light.
-BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Box& box, LightCut& cut,
+BuiltCutOctree::CellSurvey BuiltCutOctree::survey(const Cell& cell, LightCut& cut,
                                                   const LightProbe& probe) const {
-    const std::vector<SurveyPlace> receivers = survey_places_in(box, state_->eye, probe);
+    const Box& box = cell.box;
+    const std::vector<SurveyPlace> receivers =
+        cell.in_air ? air_places_in(box) : survey_places_in(box, state_->eye, probe);
     cut.scale(counted(arriving_shares(cut, state_->tree, state_->luminaires, receivers, probe), cut,
                       box));
     CellSurvey result;
-    if (state_->tree.falloff(state_->tree.root())) return result;
+    // Sources are not seen; and from points in the air luminaires are small.
+    if (state_->tree.falloff(state_->tree.root()) || cell.in_air) return result;
     result.outlook.emplace(box, state_->ball, receivers, probe);
     const double found = noise_of_choice(cut, receivers, probe), choice = doubt * found + min_noise,
                  outlook = result.outlook->noise() + min_noise;
@@ -275,7 +285,7 @@ double BuiltCutOctree::noise_of_choice(const LightCut& cut, std::span<const Surv
 
 /// The cell at a place of the tree, which is made when there is none.
 BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const Box& box,
-                                              const Cell* parent, const LightProbe* probe) const {
+                                              const Cell& parent, const LightProbe* probe) const {
     Cell* cell = place.load(std::memory_order_acquire);
     if (cell) return cell;
     std::unique_ptr<Cell> made = make(box, parent, probe);
@@ -291,9 +301,9 @@ BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const B
 const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
                                                     const LightProbe* probe) const {
     const bool in_air = receiver.horizon == Horizon::none;
-    if (in_air) probe = nullptr;
     const Vec3& point = receiver.position;
-    Cell* cell = cell_in(in_air ? state_->air : state_->root, state_->cube, nullptr, probe);
+    Cell* cell = in_air ? cell_in(state_->air, state_->cube, state_->above_air, probe)
+                        : cell_in(state_->root, state_->cube, state_->above, probe);
     while (!cell->cut) {
         const Vec3 middle = cell->box.centre();
         Box part = cell->box;
@@ -303,15 +313,16 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
             which |= std::size_t{upper} << axis;
             (upper ? part.low : part.high)[axis] = middle[axis];
         }
-        cell = cell_in(cell->children[which], part, cell, probe);
+        cell = cell_in(cell->children[which], part, *cell, probe);
     }
     return *cell;
 }
 
-void BuiltCutOctree::weigh(const Receiver& point, const LightProbe& probe, const BsdfLobes& lobes,
-                           Weights& weights) const {
+void BuiltCutOctree::weigh(const LightQuery& query, Weights& weights) const {
+    const Receiver& point = query.receiver;
+    const BsdfLobes& lobes = query.lobes;
     if (state_->luminaires.empty()) return;
-    const Cell& cell = cell_at(point, &probe);
+    const Cell& cell = cell_at(point, query.scene);
     weights.cut = &*cell.cut;
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
@@ -319,6 +330,7 @@ void BuiltCutOctree::weigh(const Receiver& point, const LightProbe& probe, const
     weights.noise = cell.survey ? cell.survey->noise * weights.total : -1;
     weights.irradiance = cell.survey ? cell.survey->irradiance * weights.total : 0;
     if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
+    if (!query.bsdf) weights.by_direction = 0;  // nobody asks for directions
     if (weights.as_scattered || !(weights.by_direction > 0)) return;
     cell.survey->outlook->weigh(point, weights.outlook);
     if (!(weights.outlook.total > 0)) weights.by_direction = 0;
@@ -409,7 +421,7 @@ std::size_t BuiltCutOctree::cells() const { return state_->cells; }
 BuiltCutOctree::At::At(const BuiltCutOctree& octree, const LightQuery& query)
     : octree_(octree), receiver_(query.receiver), bsdf_(query.bsdf) {
     if (query.scene)
-        octree.weigh(receiver_, *query.scene, query.lobes, weights_);
+        octree.weigh(query, weights_);
     else
         octree.weigh_choice(receiver_, query.lobes, weights_);
     if (!bsdf_) return;

@@ -38,7 +38,8 @@ public:
 
     At at(const LightQuery&) const;
 
-    void weigh(const Receiver&, const LightProbe&, const BsdfLobes&, Weights&) const;
+    /// Precondition: the scene is there to be asked.
+    void weigh(const LightQuery&, Weights&) const;
     /// The same without the scene: luminaires can be chosen by it, directions cannot be drawn.
     void weigh_choice(const Receiver&, const BsdfLobes&, Weights&) const;
     /// Appends the luminaire for u in [0, 1), if any is above the horizon.
@@ -58,10 +59,10 @@ private:
     struct Cell;
     struct State;
 
-    Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell* parent, const LightProbe*) const;
+    Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell& parent, const LightProbe*) const;
     const Cell& cell_at(const Receiver&, const LightProbe*) const;
-    std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
-    CellSurvey survey(const Box&, LightCut&, const LightProbe&) const;
+    std::unique_ptr<Cell> make(const Box&, const Cell& parent, const LightProbe*) const;
+    CellSurvey survey(const Cell&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
     double noise_of_choice(const LightCut&, std::span<const SurveyPlace>, const LightProbe&) const;
     std::uint32_t descend(const Receiver&, LightCluster, const Key&, double u,
@@ -86,7 +87,7 @@ public:
     double pdf(const Vec3& direction, double expected, double of_point) const;
     double noise() const { return weights_.noise; }
     double irradiance() const { return weights_.irradiance; }
-    double unoccluded() const { return weights_.total; }
+    double expected_light() const { return weights_.total; }
     const LightTree* meetings() const { return nullptr; }
 
 private:

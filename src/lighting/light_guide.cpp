@@ -176,6 +176,15 @@ std::vector<double> balanced(std::span<const double> arriving) {
     return result;
 }
 
+std::vector<SurveyPlace> air_places_in(const Box& cell) {
+    std::vector<SurveyPlace> places;
+    for (std::uint32_t i = 0; i < enough; ++i) {
+        const Vec3 place(outlook_number(i, 1, 1), outlook_number(i, 1, 2), outlook_number(i, 1, 3));
+        places.push_back({{cell.low + place * cell.size(), Vec3(0), Horizon::none}, 0});
+    }
+    return places;
+}
+
 std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
                                           const LightProbe& probe) {
     if (eye) {

@@ -51,6 +51,9 @@ struct SurveyPlace {
 std::vector<SurveyPlace> survey_places_in(const Box& cell, const std::optional<Vec3>& eye,
                                           const LightProbe&);
 
+/// Places anywhere in a cell, between surfaces. The same each time.
+std::vector<SurveyPlace> air_places_in(const Box& cell);
+
 /// By what the light that arrives at each of several places is to be multiplied when they are
 /// looked at together: none of them counts much more than the one that gets the least. Else the
 /// rays of all would go to what shines on some of them.

@@ -173,11 +173,14 @@ Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double dista
                                   medium_key_);
 }
 
-double DirectLight::unoccluded_luminaires(const Vec3& position) const {
+double DirectLight::expected_luminaires(const Vec3& position) const {
     const Receiver point{position, Vec3(0), Horizon::none};
+    const auto look = [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); };
+    const LightProbe scene(look);
+    const BsdfLobes lobes;
     return std::visit(
         [&](const auto& strategy) {
-            return strategy.at({point, BsdfLobes{}, nullptr, nullptr}).unoccluded();
+            return strategy.at({point, lobes, nullptr, &scene}).expected_light();
         },
         world_.lights.sampler);
 }

@@ -61,9 +61,9 @@ public:
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
-    /// In proportion to what may arrive at a point between surfaces by luminaires, if nothing is
-    /// between; below 0 where that is not known. Precondition: there are some.
-    double unoccluded_luminaires(const Vec3& position) const;
+    /// In proportion to what is expected to arrive of luminaires at a point between surfaces; below
+    /// 0 where that is not known. Precondition: there are some.
+    double expected_luminaires(const Vec3& position) const;
 
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }

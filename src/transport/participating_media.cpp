@@ -118,7 +118,7 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
 double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
                                          const Vec3& position) const {
     if (world_.lights.luminaires.empty()) return 1;
-    const double known = direct_light.unoccluded_luminaires(position);
+    const double known = direct_light.expected_luminaires(position);
     if (known >= 0) return known;
     const Box& box = world_.sky.near;
     const Vec3 away = position - box.centre(), half = 0.5 * box.size();

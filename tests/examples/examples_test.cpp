@@ -22,7 +22,7 @@ TEST_CASE("every example renders", "[examples]") {
         const std::string path = fs::relative(entry.path(), CANDELABRA_SOURCE_DIR).string();
         INFO(path);
         const World world = world_of_file(path, {}, {});
-        CHECK(world.lights.luminaires.size() > 0);
+        CHECK(world.lights.luminaires.size() + world.lights.sources.size() > 0);
         RenderSettings settings;
         settings.width = 32;
         settings.height = 24;

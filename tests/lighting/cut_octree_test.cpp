@@ -117,7 +117,10 @@ TEST_CASE("a cell that several threads survey at a time counts once", "[lighting
             Draw draw(5);
             for (int i = 0; i < 100; ++i) {
                 BuiltCutOctree::Weights weights;
-                built.weigh(street.point(draw), dark, {}, weights);
+                const Receiver point = street.point(draw);
+                const LightProbe probe(dark);
+                const BsdfLobes lobes;
+                built.weigh({point, lobes, nullptr, &probe}, weights);
             }
         };
         std::vector<std::thread> asking;

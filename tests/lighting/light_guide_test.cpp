@@ -70,6 +70,16 @@ TEST_CASE("places in a cell lie on the outsides of what is in it", "[lighting]")
         CHECK(each.point.horizon == Horizon::both_sides);
 }
 
+TEST_CASE("places in the air of a cell have no horizon", "[lighting]") {
+    const Box cell{Vec3(1, 2, 3), Vec3(2, 4, 4)};
+    const std::vector<SurveyPlace> places = air_places_in(cell);
+    REQUIRE_FALSE(places.empty());
+    for (const SurveyPlace& each : places) {
+        CHECK(contains(cell, each.point.position));
+        CHECK(each.point.horizon == Horizon::none);
+    }
+}
+
 TEST_CASE("directions of an outlook have the density that is stated for them", "[lighting]") {
     // Near the ball the whole sphere is looked at, farther away only the ball.
     for (const Box& cell :
