@@ -150,10 +150,17 @@ LibraryFile library_file(std::string name, std::string_view text) {
         LibraryMacro macro{std::string(each.name), each.form, comment_above(lines, each.line)};
         for (const std::string& entry : header.entries) {
             const HeaderEntry said(entry, is_macro);
-            if (said.names(each.name) && !said.text().empty()) macro.help = said.text();
+            if (!said.names(each.name)) continue;
+            macro.listed = true;
+            if (!said.text().empty()) macro.help = said.text();
         }
         file.macros.push_back(std::move(macro));
     }
+    // A file that lists none has its aids under its own name: Chars_Bar in chars.inc.
+    const std::string own = file.name.substr(0, file.name.find('.')) + "_";
+    if (std::ranges::none_of(file.macros, &LibraryMacro::listed))
+        for (LibraryMacro& each : file.macros)
+            each.listed = !same_letters(std::string_view(each.name).substr(0, own.size()), own);
     return file;
 }
 

@@ -13,6 +13,9 @@ struct LibraryMacro {
     std::string name;
     std::string form;  ///< Light_Ring(Lamp, Count, Radius)
     std::string help;  ///< may be empty
+    /// For scenes, and not an aid of other macros: named in the comment at the file's begin, or, if
+    /// that names none, not beginning with the file's name.
+    bool listed = false;
 };
 
 struct LibraryFile {
