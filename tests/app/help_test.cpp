@@ -80,8 +80,8 @@ TEST_CASE("topics are items, groups, functions and options") {
 }
 
 TEST_CASE("descriptions exist in all parts and forms") {
-    for (const char* part :
-         {"", "items", "functions", "glossary", "library", "options", "compatibility", "words"}) {
+    for (const char* part : {"", "items", "functions", "glossary", "library", "macros", "options",
+                             "compatibility", "missing", "words"}) {
         for (const ManualForm form : {ManualForm::text, ManualForm::roff, ManualForm::json}) {
             CAPTURE(part);
             Diagnostics diagnostics;
