@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -28,6 +29,11 @@ SKY = "background { rgb <0.3, 0.35, 0.4> }\n"
 FLOOR = "plane { y, 0 pigment { checker rgb 0.9, rgb 0.35 } finish { ambient 0.1 diffuse 0.7 } }\n"
 STAND = ("camera { location <0, 2.4, -6> look_at <0, 0.85, 0> angle 36 right 4/3*x }\n"
          "plane { y, 0 pigment { rgb 0.45 } }\n")
+
+
+# Tables that examples of macros read.
+TABLES = (("lamps.csv", "x,y,z,colour\n-1,0.6,0,#ff8800\n0,1.4,0,#ffffff\n1,0.6,0,#3366ff\n"),
+          ("film.csv", "255,80,0,0,255,0,80,80,255\n0,0,255,255,255,0,255,0,0\n"))
 
 
 def frame(kind, words):
@@ -69,35 +75,40 @@ def macro_frame(file, words):
             light + view + words)
 
 
+def sentence(head):
+    """The head of a section, which manual pages write in capitals."""
+    number, _, words = head.rpartition(". ")
+    return (number + ". " if number else "") + words.capitalize().replace("pov-ray", "POV-Ray").replace("json", "JSON")
+
+
 class Pictures:
     """Scenes that are to be rendered into a folder, each once."""
 
     def __init__(self, program, folder):
         self.program, self.folder, self.scenes, self.failed = program, folder, {}, []
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "lamps.csv").write_text("x,y,z,colour\n-1,0.6,0,#ff8800\n0,1.4,0,#ffffff\n1,0.6,0,#3366ff\n")
-        (folder / "film.csv").write_text("255,80,0,0,255,0,80,80,255\n0,0,255,255,255,0,255,0,0\n")
 
-    def add(self, scene, size=(240, 180), files=()):
+    def add(self, scene, size=(240, 180), files=TABLES):
+        """The address of its picture. files: names and texts of what lies beside the scene."""
         name = hashlib.sha256((scene + str(size)).encode()).hexdigest()[:16]
-        for file, text in files:
-            (self.folder / file).write_text(text)
-        self.scenes[name] = (scene, size)
+        self.scenes[name] = (scene, size, files)
         return "pictures/" + name + ".png"
 
     def render(self, name):
-        scene, size = self.scenes[name]
+        scene, size, files = self.scenes[name]
         target = self.folder / (name + ".png")
         if target.exists():
             return
-        source = self.folder / (name + ".pov")
-        source.write_text(scene)
-        done = subprocess.run([self.program, str(source), f"+W{size[0]}", f"+H{size[1]}", "+WT1", "--noise", "0.06",
-                               "--time", "20s", "-V", "--warn", "none", "+O" + str(target)],
-                              capture_output=True, text=True)
-        if done.returncode != 0:
-            self.failed.append(done.stderr)
-        source.unlink()
+        with tempfile.TemporaryDirectory() as work:
+            for file, text in (*files, ("scene.pov", scene)):
+                (Path(work) / file).write_text(text)
+            done = subprocess.run([self.program, "scene.pov", f"+W{size[0]}", f"+H{size[1]}", "+WT1", "--noise", "0.06",
+                                   "--time", "20s", "-V", "--warn", "none", "+Oscene.png"],
+                                  cwd=work, capture_output=True, text=True)
+            if done.returncode == 0:
+                shutil.move(Path(work) / "scene.png", target)
+            else:
+                self.failed.append(done.stderr)
 
     def render_all(self):
         with concurrent.futures.ThreadPoolExecutor(max(1, os.cpu_count() or 1)) as pool:
@@ -105,8 +116,6 @@ class Pictures:
         for old in self.folder.glob("*.png"):
             if old.stem not in self.scenes:
                 old.unlink()
-        for leftover in ("lamps.csv", "film.csv"):
-            (self.folder / leftover).unlink()
 
 
 class Book:
@@ -204,8 +213,8 @@ class Book:
                 examples[name] = text
         page = "candelabra-stdlib.7.html"
         parts = ["<p>The files of the standard library and the macros in them. A scene reads one by "
-                 "<code>#include \"colors.inc\"</code>. In examples of lamps <code>Bulb</code> is a small glowing ball, "
-                 "in those of random numbers <code>Stream</code> is <code>seed(1)</code>.</p>"]
+                 "<code>#include \"colors.inc\"</code>. In examples of lamps <code>Bulb</code> is a small glowing "
+                 "ball, in those of random numbers <code>Stream</code> is <code>seed(1)</code>.</p>"]
         for file in self.all["library"]:
             name = file["file"]
             self.entry(name, "library", f"{page}#{name}", file["about"])
@@ -248,24 +257,42 @@ class Book:
         text = re.sub(r'<table class="(head|foot)">.*?</table>', "", done.stdout, flags=re.S)
         text = re.sub(r"<b>(candelabra[a-z-]*)</b>\((\d)\)|<b>(candelabra[a-z-]*)\((\d)\)</b>",
                       lambda m: '<a href="{0}.{1}.html">{0}({1})</a>'.format(m[1] or m[3], m[2] or m[4]), text)
+        # The name and what it is for become the head of the page. Heads of sections are read better in small letters.
+        text = re.sub(r'<section class="Sh">\s*<h1 class="Sh" id="NAME">.*?</h1>\s*<p class="Pp">(?:\S+ - )?(.*?)'
+                      r"</p>\s*</section>",
+                      lambda m: f"<h1>{html.escape(title)}</h1><p>{m[1][:1].upper()}{m[1][1:]}.</p>",
+                      text, count=1, flags=re.S)
+        text = re.sub(r'(<h1 class="Sh" id="[^"]*"><a[^>]*>)([^<]*)(</a>)',
+                      lambda m: m[1] + sentence(m[2]) + m[3], text)
         for match in re.finditer(r'<h1 class="Sh" id="([^"]*)">.*?>([^<]*)</a>', text):
-            if match[2] not in ("NAME", "SEE ALSO", "DESCRIPTION", "SYNOPSIS"):
-                self.entry(match[2].capitalize(), title, f"{page}.html#{match[1]}", "")
-        self.bodies[page + ".html"] = (title, ["pre", text])
+            if match[2] not in ("See also", "Description", "Synopsis"):
+                self.entry(match[2], title, f"{page}.html#{match[1]}", "")
+        self.bodies[page + ".html"] = (title, ["page", text, page])
 
-    def with_scenes(self, text):
+    def sources(self, page):
+        """The examples of a page as they are written: mandoc keeps no empty lines."""
+        signs = {"e": "\\", "-": "-", "&": "", "(dq": '"', "(aq": "'", "(ti": "~", "(ha": "^", "(ga": "`", "(bu": "*"}
+        for match in re.finditer(r"^\.nf\n(.*?)^\.fi$", (self.made / page).read_text(), flags=re.S | re.M):
+            lines = re.sub(r"^\.(BI?|BR?|IR?) ", "", match[1], flags=re.M)
+            yield re.sub(r"\\(f[A-Z]|\([a-z]{2}|.)", lambda m: signs.get(m[1], ""), lines).rstrip("\n")
+
+    def with_scenes(self, text, page):
         """The page with links in its examples, and a picture behind each whole scene."""
+        sources = list(self.sources(page))
+        if len(sources) != len(re.findall("<pre>", text)):
+            raise ValueError(f"{page} has {len(sources)} examples, its HTML another number")
         files = [(m[1], html.unescape(m[2])) for m in
                  re.finditer(r"Save this as[^<]*<b>([a-z_.]+)</b>.*?<pre>(.*?)</pre>", text, flags=re.S)]
 
-        def block(match):
-            code = html.unescape(match.group(1).replace("<br/>\n", "").replace("<br/>", ""))
-            result = f"<pre>{self.linked(code)}</pre>"
+        def block():
+            code = sources.pop(0)
+            plain = re.match(r"candelabra |error|warning", code) or not re.search(r"[{#]", code)
+            result = f"<pre>{html.escape(code) if plain else self.linked(code)}</pre>"
             if code.startswith("#version") and "camera" in code:
                 picture = self.pictures.add(code, (400, 300), files)
                 result += f'</div><div><img class="scene" src="{picture}" alt="" width="400" height="300">'
             return result
-        return re.sub(r"<pre>(.*?)</pre>", block, text, flags=re.S)
+        return re.sub(r"<pre>.*?</pre>", lambda _: block(), text, flags=re.S)
 
     # ---- writing
 
@@ -313,8 +340,8 @@ class Book:
             '</ul><h2>Look it up</h2><ul><li><a href="candelabra-stdlib.7.html">The library</a>: every macro with an '
             "example</li>" + links(reference) + "</ul>"])
         for address, (title, parts) in self.bodies.items():
-            if parts[0] == "pre":
-                body = self.with_scenes(parts[1])
+            if parts[0] == "page":
+                body = self.with_scenes(*parts[1:])
             else:
                 body = f"<h1>{html.escape(title)}</h1>" + "\n".join(self.part(part) for part in parts)
             (self.folder / address).write_text(

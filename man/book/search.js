@@ -30,6 +30,9 @@ function show() {
     }
 }
 
+// index.html?search=sphere
+field.value = new URLSearchParams(location.search).get("search") ?? "";
+show();
 field.addEventListener("input", show);
 document.addEventListener("keydown", event => {
     if (event.key === "/" && document.activeElement !== field) {
