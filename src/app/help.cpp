@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "app/library_guide.h"
 #include "app/library_manual.h"
 #include "bind/object_functions.h"
+#include "editor/library_guide.h"
 #include "editor/textmate.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"

@@ -3,7 +3,7 @@
 // itself and the macros that are meant for scenes.
 #pragma once
 
-#include "app/library_guide.h"
+#include "editor/library_guide.h"
 #include "vocabulary/manual.h"
 
 #include <string>

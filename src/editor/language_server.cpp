@@ -4,6 +4,7 @@
 #include "editor/hover.h"
 #include "editor/layout.h"
 #include "editor/renaming.h"
+#include "editor/signatures.h"
 #include "editor/suggestions.h"
 #include "editor/swatches.h"
 
@@ -34,6 +35,7 @@ constexpr auto methods = std::array{
     Method{"textDocument/didClose", &LanguageServer::did_close},
     Method{"textDocument/hover", &LanguageServer::hover, true},
     Method{"textDocument/completion", &LanguageServer::completion, true},
+    Method{"textDocument/signatureHelp", &LanguageServer::signature_help, true},
     Method{"textDocument/definition", &LanguageServer::definition, true},
     Method{"textDocument/references", &LanguageServer::references, true},
     Method{"textDocument/rename", &LanguageServer::rename, true},
@@ -193,6 +195,7 @@ Json LanguageServer::initialize(Parameters&) {
              {{"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
               {"hoverProvider", true},
               {"completionProvider", {{"triggerCharacters", {"#", "\""}}}},
+              {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
               {"definitionProvider", true},
               {"referencesProvider", true},
               {"renameProvider", true},
@@ -283,6 +286,23 @@ Json LanguageServer::completion(Parameters& parameters) {
                          {"sortText", order}});
     }
     return items;
+}
+
+Json LanguageServer::signature_help(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    const auto found = signature_at(workspace_, file->path, offset);
+    if (!found) return nullptr;
+    Json names = Json::array();
+    for (const std::string& each : found->parameters) names.push_back({{"label", each}});
+    return {{"signatures",
+             {{{"label", found->label},
+               {"documentation", found->help},
+               {"parameters", std::move(names)},
+               {"activeParameter", found->active}}}},
+            {"activeSignature", 0},
+            {"activeParameter", found->active}};
 }
 
 Json LanguageServer::definition(Parameters& parameters) {

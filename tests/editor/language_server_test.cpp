@@ -58,6 +58,7 @@ TEST_CASE("an editor's requests are answered") {
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "R"}})["changes"][client.uri].size() == 2);
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "box"}})["message"] ==
           "`box` is a word of the language");
+    CHECK(client.ask_at("signatureHelp", 0, 0) == nullptr);
     CHECK(client.ask_at("documentSymbol", 0, 0)[0]["name"] == "Size");
     CHECK(client.ask_at("documentColor", 0, 0)[0]["color"]["red"].get<double>() == Approx(1));
     const Json place = {{"start", {{"line", 2}, {"character", 27}}},

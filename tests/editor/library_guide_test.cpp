@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/library_guide.h"
+#include "editor/library_guide.h"
 
 #include <catch2/catch.hpp>
 
