@@ -53,6 +53,14 @@ function provide(context) {
         new vscode.CompletionItem(each.label, each.kind - 1),
         { detail: each.detail, documentation: each.documentation, sortText: each.sortText }))
     }, "#", '"'),
+    languages.registerSignatureHelpProvider(scenes, { provideSignatureHelp: async (d, p) => {
+      const found = await ask("signatureHelp", at(d, p));
+      return found && Object.assign(new vscode.SignatureHelp(), {
+        signatures: found.signatures.map(each => Object.assign(
+          new vscode.SignatureInformation(each.label, each.documentation),
+          { parameters: each.parameters.map(one => new vscode.ParameterInformation(one.label)) })),
+        activeSignature: found.activeSignature, activeParameter: found.activeParameter });
+    } }, "(", ","),
     languages.registerDefinitionProvider(scenes, { provideDefinition: async (d, p) =>
       list(await ask("definition", at(d, p))).map(location) }),
     languages.registerReferenceProvider(scenes, { provideReferences: async (d, p) =>
