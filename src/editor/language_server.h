@@ -56,6 +56,7 @@ public:
     Json hover(Parameters&);
     Json completion(Parameters&);
     Json signature_help(Parameters&);
+    Json code_actions(Parameters&);
     Json definition(Parameters&);
     Json references(Parameters&);
     Json rename(Parameters&);

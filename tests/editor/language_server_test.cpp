@@ -85,6 +85,25 @@ TEST_CASE("mistakes are published when the editor is silent, and gone when they 
     CHECK(client.answers.at(0)["params"]["diagnostics"].empty());
 }
 
+TEST_CASE("a misspelt word can be changed to what it was taken to be") {
+    Client client;
+    client.open("camera { location -5*z }\nshpere { 0, 1 }\n");
+    client.server.catch_up();
+    const Json mistakes = client.answers.at(0)["params"]["diagnostics"];
+    const Json actions =
+        client.ask_at("codeAction", 1, 2, {{"context", {{"diagnostics", mistakes}}}});
+    REQUIRE(actions.size() == 1);
+    CHECK(actions[0]["title"] == "Change to sphere");
+    const Json& edit = actions[0]["edit"]["changes"][client.uri][0];
+    CHECK(edit["newText"] == "sphere");
+    CHECK(edit["range"]["end"]["character"] == 6);
+    CHECK(client.ask_at("codeAction", 1, 2)["code"] == -32602);
+    CHECK(client.ask_at("codeAction", 1, 2, {{"context", {{"diagnostics", {7}}}}})["code"] ==
+          -32602);
+    CHECK(client.ask_at("codeAction", 1, 2,
+                        {{"context", {{"diagnostics", {Json::object()}}}}})["code"] == -32602);
+}
+
 TEST_CASE("odd messages do no harm") {
     Client client;
     for (const char* message :

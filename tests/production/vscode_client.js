@@ -31,6 +31,7 @@ const vscode = {
   CompletionItem: record("label", "kind"), TextEdit: record("range", "newText"), Color: record("red", "green", "blue", "alpha"),
   ColorInformation: record("range", "color"), ColorPresentation: record("label"),
   DocumentSymbol: record("name", "detail", "kind", "range", "selectionRange"),
+  CodeAction: record("title", "kind"), CodeActionKind: { QuickFix: "quickfix" },
   SignatureHelp: class {}, SignatureInformation: record("label", "documentation"), ParameterInformation: record("label"),
   WorkspaceEdit: class { constructor() { this.all = new Map(); } set(uri, edits) { this.all.set(uri, edits); } },
   window: { showWarningMessage: message => { throw new Error(message); } },
@@ -42,7 +43,8 @@ const vscode = {
   languages: {
     createDiagnosticCollection: () => ({ set: (uri, list) => mistakes.set(uri, list) }),
     registerHoverProvider: collect("hover"), registerCompletionItemProvider: collect("completion"),
-    registerSignatureHelpProvider: collect("signature"), registerDefinitionProvider: collect("definition"), registerReferenceProvider: collect("references"),
+    registerSignatureHelpProvider: collect("signature"), registerCodeActionsProvider: collect("actions"),
+    registerDefinitionProvider: collect("definition"), registerReferenceProvider: collect("references"),
     registerRenameProvider: collect("rename"), registerDocumentSymbolProvider: collect("symbols"),
     registerDocumentFormattingEditProvider: collect("format"), registerColorProvider: collect("colour"),
   },
@@ -73,6 +75,9 @@ function type(now) {
   assert.strictEqual(mistakes.get(uri)[0].severity, 0);
   const { start } = mistakes.get(uri)[0].range;
   assert.deepStrictEqual([start.line, start.character], [1, 22]);
+  const [action] = await providers.actions.provideCodeActions(open, mistakes.get(uri)[0].range,
+                                                               { diagnostics: mistakes.get(uri) });
+  assert.deepStrictEqual(action.edit.all.get(uri).map(e => e.newText), ["Size"]);
   type("#declare Size = 2;\nsphere { 0, Size pigment { rgb <1, 0.5, 0> } }\n");
   await until("no mistake", () => !mistakes.get(uri).some(d => d.severity === 0));
   const on = new Position(1, 13);

@@ -61,6 +61,20 @@ function provide(context) {
           { parameters: each.parameters.map(one => new vscode.ParameterInformation(one.label)) })),
         activeSignature: found.activeSignature, activeParameter: found.activeParameter });
     } }, "(", ","),
+    languages.registerCodeActionsProvider(scenes, { provideCodeActions: async (d, r, context) => {
+      const diagnostics = context.diagnostics.map(each => ({ range: { start: place(each.range.start),
+        end: place(each.range.end) }, message: each.message }));
+      const found = list(await ask("codeAction", { textDocument: document(d), context: { diagnostics },
+        range: { start: place(r.start), end: place(r.end) } }));
+      return found.map(each => {
+        const made = new vscode.CodeAction(each.title, vscode.CodeActionKind.QuickFix);
+        made.edit = new vscode.WorkspaceEdit();
+        for (const uri of Object.keys(each.edit.changes))
+          made.edit.set(vscode.Uri.parse(uri), each.edit.changes[uri].map(edit));
+        made.isPreferred = each.isPreferred;
+        return made;
+      });
+    } }),
     languages.registerDefinitionProvider(scenes, { provideDefinition: async (d, p) =>
       list(await ask("definition", at(d, p))).map(location) }),
     languages.registerReferenceProvider(scenes, { provideReferences: async (d, p) =>
