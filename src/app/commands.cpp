@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <unistd.h>
 
@@ -87,6 +88,16 @@ struct Command {
     std::string_view help;
 };
 
+/// `describe --json library` is `--describe json library`.
+int describe(std::span<const std::string_view> arguments, const Console& console) {
+    std::vector<std::string_view> words = {"--describe"};
+    for (std::string_view word : arguments) {
+        if (word.starts_with("--")) word.remove_prefix(2);
+        words.push_back(word);
+    }
+    return run(words, console);
+}
+
 constexpr auto commands = std::to_array<Command>({
     {"merge", merge,
      "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
@@ -95,6 +106,11 @@ constexpr auto commands = std::to_array<Command>({
      "usage: candelabra fmt [--check] [file ...]\n"
      "Lays scenes out; without files, standard input to standard output. --check only names the\n"
      "files that it would change; candelabra-fmt(1) says more.\n"},
+    {"describe", describe,
+     "usage: candelabra describe [--json | --roff] [part]\n"
+     "Says what the language, the options and the library have, for programs as JSON. The parts:\n"
+     "items, functions, glossary, library, macros, options, compatibility, missing, words and\n"
+     "warnings; without one, all of it as JSON, or the items as text.\n"},
     {"lsp",
      [](std::span<const std::string_view>, const Console& console) {
          // Scenes have a smaller limit of their own (editor/checking.h).

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "app/library_guide.h"
+#include "app/library_manual.h"
 #include "bind/object_functions.h"
+#include "editor/library_guide.h"
 #include "editor/textmate.h"
 #include "scene/catalogue.h"
 #include "text/ascii.h"
@@ -217,6 +218,15 @@ std::vector<ManualEntry> library_entries(const std::string& folder) {
     return result;
 }
 
+/// What POV-Ray has and this version lacks.
+std::vector<ManualEntry> missing_entries() {
+    std::vector<ManualEntry> result;
+    for (ManualEntry& entry : glossary_entries())
+        if (entry.help.find("not available") != std::string::npos)
+            result.push_back(std::move(entry));
+    return result;
+}
+
 std::vector<ManualEntry> warning_entries() {
     std::vector<ManualEntry> result;
     for (const FaultInfo& fault : all_faults())
@@ -288,6 +298,7 @@ std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
            "       candelabra fmt [--check] [file ...]\n"
+           "       candelabra describe [--json] [part]\n"
            "       candelabra lsp\n"
            "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"
            "candelabra --help lists the options; candelabra-scene(5) describes the language.\n";
@@ -326,6 +337,8 @@ std::string description(std::string_view part, ManualForm form, const std::strin
     if (part == "functions") return manual(function_entries(), form);
     if (part == "glossary") return manual(glossary_entries(), form);
     if (part == "library") return manual(library_entries(library), form);
+    if (part == "macros") return library_manual(library_guide(library), form);
+    if (part == "missing") return manual(missing_entries(), form);
     if (part == "words") return words(form);
     if (part == "warnings") return manual(warning_entries(), form);
     if (part == "textmate") return textmate_grammar();
@@ -333,8 +346,8 @@ std::string description(std::string_view part, ManualForm form, const std::strin
         diagnostics.add(
             error(Fault::option, {},
                   message("there is nothing called `", printable(part), "` to describe"))
-                .with_help("items, functions, glossary, library, options, compatibility, words, "
-                           "warnings or textmate"));
+                .with_help("items, functions, glossary, library, macros, options, compatibility, "
+                           "missing, words, warnings or textmate"));
         return {};
     }
     if (form != ManualForm::json) return manual(catalogue(), form);
@@ -343,7 +356,10 @@ std::string description(std::string_view part, ManualForm form, const std::strin
                        {"options", json_options(true)},
                        {"words", json_words()}};
     all["functions"] = OrderedJson::parse(manual(function_entries(), form));
+    all["glossary"] = OrderedJson::parse(manual(glossary_entries(), form));
     all["groups"] = OrderedJson::parse(manual(catalogue(), form));
+    all["library"] = OrderedJson::parse(library_manual(library_guide(library), form));
+    all["warnings"] = OrderedJson::parse(manual(warning_entries(), form));
     return all.dump(2) + "\n";
 }
 

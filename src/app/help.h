@@ -23,8 +23,9 @@ ManualEntry manual_entry(const OptionRow&);
 /// of the library or a macro in it. Reports unknown topics. `library`: its folder, or "".
 std::string help_text(std::string_view topic, const std::string& library, Diagnostics&);
 
-/// Tables for the manual and for editors. Part: items, functions, glossary, library, options,
-/// compatibility, words, warnings, textmate (a grammar), or nothing for items (in JSON: for all).
+/// Tables for the manual and for editors. Part: items, functions, glossary, library (all of it),
+/// macros (of the library, those for scenes), options, compatibility, missing, words, warnings,
+/// textmate (a grammar), or nothing for items (in JSON: for all).
 std::string description(std::string_view part, ManualForm, const std::string& library,
                         Diagnostics&);
 

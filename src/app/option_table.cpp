@@ -302,7 +302,8 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "version", nothing, "", store::version, "name and version"),
     option("", "", "describe", maybe_words, "form part", store::describe,
            "options and vocabulary as text, roff or json; part: items, functions, glossary, "
-           "library, options, compatibility, words, warnings or textmate (a grammar)"),
+           "library, macros, options, compatibility, missing, words, warnings or textmate (a "
+           "grammar)"),
     option("", "", "completion", value, "shell", store::completion,
            "prints what completes options in bash, zsh or fish"),
     accepted("D", "Display", sign_and_value, "", "accepted without effect: no preview is shown"),

@@ -44,6 +44,14 @@ const std::string* load_font(Binder& binder, const std::string& name, Span span)
             return keep(std::move(found->text));
     for (const std::string& spelling : {name, name + ".ttf"})
         if (auto found = system_font(spelling)) return keep(std::move(*found));
+    for (const char* other : fonts_like(name))
+        if (auto found = system_font(other)) {
+            binder.evaluator.report(
+                warning(Fault::unknown_name, span,
+                        message("there is no font `", name, "`: `", other, "` stands in for it"))
+                    .with_help("POV-Ray's fonts are in Debian's package fonts-povray"));
+            return keep(std::move(*found));
+        }
     binder.evaluator.report(evaluator.loader().problem(name, span, FileKind::data, directory));
     return nullptr;
 }

@@ -2,6 +2,7 @@
 #include "editor/hover.h"
 
 #include "bind/object_functions.h"
+#include "editor/library_guide.h"
 #include "scene/catalogue.h"
 #include "text/message.h"
 #include "vocabulary/glossary.h"
@@ -86,12 +87,25 @@ std::string comment_above(std::string_view text, std::size_t offset) {
     return comment;
 }
 
-std::string name_help(const Workspace::Found& found) {
+/// What the library says of one of its macros, in front of the name of its file; or nothing.
+std::string library_help(const EditedFile& file, std::string_view name) {
+    const LibraryFile library = library_file({}, file.text);
+    const LibraryMacro* const macro = find_macro(library, name);
+    if (!macro || macro->help.empty()) return {};
+    return message(fenced(macro->form), macro->help, "\n\n");
+}
+
+std::string name_help(Workspace& workspace, const Workspace::Found& found) {
     const EditedFile& file = *found.file;
     const std::uint32_t place = found.declaration->place.first;
-    const std::string comment = comment_above(file.text, place);
-    return message(fenced(line_at(file.text, place)), comment, comment.empty() ? "" : "\n", "in `",
-                   file.path.substr(file.path.rfind('/') + 1), "`");
+    std::string text;
+    if (found.declaration->kind == DeclaredName::macro && workspace.in_library(file.path))
+        text = library_help(file, workspace.names().spelling(found.declaration->name));
+    if (text.empty()) {
+        const std::string comment = comment_above(file.text, place);
+        text = message(fenced(line_at(file.text, place)), comment, comment.empty() ? "" : "\n");
+    }
+    return message(text, "in `", file.path.substr(file.path.rfind('/') + 1), "`");
 }
 
 }  // namespace
@@ -121,7 +135,7 @@ std::optional<Hover> hover(Workspace& workspace, const std::string& path, std::u
     std::string text;
     if (token->kind == TokenKind::name) {
         const auto found = workspace.declarations(NameId(token->value), path, offset);
-        if (!found.empty()) text = name_help(found.front());
+        if (!found.empty()) text = name_help(workspace, found.front());
     }
     if (text.empty()) text = word_help(*file, *token, workspace.names());
     if (text.empty()) return std::nullopt;

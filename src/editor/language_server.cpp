@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/language_server.h"
 
+#include "editor/corrections.h"
 #include "editor/hover.h"
 #include "editor/layout.h"
 #include "editor/renaming.h"
+#include "editor/signatures.h"
 #include "editor/suggestions.h"
 #include "editor/swatches.h"
 
@@ -34,6 +36,8 @@ constexpr auto methods = std::array{
     Method{"textDocument/didClose", &LanguageServer::did_close},
     Method{"textDocument/hover", &LanguageServer::hover, true},
     Method{"textDocument/completion", &LanguageServer::completion, true},
+    Method{"textDocument/signatureHelp", &LanguageServer::signature_help, true},
+    Method{"textDocument/codeAction", &LanguageServer::code_actions, true},
     Method{"textDocument/definition", &LanguageServer::definition, true},
     Method{"textDocument/references", &LanguageServer::references, true},
     Method{"textDocument/rename", &LanguageServer::rename, true},
@@ -193,6 +197,8 @@ Json LanguageServer::initialize(Parameters&) {
              {{"textDocumentSync", {{"openClose", true}, {"change", 1}, {"save", true}}},
               {"hoverProvider", true},
               {"completionProvider", {{"triggerCharacters", {"#", "\""}}}},
+              {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
+              {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
               {"definitionProvider", true},
               {"referencesProvider", true},
               {"renameProvider", true},
@@ -283,6 +289,50 @@ Json LanguageServer::completion(Parameters& parameters) {
                          {"sortText", order}});
     }
     return items;
+}
+
+Json LanguageServer::signature_help(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    if (!file) return nullptr;
+    const std::uint32_t offset = parameters.place(file->text, {"position"});
+    const auto found = signature_at(workspace_, file->path, offset);
+    if (!found) return nullptr;
+    Json names = Json::array();
+    for (const std::string& each : found->parameters) names.push_back({{"label", each}});
+    return {{"signatures",
+             {{{"label", found->label},
+               {"documentation", found->help},
+               {"parameters", std::move(names)},
+               {"activeParameter", found->active}}}},
+            {"activeSignature", 0},
+            {"activeParameter", found->active}};
+}
+
+Json LanguageServer::code_actions(Parameters& parameters) {
+    const FileHandle file = open_file(parameters);
+    const Json mistakes = parameters.objects({"context", "diagnostics"});
+    if (!file || !parameters.problem().empty()) return nullptr;
+    Json actions = Json::array();
+    for (const Json& each : mistakes) {
+        Parameters mistake(each);
+        const Part place = mistake.range(file->text, "range");
+        const std::string text = mistake.text({"message"});
+        if (!mistake.problem().empty()) {
+            parameters.refuse(mistake.problem());
+            return nullptr;
+        }
+        const auto better = correction(text, file->part(place));
+        if (!better) continue;
+        Json edit = {{"changes", Json::object()}};
+        edit["changes"][uri_of(file->path)] =
+            Json::array({{{"range", range_of(file->text, place)}, {"newText", *better}}});
+        actions.push_back({{"title", message("Change to ", *better)},
+                           {"kind", "quickfix"},
+                           {"diagnostics", Json::array({each})},
+                           {"isPreferred", true},
+                           {"edit", std::move(edit)}});
+    }
+    return actions;
 }
 
 Json LanguageServer::definition(Parameters& parameters) {

@@ -55,6 +55,8 @@ public:
     Json did_close(Parameters&);
     Json hover(Parameters&);
     Json completion(Parameters&);
+    Json signature_help(Parameters&);
+    Json code_actions(Parameters&);
     Json definition(Parameters&);
     Json references(Parameters&);
     Json rename(Parameters&);

@@ -3,6 +3,8 @@
 
 #include "text/message.h"
 
+#include <algorithm>
+
 namespace candelabra {
 
 namespace {
@@ -43,6 +45,14 @@ std::string Parameters::text(Way way) {
     if (found && found->is_string()) return found->get<std::string>();
     wrong(way, "a string");
     return {};
+}
+
+Json Parameters::objects(Way way) {
+    const Json* const found = find(way);
+    const auto is_object = [](const Json& each) { return each.is_object(); };
+    if (found && found->is_array() && std::ranges::all_of(*found, is_object)) return *found;
+    wrong(way, "a list of objects");
+    return Json::array();
 }
 
 std::string Parameters::document() {

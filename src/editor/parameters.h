@@ -29,6 +29,8 @@ public:
     Part range(std::string_view text, const char* name);
     /// A channel of a colour, from 0 to 1.
     double channel(Way);
+    /// A list of objects; anything else is a problem, and gives an empty one.
+    Json objects(Way);
     /// The text of the last of `contentChanges`, each of which is the whole document.
     std::string changed_text();
 

@@ -3,7 +3,10 @@
 
 #include "bind/object_functions.h"
 #include "editor/hover.h"
+#include "editor/library_guide.h"
 #include "scene/catalogue.h"
+#include "text/ascii.h"
+#include "vocabulary/glossary.h"
 #include "vocabulary/manual.h"
 
 #include <algorithm>
@@ -38,15 +41,37 @@ public:
             }
     }
 
+    /// Words of no item that a block takes beside its own: what holds for all objects, for textures
+    /// and so on.
+    void add_common_words(std::string_view block) {
+        for (const auto& [blocks, words] : common_words)
+            if (names_word(blocks, block) || (blocks == object_blocks && is_shape(block)))
+                for (std::string_view rest = words; !rest.empty();) add_word(take_until(rest, " "));
+    }
+
+    /// What stands in no block: the shapes, and what else a scene is made of.
+    void add_statements() {
+        for (std::string_view rest = statements; !rest.empty();) add_word(take_until(rest, " "));
+        add_shapes();
+    }
+
+    void add_shapes() {
+        for (const ItemGroup& group : catalogue())
+            if (group.name == "Shapes")
+                for (const ItemInfo* item : group.items) add_item(*item, group.block);
+    }
+
+    /// Names of the file itself, then those of others, at last those of the library.
     void add_names(Workspace& workspace, const std::string& path) {
-        for (const FileHandle& file : workspace.around(path))
-            for (const DeclaredName& each : file->declarations) {
-                if (each.local && file->path != path) continue;
-                const bool macro = each.kind == DeclaredName::macro;
-                add({std::string(workspace.names().spelling(each.name)),
-                     macro ? Suggestion::macro : Suggestion::name,
-                     file->path.substr(file->path.rfind('/') + 1), ""});
-            }
+        const std::vector<FileHandle> files = workspace.around(path);
+        for (const FileHandle& file : files)
+            if (file->path == path) add_own_names(*file, workspace.names(), true);
+        for (const FileHandle& file : files)
+            if (file->path != path && !workspace.in_library(file->path))
+                add_own_names(*file, workspace.names(), false);
+        for (const FileHandle& file : files)
+            if (file->path != path && workspace.in_library(file->path))
+                add_library_names(*file, workspace.names());
     }
 
     void add_words() {
@@ -75,6 +100,86 @@ public:
     std::vector<Suggestion> take() { return std::move(all_); }
 
 private:
+    static constexpr std::string_view object_blocks = "object union merge intersection difference";
+    static constexpr std::string_view moves = "translate rotate scale matrix transform";
+    static constexpr std::pair<std::string_view, std::string_view> common_words[] = {
+        {object_blocks,
+         "pigment finish texture normal interior material translate rotate scale matrix transform "
+         "no_shadow no_image no_reflection no_radiosity no_luminaire hollow inverse "
+         "double_illuminate clipped_by bounded_by interior_texture uv_mapping photons"},
+        {"texture", "pigment normal finish texture_map uv_mapping no_bump_scale"},
+        {"material", "texture interior interior_texture"},
+        {"pigment",
+         "rgb rgbt rgbf rgbft srgb color_map pigment_map uv_mapping turbulence warp quick_color"},
+        {"normal", "normal_map slope_map bump_size uv_mapping turbulence warp no_bump_scale"},
+        {"texture pigment normal camera light_source material sky_sphere", moves},
+    };
+    static constexpr std::string_view statements =
+        "camera light_source object union difference intersection merge plane sky_sphere "
+        "background "
+        "fog global_settings light_group";
+
+    static bool names_word(std::string_view list, std::string_view word) {
+        while (!list.empty())
+            if (take_until(list, " ") == word) return true;
+        return false;
+    }
+
+    static bool is_shape(std::string_view block) {
+        for (const ItemGroup& group : catalogue())
+            if (group.name == "Shapes")
+                for (const ItemInfo* item : group.items)
+                    if (item->name == block) return true;
+        return false;
+    }
+
+    /// A word of the glossary, or of an item.
+    void add_word(std::string_view word) {
+        if (const GlossaryEntry* entry = glossary_entry(word)) {
+            add({std::string(word), Suggestion::word, std::string(entry->form),
+                 std::string(entry->help)});
+            return;
+        }
+        for (const ItemGroup& group : catalogue())
+            for (const ItemInfo* item : group.items)
+                if (item->name == word && group.block.empty()) add_item(*item, group.block);
+        add({std::string(word), Suggestion::word, "", ""});
+    }
+
+    void add_own_names(const EditedFile& file, const Names& names, bool locals) {
+        const LibraryFile guide = library_file({}, file.text);
+        for (const DeclaredName& each : file.declarations)
+            if (locals || !each.local) add_name(file, each, names, guide);
+    }
+
+    /// Aids of the library, whose names end in `_` or are no macros for scenes, are left out.
+    void add_library_names(const EditedFile& file, const Names& names) {
+        const LibraryFile guide = library_file(file_name(file), file.text);
+        for (const DeclaredName& each : file.declarations) {
+            const std::string_view name = names.spelling(each.name);
+            if (each.local || name.ends_with('_') || name.ends_with("_Temp")) continue;
+            const LibraryMacro* const macro = find_macro(guide, name);
+            if (each.kind != DeclaredName::macro || (macro && macro->listed))
+                add_name(file, each, names, guide);
+        }
+    }
+
+    void add_name(const EditedFile& file, const DeclaredName& each, const Names& names,
+                  const LibraryFile& guide) {
+        const std::string_view name = names.spelling(each.name);
+        if (each.kind != DeclaredName::macro) {
+            add({std::string(name), Suggestion::name, file_name(file), ""});
+            return;
+        }
+        const LibraryMacro* const macro = find_macro(guide, name);
+        add({std::string(name), Suggestion::macro, macro ? macro->form : file_name(file),
+             macro ? macro->help : ""});
+    }
+
+    static std::string file_name(const EditedFile& file) {
+        return file.path.substr(file.path.rfind('/') + 1);
+    }
+
     void add_item(const ItemInfo& item, std::string_view block) {
         add({std::string(item.name), Suggestion::item, usage(item, block), std::string(item.help)});
     }
@@ -82,6 +187,11 @@ private:
     std::vector<Suggestion> all_;
     std::unordered_set<std::string> known_;
 };
+
+bool gathers_objects(std::string_view block) {
+    return block == "object" || block == "union" || block == "merge" || block == "intersection" ||
+           block == "difference" || block == "light_group";
+}
 
 }  // namespace
 
@@ -100,8 +210,14 @@ std::vector<Suggestion> suggestions(Workspace& workspace, const std::string& pat
                directive.find_first_not_of("abcdefghijklmnopqrstuvwxyz", 1) == directive.npos) {
         result.add_directives();
     } else {
-        for (const NameId block : blocks_around(*file, offset))
+        const std::vector<NameId> blocks = blocks_around(*file, offset);
+        for (const NameId block : blocks) {
             result.add_block(workspace.names().spelling(block));
+            result.add_common_words(workspace.names().spelling(block));
+        }
+        if (blocks.empty()) result.add_statements();
+        if (!blocks.empty() && gathers_objects(workspace.names().spelling(blocks.front())))
+            result.add_shapes();
         result.add_names(workspace, path);
         result.add_words();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a word that is being typed may go on: what the block around it takes, names that the files
-// declare, words of the language; behind # directives, in the quotes of #include files.
+// How a word that is being typed may go on: what the block around it takes, names of the scene's
+// own files, names of the library that are for scenes, words of the language; behind # directives,
+// in the quotes of #include files.
 #pragma once
 
 #include "editor/workspace.h"

@@ -35,4 +35,15 @@ std::optional<std::string> system_font(const std::string& file_name) {
     return std::nullopt;
 }
 
+std::span<const char* const> fonts_like(std::string_view file_name) {
+    static constexpr const char* serif[] = {"LiberationSerif-Regular.ttf", "DejaVuSerif.ttf"};
+    static constexpr const char* sans[] = {"LiberationSans-Regular.ttf", "DejaVuSans.ttf"};
+    static constexpr const char* mono[] = {"LiberationMono-Regular.ttf", "DejaVuSansMono.ttf"};
+    if (file_name.ends_with(".ttf")) file_name.remove_suffix(4);
+    if (file_name == "timrom") return serif;
+    if (file_name == "cyrvetic") return sans;
+    if (file_name == "crystal") return mono;
+    return {};
+}
+
 }  // namespace candelabra

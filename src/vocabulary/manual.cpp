@@ -172,14 +172,6 @@ std::string text_entry(const ManualEntry& entry) {
     return line + wrapped(entry.help, term_width) + "\n";
 }
 
-/// A paragraph of the source of a manual page: short lines, none of which is taken for a command.
-std::string roff_lines(std::string_view text) {
-    std::string lines = wrapped(roff(text), 0);
-    for (std::size_t at = lines.find("\n."); at != std::string::npos; at = lines.find("\n.", at))
-        lines.insert(at + 1, "\\&");
-    return lines + "\n";
-}
-
 std::string roff_entry(const ManualEntry& entry) {
     return message(".TP\n.B ", roff(entry.term), "\n", roff_lines(entry.help));
 }
@@ -364,6 +356,13 @@ std::string roff(std::string_view text) {
             result += c;
     }
     return result;
+}
+
+std::string roff_lines(std::string_view text) {
+    std::string lines = wrapped(roff(text), 0);
+    for (std::size_t at = lines.find("\n."); at != std::string::npos; at = lines.find("\n.", at))
+        lines.insert(at + 1, "\\&");
+    return lines + "\n";
 }
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {

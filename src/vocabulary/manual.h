@@ -61,6 +61,9 @@ std::string manual(std::span<const ManualEntry>, ManualForm);
 /// The text with whatever roff would take for a command made printable.
 std::string roff(std::string_view text);
 
+/// The same in lines, each ended, of which none is taken for a command either.
+std::string roff_lines(std::string_view text);
+
 /// The text broken between words into lines of at most `width` characters, all but the first
 /// indented.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width = 80);

@@ -25,6 +25,14 @@ TEST_CASE("explanations are results; usage errors are not") {
     CHECK(shell.out.starts_with("Candelabra "));
     CHECK(shell({"--describe", "json"}) == 0);
     CHECK(nlohmann::json::parse(shell.out)["groups"].size() > 3);
+    const std::string all = shell.out;
+    CHECK(shell({"describe", "--json"}) == 0);
+    CHECK(shell.out == all);
+    CHECK(shell({"describe", "--roff", "missing"}) == 0);
+    CHECK(shell.out.starts_with(".TP\n.B "));
+    CHECK(shell({"describe", "colours"}) == 2);
+    CHECK(shell({"describe", "--help"}) == 0);
+    CHECK(has(shell.out, "usage: candelabra describe"));
     CHECK(shell.err.empty());
 
     CHECK(shell({}) == 2);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/help.h"
 
-#include "app/library_guide.h"
 #include "app/option_table.h"
 #include "bind/object_functions.h"
+#include "editor/library_guide.h"
 #include "scene/catalogue.h"
 #include "support/shell.h"
 #include "text/ascii.h"
@@ -80,8 +80,8 @@ TEST_CASE("topics are items, groups, functions and options") {
 }
 
 TEST_CASE("descriptions exist in all parts and forms") {
-    for (const char* part :
-         {"", "items", "functions", "glossary", "library", "options", "compatibility", "words"}) {
+    for (const char* part : {"", "items", "functions", "glossary", "library", "macros", "options",
+                             "compatibility", "words"}) {
         for (const ManualForm form : {ManualForm::text, ManualForm::roff, ManualForm::json}) {
             CAPTURE(part);
             Diagnostics diagnostics;
@@ -93,6 +93,8 @@ TEST_CASE("descriptions exist in all parts and forms") {
         }
     }
     Diagnostics diagnostics;
+    CHECK(has(description("missing", ManualForm::text, stdlib, diagnostics), "not available"));
+    CHECK(diagnostics.all().empty());
     CHECK(description("colours", ManualForm::text, stdlib, diagnostics).empty());
     CHECK(diagnostics.error_count() == 1);
 }

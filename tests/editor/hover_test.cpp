@@ -24,6 +24,9 @@ TEST_CASE("names show their declaration and the comment above it") {
     CHECK(says(hovering("#include \"colors.inc\"\nsphere { 0, 1 pigment { Orang|e } }"),
                "in `colors.inc`"));
     CHECK(hovering("Nowhe|re").empty());
+    CHECK(hovering("#include \"light_arrays.inc\"\nobject { Light_R|ing(A, 2, 3) }") ==
+          "```pov\nLight_Ring(Lamp, Count, Radius)\n```\naround y, the lamp's +x outwards\n\n"
+          "in `light_arrays.inc`");
 }
 
 TEST_CASE("words show what the vocabulary says of them, in the block that they stand in") {

@@ -58,6 +58,7 @@ TEST_CASE("an editor's requests are answered") {
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "R"}})["changes"][client.uri].size() == 2);
     CHECK(client.ask_at("rename", 2, 13, {{"newName", "box"}})["message"] ==
           "`box` is a word of the language");
+    CHECK(client.ask_at("signatureHelp", 0, 0) == nullptr);
     CHECK(client.ask_at("documentSymbol", 0, 0)[0]["name"] == "Size");
     CHECK(client.ask_at("documentColor", 0, 0)[0]["color"]["red"].get<double>() == Approx(1));
     const Json place = {{"start", {{"line", 2}, {"character", 27}}},
@@ -82,6 +83,25 @@ TEST_CASE("mistakes are published when the editor is silent, and gone when they 
     client.answers.clear();
     client.server.catch_up();
     CHECK(client.answers.at(0)["params"]["diagnostics"].empty());
+}
+
+TEST_CASE("a misspelt word can be changed to what it was taken to be") {
+    Client client;
+    client.open("camera { location -5*z }\nshpere { 0, 1 }\n");
+    client.server.catch_up();
+    const Json mistakes = client.answers.at(0)["params"]["diagnostics"];
+    const Json actions =
+        client.ask_at("codeAction", 1, 2, {{"context", {{"diagnostics", mistakes}}}});
+    REQUIRE(actions.size() == 1);
+    CHECK(actions[0]["title"] == "Change to sphere");
+    const Json& edit = actions[0]["edit"]["changes"][client.uri][0];
+    CHECK(edit["newText"] == "sphere");
+    CHECK(edit["range"]["end"]["character"] == 6);
+    CHECK(client.ask_at("codeAction", 1, 2)["code"] == -32602);
+    CHECK(client.ask_at("codeAction", 1, 2, {{"context", {{"diagnostics", {7}}}}})["code"] ==
+          -32602);
+    CHECK(client.ask_at("codeAction", 1, 2,
+                        {{"context", {{"diagnostics", {Json::object()}}}}})["code"] == -32602);
 }
 
 TEST_CASE("odd messages do no harm") {

@@ -31,6 +31,33 @@ TEST_CASE("what the block takes comes before names, and names before other words
     CHECK(rank("#include \"colors.inc\"\n| ", "Orange") >= 0);
 }
 
+TEST_CASE("the block's words come first, then the scene's names, then the library's") {
+    const std::string text =
+        "#include \"light_arrays.inc\"\n#declare Bulb = 1; #macro Mine(A) A #end sphere { 0, 1 | }";
+    CHECK(rank(text, "pigment") >= 0);
+    CHECK(rank(text, "pigment") < rank(text, "Bulb"));
+    CHECK(rank(text, "no_shadow") < rank(text, "Bulb"));
+    CHECK(rank(text, "translate") < rank(text, "Mine"));
+    CHECK(rank(text, "Bulb") < rank(text, "Light_Ring"));
+    CHECK(rank(text, "Mine") < rank(text, "Light_Ring"));
+    CHECK(rank(text, "Light_Ring") < rank(text, "vrotate"));
+    for (const char* aid : {"Light_Rule", "I_", "Light_Arrays_Inc_Temp", "Light_Column"})
+        CHECK(rank(text, aid) == -1);
+    CHECK(rank("#declare Bulb = 1; |", "camera") < rank("#declare Bulb = 1; |", "Bulb"));
+    CHECK(rank("#declare Bulb = 1; |", "sphere") < rank("#declare Bulb = 1; |", "Bulb"));
+    CHECK(rank("union { |", "sphere") < 60);
+    CHECK(rank("#declare A_ = 1; sphere { | }", "A_") >= 0);
+}
+
+TEST_CASE("a library macro is suggested with its parameters and what it does") {
+    Edited edited("#include \"light_arrays.inc\"\n|");
+    const auto all = suggestions(edited.workspace, edited.path, edited.offset);
+    const auto ring = std::ranges::find(all, "Light_Ring", &Suggestion::text);
+    REQUIRE(ring != all.end());
+    CHECK(ring->detail == "Light_Ring(Lamp, Count, Radius)");
+    CHECK(ring->help == "around y, the lamp's +x outwards");
+}
+
 TEST_CASE("behind # come directives, in the quotes of #include files") {
     CHECK(rank("#dec|", "declare") >= 0);
     CHECK(rank("#dec|", "sphere") == -1);

@@ -65,7 +65,8 @@ PYTHON
 if python3 -c 'import yaml' 2> /dev/null; then with python3 "CITATION.cff" citation; else echo "left out: CITATION.cff (no yaml)"; fi
 with cffconvert "CITATION.cff by its own tool" cffconvert --validate -i "$root/CITATION.cff"
 with node "the extension of VS Code" node "$root/tests/production/vscode_client.js" "$program"
-for page in candelabra.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-merge.1 candelabra-scene.5; do
+for page in candelabra.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-merge.1 candelabra-scene.5 candelabra-lights.7 \
+    candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7; do
     made=$(dirname "$program")/man/$page
     [ -e "$made" ] || { echo "left out: $page (not made yet)"; continue; }
     manual() { [ -z "$(man --warnings -E UTF-8 -l -Tutf8 -Z "$made" 2>&1 > /dev/null)" ]; }

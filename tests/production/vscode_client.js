@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The extension of VS Code, driven with an editor that is made up here: mistakes while typing,
-// hover, completion, definition, renaming, colours and layout come through it.
+// hover, completion, signatures, definition, renaming, colours and layout come through it.
 //   node vscode_client.js PROGRAM
 "use strict";
 const assert = require("assert");
@@ -31,6 +31,8 @@ const vscode = {
   CompletionItem: record("label", "kind"), TextEdit: record("range", "newText"), Color: record("red", "green", "blue", "alpha"),
   ColorInformation: record("range", "color"), ColorPresentation: record("label"),
   DocumentSymbol: record("name", "detail", "kind", "range", "selectionRange"),
+  CodeAction: record("title", "kind"), CodeActionKind: { QuickFix: "quickfix" },
+  SignatureHelp: class {}, SignatureInformation: record("label", "documentation"), ParameterInformation: record("label"),
   WorkspaceEdit: class { constructor() { this.all = new Map(); } set(uri, edits) { this.all.set(uri, edits); } },
   window: { showWarningMessage: message => { throw new Error(message); } },
   workspace: {
@@ -41,6 +43,7 @@ const vscode = {
   languages: {
     createDiagnosticCollection: () => ({ set: (uri, list) => mistakes.set(uri, list) }),
     registerHoverProvider: collect("hover"), registerCompletionItemProvider: collect("completion"),
+    registerSignatureHelpProvider: collect("signature"), registerCodeActionsProvider: collect("actions"),
     registerDefinitionProvider: collect("definition"), registerReferenceProvider: collect("references"),
     registerRenameProvider: collect("rename"), registerDocumentSymbolProvider: collect("symbols"),
     registerDocumentFormattingEditProvider: collect("format"), registerColorProvider: collect("colour"),
@@ -72,6 +75,9 @@ function type(now) {
   assert.strictEqual(mistakes.get(uri)[0].severity, 0);
   const { start } = mistakes.get(uri)[0].range;
   assert.deepStrictEqual([start.line, start.character], [1, 22]);
+  const [action] = await providers.actions.provideCodeActions(open, mistakes.get(uri)[0].range,
+                                                               { diagnostics: mistakes.get(uri) });
+  assert.deepStrictEqual(action.edit.all.get(uri).map(e => e.newText), ["Size"]);
   type("#declare Size = 2;\nsphere { 0, Size pigment { rgb <1, 0.5, 0> } }\n");
   await until("no mistake", () => !mistakes.get(uri).some(d => d.severity === 0));
   const on = new Position(1, 13);
@@ -88,6 +94,11 @@ function type(now) {
   assert(colour.color.red > colour.color.green && colour.color.green > colour.color.blue);
   const texts = await providers.colour.provideColorPresentations(new vscode.Color(0, 0, 1, 1), { document: open, range: colour.range });
   assert.match(texts[0].label, /rgb <0, 0, 1>/);
+  type("#declare V = vrotate(x, y);\n");
+  const help = await providers.signature.provideSignatureHelp(open, new Position(0, 24));
+  assert.match(help.signatures[0].label, /^vrotate\(/);
+  assert.strictEqual(help.activeParameter, 1);
+  assert.strictEqual(help.signatures[0].parameters.length, 2);
   type("union {\nsphere { 0, 1 }\n}\n");
   const [laidOut] = await providers.format.provideDocumentFormattingEdits(open);
   assert(laidOut.newText.includes("    sphere"));

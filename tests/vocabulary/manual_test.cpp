@@ -44,6 +44,11 @@ constexpr std::array groups = {ItemGroup{"Lamps", "All of them.", lamps, "light"
 
 }  // namespace
 
+TEST_CASE("lines of roff are no commands", "[vocabulary]") {
+    CHECK(roff_lines("a-b") == "a\\-b\n");
+    CHECK(roff_lines(std::string(76, 'x') + " ...ends") == std::string(76, 'x') + "\n\\&...ends\n");
+}
+
 TEST_CASE("usage shows how an item is written") {
     CHECK(usage(lamp) ==
           "lamp { centre, power[, hole] [count n] [open] [tint v] [angle n] [font v] }");

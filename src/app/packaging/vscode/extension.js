@@ -53,6 +53,28 @@ function provide(context) {
         new vscode.CompletionItem(each.label, each.kind - 1),
         { detail: each.detail, documentation: each.documentation, sortText: each.sortText }))
     }, "#", '"'),
+    languages.registerSignatureHelpProvider(scenes, { provideSignatureHelp: async (d, p) => {
+      const found = await ask("signatureHelp", at(d, p));
+      return found && Object.assign(new vscode.SignatureHelp(), {
+        signatures: found.signatures.map(each => Object.assign(
+          new vscode.SignatureInformation(each.label, each.documentation),
+          { parameters: each.parameters.map(one => new vscode.ParameterInformation(one.label)) })),
+        activeSignature: found.activeSignature, activeParameter: found.activeParameter });
+    } }, "(", ","),
+    languages.registerCodeActionsProvider(scenes, { provideCodeActions: async (d, r, context) => {
+      const diagnostics = context.diagnostics.map(each => ({ range: { start: place(each.range.start),
+        end: place(each.range.end) }, message: each.message }));
+      const found = list(await ask("codeAction", { textDocument: document(d), context: { diagnostics },
+        range: { start: place(r.start), end: place(r.end) } }));
+      return found.map(each => {
+        const made = new vscode.CodeAction(each.title, vscode.CodeActionKind.QuickFix);
+        made.edit = new vscode.WorkspaceEdit();
+        for (const uri of Object.keys(each.edit.changes))
+          made.edit.set(vscode.Uri.parse(uri), each.edit.changes[uri].map(edit));
+        made.isPreferred = each.isPreferred;
+        return made;
+      });
+    } }),
     languages.registerDefinitionProvider(scenes, { provideDefinition: async (d, p) =>
       list(await ask("definition", at(d, p))).map(location) }),
     languages.registerReferenceProvider(scenes, { provideReferences: async (d, p) =>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/library_guide.h"
+#include "editor/library_guide.h"
 
 #include "text/ascii.h"
 #include "text/loader.h"
@@ -21,7 +21,7 @@ std::string_view first_word(std::string_view text) {
     return text.substr(0, length);
 }
 
-std::string_view without_blanks(std::string_view text) {
+std::string_view trimmed_line(std::string_view text) {
     const std::size_t first = std::min(text.find_first_not_of(" \t\r"), text.size());
     return text.substr(first);
 }
@@ -51,7 +51,7 @@ Header header_of(const std::vector<std::string_view>& lines) {
     for (const std::string_view line : lines) {
         if (!line.starts_with(comment_sign)) break;
         const std::string_view comment = line.substr(comment_sign.size());
-        const std::string_view text = without_blanks(comment);
+        const std::string_view text = trimmed_line(comment);
         const std::size_t indent = comment.size() - text.size();
         if (text.starts_with("SPDX")) continue;
         if (text.empty()) {
@@ -79,7 +79,7 @@ public:
             names_.push_back(word);
             std::size_t length = 0;
             if (behind.starts_with('(')) length = std::min(behind.find(')'), behind.size() - 1) + 1;
-            rest_ = without_blanks(behind.substr(length));
+            rest_ = trimmed_line(behind.substr(length));
         }
     }
 
@@ -104,14 +104,14 @@ std::vector<Definition> definitions_in(const std::vector<std::string_view>& line
     constexpr std::string_view directive = "#macro ";
     std::vector<Definition> result;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string_view line = without_blanks(lines[i]);
+        const std::string_view line = trimmed_line(lines[i]);
         if (!line.starts_with(directive)) continue;
-        const std::string_view rest = without_blanks(line.substr(directive.size()));
+        const std::string_view rest = trimmed_line(line.substr(directive.size()));
         const std::string_view name = first_word(rest);
         if (name.empty() || name.ends_with('_')) continue;
         std::string form(rest.substr(0, std::min(rest.find(')'), rest.size() - 1) + 1));
         for (std::size_t k = i + 1; k < lines.size() && !form.ends_with(')'); ++k) {
-            const std::string_view more = without_blanks(lines[k]);
+            const std::string_view more = trimmed_line(lines[k]);
             append_line(form, more.substr(0, std::min(more.find(')'), more.size() - 1) + 1));
         }
         result.push_back({name, std::move(form), i});
@@ -120,14 +120,14 @@ std::vector<Definition> definitions_in(const std::vector<std::string_view>& line
 }
 
 /// The comment right above a line.
-std::string comment_above(const std::vector<std::string_view>& lines, std::size_t line) {
+std::string comment_of(const std::vector<std::string_view>& lines, std::size_t line) {
     std::size_t first = line;
     while (first > 0 && lines[first - 1].starts_with("// ") &&
            lines[first - 1].find("----") == std::string_view::npos)
         --first;
     std::string text;
     for (; first < line; ++first)
-        append_line(text, without_blanks(lines[first].substr(comment_sign.size())));
+        append_line(text, trimmed_line(lines[first].substr(comment_sign.size())));
     return text;
 }
 
@@ -147,14 +147,26 @@ LibraryFile library_file(std::string name, std::string_view text) {
         const bool known =
             std::ranges::find(file.macros, each.name, &LibraryMacro::name) != file.macros.end();
         if (known) continue;
-        LibraryMacro macro{std::string(each.name), each.form, comment_above(lines, each.line)};
+        LibraryMacro macro{std::string(each.name), each.form, comment_of(lines, each.line)};
         for (const std::string& entry : header.entries) {
             const HeaderEntry said(entry, is_macro);
-            if (said.names(each.name) && !said.text().empty()) macro.help = said.text();
+            if (!said.names(each.name)) continue;
+            macro.listed = true;
+            if (!said.text().empty()) macro.help = said.text();
         }
         file.macros.push_back(std::move(macro));
     }
+    // A file that lists none has its aids under its own name: Chars_Bar in chars.inc.
+    const std::string own = file.name.substr(0, file.name.find('.')) + "_";
+    if (std::ranges::none_of(file.macros, &LibraryMacro::listed))
+        for (LibraryMacro& each : file.macros)
+            each.listed = !same_letters(std::string_view(each.name).substr(0, own.size()), own);
     return file;
+}
+
+const LibraryMacro* find_macro(const LibraryFile& file, std::string_view name) {
+    const auto found = std::ranges::find(file.macros, name, &LibraryMacro::name);
+    return found == file.macros.end() ? nullptr : &*found;
 }
 
 LibraryGuide library_guide(const std::string& folder) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the files of the standard library say about themselves: the comment at their begin, the
-// macros that they define, and what is said of each. For --help and the manual.
+// macros that they define, and what is said of each. For --help, the manual and editors.
 #pragma once
 
 #include <string>
@@ -13,6 +13,9 @@ struct LibraryMacro {
     std::string name;
     std::string form;  ///< Light_Ring(Lamp, Count, Radius)
     std::string help;  ///< may be empty
+    /// For scenes, and not an aid of other macros: named in the comment at the file's begin, or, if
+    /// that names none, not beginning with the file's name.
+    bool listed = false;
 };
 
 struct LibraryFile {
@@ -28,5 +31,8 @@ LibraryGuide library_guide(const std::string& folder);
 
 /// One of them by its text. Macros whose names end in `_` are its own affair and left out.
 LibraryFile library_file(std::string name, std::string_view text);
+
+/// The macro with that name, or null.
+const LibraryMacro* find_macro(const LibraryFile&, std::string_view name);
 
 }  // namespace candelabra

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/library_guide.h"
+#include "editor/library_guide.h"
 
 #include <catch2/catch.hpp>
 
@@ -31,13 +31,17 @@ TEST_CASE("a library file says what its macros do") {
     CHECK(file.about == "Lamps of all kinds.");
     std::string text;
     for (const LibraryMacro& each : file.macros)
-        text += each.name + " | " + each.form + " | " + each.help + "\n";
+        text += each.name + " | " + each.form + " | " + each.help + (each.listed ? "\n" : " -\n");
     CHECK(text ==
           "Ring | Ring(Lamp, Count) | around y, the lamp's +x outwards\n"
           "Red_Lamp | Red_Lamp(Size) | of glass\n"
           "Blue_Lamp | Blue_Lamp(Size, More) | of glass\n"
           "Bare | Bare(A) | Not in the list, but here.\n"
-          "Other | Other() | \n");
+          "Other | Other() |  -\n");
+    const LibraryFile bare =
+        library_file("a.inc", "// About.\n#macro B() 2 #end\n#macro A_Part() 3 #end");
+    CHECK(bare.macros.at(0).listed);
+    CHECK_FALSE(bare.macros.at(1).listed);
 }
 
 TEST_CASE("the guide has the include files in order") {

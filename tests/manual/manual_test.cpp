@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages of the manual that teach: every scene in them renders, every part of a scene fits the
+// scene before it, every command is one, and the example of each library macro works.
+#include "app/options.h"
+#include "editor/library_guide.h"
+#include "support/shell.h"
+#include "text/ascii.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace candelabra {
+
+namespace {
+
+const std::string source = CANDELABRA_SOURCE_DIR;
+
+/// An example in a page: `.\" scene ring.pov` and what stands between .nf and .fi behind it.
+struct Block {
+    std::string kind, name, text;
+};
+
+std::string unescaped(const std::string& line) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] != '\\' || i + 1 == line.size()) {
+            text += line[i];
+            continue;
+        }
+        ++i;
+        if (line[i] == 'e') text += '\\';
+        if (line[i] == '-') text += '-';
+    }
+    return text;
+}
+
+std::vector<Block> blocks_of(const std::string& page) {
+    std::ifstream file(source + "/man/" + page + ".in");
+    REQUIRE(file);
+    std::vector<Block> blocks;
+    const std::string sign = ".\\\" ";
+    std::string line;
+    bool inside = false;
+    while (std::getline(file, line)) {
+        if (line == ".fi") inside = false;
+        if (inside) blocks.back().text += unescaped(line) + "\n";
+        if (line == ".nf") inside = !blocks.empty();
+        if (!line.starts_with(sign) || line.find("SPDX") != std::string::npos) continue;
+        std::istringstream words(line.substr(sign.size()));
+        Block block;
+        words >> block.kind >> block.name;
+        blocks.push_back(block);
+    }
+    return blocks;
+}
+
+/// The mean of all bytes of a PPM file behind its header of three lines.
+double brightness(const std::string& ppm) {
+    std::size_t at = 0;
+    for (int line = 0; line < 3; ++line) at = ppm.find('\n', at) + 1;
+    double sum = 0;
+    for (std::size_t i = at; i < ppm.size(); ++i) sum += static_cast<unsigned char>(ppm[i]);
+    return sum / static_cast<double>(ppm.size() - at);
+}
+
+void check_scene(Shell& shell, const std::string& name) {
+    INFO(name);
+    const int status = shell({shell.path(name), "+W32", "+H24", "--samples", "4",
+                              "+O" + shell.path("out.ppm"), "+FP", "+WT1"});
+    CAPTURE(shell.err);
+    REQUIRE(status == 0);
+    CHECK_FALSE(has(shell.err, "warning"));
+    CHECK(brightness(shell.content("out.ppm")) > 4);
+}
+
+void check_command(const std::string& line) {
+    INFO(line);
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    REQUIRE(words.size() > 1);
+    CHECK(words[0] == "candelabra");
+    const std::vector<std::string_view> arguments(words.begin() + 1, words.end());
+    Diagnostics diagnostics;
+    const Reader reader = [](const std::string&) { return "Input_File_Name=scene.pov\n"; };
+    const Options options = read_options(arguments, diagnostics, reader);
+    CHECK(diagnostics.all().empty());
+    CHECK(options.scene.has_value());
+}
+
+void check_page(const std::string& page, std::size_t scenes) {
+    INFO(page);
+    Shell shell;
+    shell.library = source + "/stdlib";
+    std::string whole;
+    std::size_t count = 0;
+    for (const Block& block : blocks_of(page)) {
+        if (block.kind == "file") shell.write(block.name, block.text);
+        if (block.kind == "scene") {
+            ++count;
+            whole = block.text;
+            shell.write(block.name, whole);
+            check_scene(shell, block.name);
+        }
+        if (block.kind == "fragment") {
+            REQUIRE_FALSE(whole.empty());
+            shell.write("with_fragment.pov", whole + block.text);
+            check_scene(shell, "with_fragment.pov");
+        }
+        if (block.kind == "command") {
+            std::istringstream lines(block.text);
+            for (std::string line; std::getline(lines, line);) check_command(line);
+        }
+    }
+    CHECK(count == scenes);
+}
+
+struct Example {
+    std::string text;   ///< statements, or statements and an expression at the end
+    std::string value;  ///< of the expression, if it has one
+};
+
+std::map<std::string, Example> examples() {
+    std::map<std::string, Example> result;
+    std::ifstream file(source + "/man/examples/macros.txt");
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t bar = line.find(" | ");
+        if (line.starts_with('#') || bar == std::string::npos) continue;
+        const std::string text = line.substr(bar + 3);
+        const std::size_t arrow = text.find(" -> ");
+        result[line.substr(0, bar)] = {text.substr(0, arrow),
+                                       arrow == std::string::npos ? "" : text.substr(arrow + 4)};
+    }
+    return result;
+}
+
+std::vector<double> numbers_of(std::string list) {
+    std::ranges::replace(list, ',', ' ');
+    std::istringstream stream(list);
+    std::vector<double> result;
+    for (double number; stream >> number;) result.push_back(number);
+    return result;
+}
+
+/// The example as a scene that tells the value with #debug.
+std::string script_of(const Example& example, const std::string& file) {
+    const std::string start =
+        "#version 3.7; #include \"" + file +
+        "\"\n#declare Stream = seed(1);\n"
+        "#declare Bulb = sphere { 0, 0.06 pigment { rgb 1 } finish { emission 12 } }\n";
+    if (example.value.empty())
+        return start + (file == "strings.inc" && !has(example.text, "sphere") ? "#debug " : "") +
+               example.text + "\n";
+    const std::size_t count = numbers_of(example.value).size();
+    const std::size_t last = example.text.rfind("; ");
+    const std::size_t cut = last == std::string::npos ? 0 : last + 2;
+    const std::string vector =
+        count > 1 ? example.text.substr(cut) : example.text.substr(cut) + "*<1, 1>";
+    return start + example.text.substr(0, cut) + "\n#debug vstr(" +
+           std::to_string(std::max<std::size_t>(count, 2)) + ", " + vector + ", \",\", 0, 6)\n";
+}
+
+}  // namespace
+
+TEST_CASE("the tutorial's scenes render, and its commands are commands", "[manual]") {
+    check_page("candelabra-tutorial.7", 8);
+}
+
+TEST_CASE("the scenes of the page about lights render", "[manual]") {
+    check_page("candelabra-lights.7", 4);
+}
+
+TEST_CASE("the scenes of the page for those from POV-Ray render", "[manual]") {
+    check_page("candelabra-povray.7", 2);
+}
+
+TEST_CASE("the scene of the library's page renders", "[manual]") {
+    check_page("candelabra-stdlib.7", 1);
+}
+
+TEST_CASE("each macro of the library that is for scenes has help and an example that works",
+          "[manual]") {
+    Shell shell;
+    shell.library = source + "/stdlib";
+    shell.write("lamps.csv", "x,y,z\n-1,0.6,0\n0,1.4,0\n1,0.6,0\n");
+    shell.write("film.csv", "255,0,0,0,255,0,0,0,255\n0,0,255,255,255,0,255,0,0\n");
+    const std::map<std::string, Example> all = examples();
+    std::size_t count = 0;
+    for (const LibraryFile& file : library_guide(shell.library))
+        for (const LibraryMacro& macro : file.macros) {
+            if (!macro.listed) continue;
+            ++count;
+            INFO(macro.name);
+            CHECK_FALSE(macro.help.empty());
+            const auto found = all.find(macro.name);
+            REQUIRE(found != all.end());
+            shell.write("example.pov", script_of(found->second, file.name));
+            const int status = shell({shell.path("example.pov"), "--check", "--warn", "none",
+                                      "--allow-write", shell.folder.string()});
+            CAPTURE(shell.err);
+            CHECK(status == 0);
+            const std::vector<double> wanted = numbers_of(found->second.value);
+            const std::vector<double> told = numbers_of(shell.out + shell.err);
+            for (std::size_t i = 0; i < wanted.size(); ++i) {
+                REQUIRE(i < told.size());
+                CHECK(std::abs(told[i] - wanted[i]) < 1e-4);
+            }
+        }
+    CHECK(count == all.size());
+    CHECK(count > 200);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The book without its pictures: each link leads to a place that there is, and each word of the reference is found.
+book.py PROGRAM. 77: mandoc is missing."""
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+PAGES = ("candelabra.1 candelabra-merge.1 candelabra-fmt.1 candelabra-lsp.1 candelabra-scene.5 candelabra-lights.7 "
+         "candelabra-povray.7 candelabra-stdlib.7 candelabra-tutorial.7").split()
+
+
+def make(program, folder):
+    made = folder / "man"
+    made.mkdir()
+    for page in PAGES:
+        subprocess.run(["cmake", f"-DPROGRAM={program}", "-DVERSION=0", f"-DINPUT={SOURCE}/man/{page}.in",
+                        f"-DOUTPUT={made / page}", "-P", f"{SOURCE}/man/generate.cmake"], check=True)
+    subprocess.run([sys.executable, str(SOURCE / "man" / "book.py"), program, str(made), str(folder / "manual"),
+                    "--without-pictures"], check=True)
+    return folder / "manual"
+
+
+def problems(book):
+    texts = {file.name: file.read_text() for file in book.glob("*.html")}
+    places = {name: set(re.findall(r'\bid="([^"]+)"', text)) for name, text in texts.items()}
+    words = json.loads((book / "words.js").read_text().removeprefix("const words = ").rstrip(";\n"))
+
+    def leads_nowhere(name, address):
+        if address.startswith("http"):
+            return False
+        page, _, place = address.partition("#")
+        page = page or name
+        return page not in texts or (place and place not in places[page])
+
+    for name, text in texts.items():
+        for address in set(re.findall(r'<a [^>]*?href="([^"]+)"', text)):
+            if leads_nowhere(name, address):
+                yield f"{name} leads to {address}"
+    for title, _, address, _ in words:
+        if leads_nowhere("index.html", address):
+            yield f"the search leads {title} to {address}"
+    titles = {entry[0] for entry in words}
+    for word in ("sphere", "bozo", "light_octree", "Light_Ring", "Round_Box", "declare", "vrotate", "media"):
+        if word not in titles:
+            yield f"the search does not find {word}"
+    scenes = len(re.findall(r'class="scene"', texts["candelabra-tutorial.7.html"]))
+    if scenes != 8:
+        yield f"the tutorial has {scenes} pictures"
+    for group in ("shapes", "patterns", "cameras"):
+        bare = re.findall(r'<h2 id="(\w+)">(?:(?!<h2|<img).)*(?=<h2|</main>)', texts[group + ".html"], flags=re.S)
+        for item in bare:
+            if item not in PICTURELESS:
+                yield f"{item} in {group}.html has no picture"
+
+
+# What no pigment shows, and a camera that is a mesh.
+PICTURELESS = {"bump_map", "facets", "material_map", "mesh_camera"}
+
+
+def main():
+    if not shutil.which("mandoc"):
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        found = list(problems(make(sys.argv[1], Path(folder))))
+    for problem in found:
+        print(problem)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
