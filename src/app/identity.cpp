@@ -121,7 +121,12 @@ std::string description(const Identity& identity, int samples) {
     return message(text, " made by: ", fact(identity, std::string(command_mark)));
 }
 
+void note_film(Identity& identity, const FilmSettings& film) {
+    if (film.on) identity.emplace_back("film", to_text(film));
+}
+
 void tell_layers(const Identity& identity, FilmFiles& files) {
+    files.film = film_from_text(fact(identity, "film")).value_or(FilmSettings());
     files.alpha = fact(identity, "alpha") == "yes";
     files.layers = read_layer_list(fact(identity, "layers")).value_or(std::vector<PictureLayer>());
     std::string names = fact(identity, "lights");

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/layers.h"
 
+#include "film/develop.h"
 #include "film/film.h"
 #include "picture/file.h"
 #include "picture/layers.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/source.h"
-#include "transport/aovs.h"
 #include "vocabulary/words.h"
 
 #include <algorithm>
@@ -67,19 +67,36 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
     return first;
 }
 
+/// Of compressed samples.
+Image smooth_image(const Film& film, const FilmFiles& files) {
+    const std::size_t first = files.aovs().first_smooth();
+    const double factor = files.film.exposure_factor();
+    Image image(film.width(), film.height());
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const PixelSum& pixel = film.pixels()[i];
+        const auto sums = film.extra(i).subspan(first, 3);
+        image.pixels[i] = expanded({pixel.mean_of(sums[0].value()), pixel.mean_of(sums[1].value()),
+                                    pixel.mean_of(sums[2].value())},
+                                   factor);
+    }
+    return image;
+}
+
 class LayerWriter {
 public:
     LayerWriter(const Film& film, const FilmFiles& files)
-        : film_(film), files_(files), extras_(aovs_for(files.layers, files.alpha)) {}
+        : film_(film), files_(files), extras_(files.aovs()) {}
 
     LayeredPicture picture() {
         made_.width = film_.width();
         made_.height = film_.height();
         if (!files_.format.description.empty())
             made_.texts.emplace_back("ImageDescription", files_.format.description);
+        if (files_.film.on) made_.texts.emplace_back(film_text_name, to_text(files_.film));
         const Image image = linear(film_.image(), files_.format);
         for (int c = 0; c < 3; ++c) add(rgb[c], [&](std::size_t i) { return image.pixels[i][c]; });
         if (files_.alpha) add("A", [&](std::size_t i) { return 1 - mean(i, 0); });
+        if (extras_.smooth) add_smooth();
         for (const PictureLayer layer : files_.layers) add(layer);
         return std::move(made_);
     }
@@ -102,8 +119,7 @@ private:
     }
 
     double mean(std::size_t pixel, std::size_t which) const {
-        const std::uint32_t samples = film_.pixels()[pixel].samples;
-        return samples == 0 ? 0 : sum(pixel, which) / samples;
+        return film_.pixels()[pixel].mean_of(sum(pixel, which));
     }
 
     void add(PictureLayer layer) {
@@ -132,6 +148,13 @@ private:
             case PictureLayer::shadow_rays:
                 return of_film([](const PixelSum& p) { return p.shadow_rays; });
         }
+    }
+
+    void add_smooth() {
+        const Image image = linear(smooth_image(film_, files_), files_.format);
+        for (int c = 0; c < 3; ++c)
+            add(message(smooth_layer, '.', rgb[static_cast<std::size_t>(c)]),
+                [&](std::size_t i) { return image.pixels[i][c]; });
     }
 
     void add_three(const std::string& name, const std::array<const char*, 3>& channels,
@@ -163,10 +186,20 @@ std::vector<double> alpha_of(const Film& film) {
     std::vector<double> alpha;
     alpha.reserve(film.pixels().size());
     for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-        const std::uint32_t samples = film.pixels()[i].samples;
-        alpha.push_back(samples == 0 ? 0 : 1 - film.extra(i)[0].value() / samples);
+        const PixelSum& pixel = film.pixels()[i];
+        const bool seen = pixel.weight() > 0;
+        alpha.push_back(seen ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0);
     }
     return alpha;
+}
+
+/// With the values that the layers of a file would have.
+Negative negative_of(const Film& film, const FilmFiles& files) {
+    Negative negative{linear(film.image(), files.format), {}, {}};
+    if (files.aovs().smooth) negative.smooth = linear(smooth_image(film, files), files.format);
+    if (files.alpha)
+        for (const double each : alpha_of(film)) negative.alpha.push_back(static_cast<float>(each));
+    return negative;
 }
 
 }  // namespace
@@ -198,9 +231,10 @@ std::string layer_list(std::span<const PictureLayer> layers) {
     return text;
 }
 
-Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha) {
+Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha, bool smooth) {
     Aovs aovs;
     aovs.alpha = alpha;
+    aovs.smooth = smooth;
     for (const PictureLayer layer : layers) {
         aovs.surface |= layer <= PictureLayer::object;
         aovs.lights |= layer == PictureLayer::lights;
@@ -221,17 +255,35 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     return names;
 }
 
+Aovs FilmFiles::aovs() const { return aovs_for(layers, alpha, film.smooths_edges()); }
+
+bool is_developed(const FilmFiles& files) {
+    return files.film.on && files.format.type != PictureType::exr &&
+           files.format.type != PictureType::hdr;
+}
+
+bool write_developed(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    PictureFormat format = files.format;
+    format.gamma = 1;
+    format.encoded = true;
+    return write_picture(develop(negative, files.film, files.threads), files.path, format,
+                         diagnostics, negative.alpha);
+}
+
 std::string layers_path(const FilmFiles& files) {
-    if (files.layers.empty()) return {};
-    if (files.format.type == PictureType::exr) return files.path;
+    const bool exr = files.format.type == PictureType::exr;
+    if (files.layers.empty() && !(exr && files.film.on)) return {};
+    if (exr) return files.path;
     return std::filesystem::path(files.path).replace_extension(".layers.exr").string();
 }
 
 bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     const std::string layers = layers_path(files);
-    if (layers != files.path &&
-        !write_picture(film.image(), files.path, files.format, diagnostics,
-                       files.alpha ? alpha_of(film) : std::vector<double>()))
+    if (is_developed(files)) {
+        if (!write_developed(negative_of(film, files), files, diagnostics)) return false;
+    } else if (layers != files.path &&
+               !write_picture(film.image(), files.path, files.format, diagnostics,
+                              files.alpha ? alpha_of(film) : std::vector<double>()))
         return false;
     if (layers.empty()) return true;
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);

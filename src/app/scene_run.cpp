@@ -101,7 +101,9 @@ private:
 
     /// What becomes of the film, as far as the options say it.
     FilmFiles files_of(const Output& output) const {
-        return {output.path, output.format, options_.alpha, options_.layers, {}};
+        FilmFiles files{output.path, output.format, options_.alpha, options_.layers};
+        files.threads = options_.render.threads;
+        return files;
     }
 
     /// Long work should not end at a missing folder.
@@ -225,9 +227,24 @@ private:
         return Progress(style, seconds_now, out ? console_.out : console_.err, options_.share);
     }
 
+    /// Each picture has grains of its own.
+    FilmSettings film_of_frame(const World& world) const {
+        FilmSettings film = world.view.film;
+        constexpr std::uint32_t most = (1u << 30) - 1;
+        if (film.grain > 0)
+            film.grain_seed =
+                static_cast<int>((static_cast<std::uint32_t>(film.grain_seed) +
+                                  static_cast<std::uint32_t>(options_.render.seed) +
+                                  static_cast<std::uint32_t>(options_.facts.frame_number)) &
+                                 most);
+        return film;
+    }
+
     int render_picture(const World& world, const Output& output) {
         Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
+        files.film = film_of_frame(world);
+        note_film(identity, files.film);
         if (aovs_for(options_.layers, false).lights) {
             files.lights = light_names(world, sources());
             note_lights(identity, files.lights);

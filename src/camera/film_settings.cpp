@@ -114,7 +114,7 @@ const ItemInfo Glare::vocabulary = described<Glare>([] {
           "edges of the aperture: an even number makes as many rays, an odd one twice as many; 0: "
           "it is round and makes none",
           between(0, 64)},
-        F{"rotation", &Glare::rotation, item, "degrees by which the aperture is turned"},
+        F{"angle", &Glare::angle, item, "degrees by which the aperture is turned"},
         F{"length", &Glare::length, item,
           "degrees from a light at which a ray has half its brightness", above(0)},
         F{"field", &Glare::field, item,

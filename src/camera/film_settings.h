@@ -25,7 +25,7 @@ struct Glare {
     double halo = 0.01;   ///< in the ring that the lens of the eye makes
     double star = 0.02;   ///< in the rays that the edges of an aperture make
     int blades = 6;       ///< of the aperture, which have one edge each; below 3: it is round
-    double rotation = 0;  ///< of the aperture, in degrees
+    double angle = 0;     ///< by which the aperture is turned, in degrees
     double length = 0.4;  ///< degrees from a light at which a ray has half its brightness
     double field = 0;     ///< degrees from the left edge of the picture to the right; 0: unknown
 

@@ -11,10 +11,10 @@ namespace candelabra {
 /// Luminance of linear sRGB.
 double srgb_luminance(const Vec3&);
 
-/// In stops. With the exposure E = 2^stops the mean of E L / (1 + E L) over the pixels' luminances L
-/// is that of a grey of 0.18: a bright pixel counts as one at most. A dark picture is made lighter
-/// by less, and by 4 stops at most, so that night stays night: s stops become 4 (1 - exp(-s / 4)).
-/// Never below -20. A pixel that is not a number counts as black.
+/// In stops. With the exposure E = 2^stops the mean of E L / (1 + E L), over the luminances L of
+/// the pixels, is that of a grey of 0.18: a bright pixel counts as one at most. A dark picture is
+/// made lighter by less, and by 4 stops at most, so that night stays night: s stops become
+/// 4 (1 - exp(-s / 4)). Never below -20. A pixel that is not a number counts as black.
 double stops_asked_by(const Image&);
 
 }  // namespace candelabra

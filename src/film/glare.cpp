@@ -121,7 +121,7 @@ GlareKernel::GlareKernel(const Glare& glare, int width, int height, int threads)
     if (glare.blades < 3) glare_.star = 0;
     const int rays = glare.blades % 2 == 0 ? glare.blades : 2 * glare.blades;
     for (int i = 0; i < rays && glare_.star > 0; ++i) {
-        const double turn = (glare.rotation + 90 + 360.0 * i / rays) * radians_per_degree;
+        const double turn = (glare.angle + 90 + 360.0 * i / rays) * radians_per_degree;
         rays_.emplace_back(std::cos(turn), -std::sin(turn));
     }
     const Parts all = sum_rows<Parts>(height, threads, [&](int dy) {

@@ -14,8 +14,8 @@ namespace candelabra {
 /// each channel, the pixel's own among them.
 ///
 /// veil: the parts of the eye's point spread function that fall with the third and the second power
-/// of the angle, in the proportion of G. Spencer et al., "Physically-based glare effects for digital
-/// images" (1995).
+/// of the angle, in the proportion of G. Spencer et al., "Physically-based glare effects for
+/// digital images" (1995).
 /// halo: the ring of the lens's fibres, of the same source, whose radius is in proportion to the
 /// wavelength.
 /// star: far from a light, straight edges diffract light across them with the inverse square of the

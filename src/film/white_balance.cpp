@@ -1,31 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "film/white_balance.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-
 namespace candelabra {
 
 namespace {
 
-using Mat3 = glm::dmat3;
+/// From linear sRGB (IEC 61966-2-1) to CIE XYZ.
+constexpr ColourMatrix srgb_to_xyz{
+    {0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
 
-/// glm counts columns first.
-Mat3 rows(const Vec3& a, const Vec3& b, const Vec3& c) { return glm::transpose(Mat3(a, b, c)); }
+constexpr ColourMatrix bradford{
+    {0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}};
+
+ColourMatrix transposed(const ColourMatrix& m) {
+    return {{m.red.x, m.green.x, m.blue.x},
+            {m.red.y, m.green.y, m.blue.y},
+            {m.red.z, m.green.z, m.blue.z}};
+}
+
+/// First b, then a.
+ColourMatrix product(const ColourMatrix& a, const ColourMatrix& b) {
+    const ColourMatrix columns = transposed(b);
+    return {columns(a.red), columns(a.green), columns(a.blue)};
+}
+
+ColourMatrix inverse(const ColourMatrix& m) {
+    const double volume = dot(m.red, cross(m.green, m.blue));
+    return transposed({cross(m.green, m.blue) / volume, cross(m.blue, m.red) / volume,
+                       cross(m.red, m.green) / volume});
+}
 
 /// Light of luminance 1.
 Vec3 xyz_of(Vec2 chromaticity) {
     const double x = chromaticity.x, y = chromaticity.y;
     return {x / y, 1, (1 - x - y) / y};
-}
-
-/// From linear sRGB (IEC 61966-2-1) to CIE XYZ.
-Mat3 srgb_to_xyz() {
-    return rows({0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505});
-}
-
-Mat3 bradford() {
-    return rows({0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296});
 }
 
 }  // namespace
@@ -42,14 +50,11 @@ Vec2 black_body_chromaticity(double kelvins) {
 
 ColourMatrix white_balance(double kelvins) {
     if (kelvins <= 0) return {};
-    const Mat3 to_xyz = srgb_to_xyz(), to_cones = bradford();
-    const Vec3 light = to_cones * xyz_of(black_body_chromaticity(kelvins));
-    const Vec3 white = to_cones * (to_xyz * Vec3(1));
-    const Vec3 gains = white / light;
-    const Mat3 adapted =
-        rows({gains.x, 0, 0}, {0, gains.y, 0}, {0, 0, gains.z}) * to_cones * to_xyz;
-    const Mat3 made = glm::transpose(glm::inverse(to_cones * to_xyz) * adapted);
-    return {made[0], made[1], made[2]};
+    const ColourMatrix to_cones = product(bradford, srgb_to_xyz);
+    const Vec3 gains = to_cones(Vec3(1)) / bradford(xyz_of(black_body_chromaticity(kelvins)));
+    const ColourMatrix adapted{gains.x * to_cones.red, gains.y * to_cones.green,
+                               gains.z * to_cones.blue};
+    return product(inverse(to_cones), adapted);
 }
 
 }  // namespace candelabra

@@ -29,7 +29,7 @@ TEST_CASE("a kernel has all light, and is the same in opposite directions", "[fi
     for (const int blades : {0, 5, 6}) {
         Glare glare = glare_of(0.3, 0.1, 0.05);
         glare.blades = blades;
-        glare.rotation = 17;
+        glare.angle = 17;
         const GlareKernel kernel(glare, 40, 31);
         Vec3 sum(0);
         for (int dy = -30; dy <= 30; ++dy)
@@ -116,7 +116,7 @@ TEST_CASE("a star has rays by the blades of the aperture", "[film][glare]") {
     const auto rays = [](int blades) {
         Glare glare = glare_of(0, 0, 0.2);
         glare.blades = blades;
-        glare.rotation = 7;
+        glare.angle = 7;
         const GlareKernel kernel(glare, 200, 200);
         int count = 0;
         bool lit = false;
