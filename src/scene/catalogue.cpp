@@ -16,8 +16,8 @@ constexpr auto surface = std::array{
     &Microfacet::vocabulary,   &Subsurface::vocabulary, &Interior::vocabulary};
 constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
-constexpr auto parts_of_cameras =
-    std::array{&MeshRays::vocabulary, &FilmSettings::vocabulary, &Glare::vocabulary};
+constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
+constexpr auto films = std::array{&FilmSettings::vocabulary, &Glare::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
                                      &Radiosity::vocabulary};
@@ -27,10 +27,9 @@ constexpr auto groups = std::array{
     ItemGroup{"Cameras",
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},
-    ItemGroup{
-        "Parts of cameras",
-        "What mesh_camera, film and glare have in braces: camera { film { glare { ... } ... } }.",
-        parts_of_cameras, "camera"},
+    ItemGroup{"Parts of cameras", "What mesh_camera has in braces.", parts_of_cameras, "camera"},
+    ItemGroup{"Films",
+              "What develops the light of a camera: camera { film { glare { ... } ... } }.", films},
     ItemGroup{"Lights",
               "Lights without size. Every object whose finish has emission is a luminaire and "
               "lights the scene as well.",
