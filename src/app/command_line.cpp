@@ -142,6 +142,7 @@ std::string command_line(const Options& options) {
     words.add_given("+MV", options.facts.version);
     add_region(words, options);
     add_film(words, options.render.film);
+    if (options.denoise) words.add("--denoise");
     if (options.alpha) words.add("+UA");
     if (options.file_gamma > 0) words.add("File_Gamma=", options.file_gamma);
     if (!options.layers.empty()) words.add_long("layers", layer_list(options.layers));

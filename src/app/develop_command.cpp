@@ -212,10 +212,13 @@ private:
                         : !known.empty() ? message("there are ", known)
                                          : "");
         }
-        negative.light = std::move(*light);
-        negative.alpha = planes.alpha(layer);
-        if (layer.empty() && film.smooths_edges())
+        const bool quiet = layer == denoised_layer;
+        const std::string all = quiet ? std::string() : layer;
+        negative.light = quiet ? planes.image(all).value_or(*light) : *light;
+        negative.alpha = planes.alpha(all);
+        if (all.empty() && film.smooths_edges())
             negative.smooth = planes.image(std::string(smooth_layer)).value_or(Image());
+        if (quiet) negative = with_less_noise(std::move(negative), std::move(*light));
         return true;
     }
 

@@ -287,6 +287,7 @@ std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
+           "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
            "       candelabra fmt [--check] [file ...]\n"
            "       candelabra lsp\n"
            "Renders a scene written in the manner of POV-Ray, lit by any number of lamps.\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/layers.h"
 
-#include "film/develop.h"
+#include "app/film_images.h"
 #include "film/film.h"
 #include "picture/file.h"
 #include "picture/layers.h"
@@ -67,21 +67,6 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
     return first;
 }
 
-/// Of compressed samples.
-Image smooth_image(const Film& film, const FilmFiles& files) {
-    const std::size_t first = files.aovs().first_smooth();
-    const double factor = files.film.exposure_factor();
-    Image image(film.width(), film.height());
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const PixelSum& pixel = film.pixels()[i];
-        const auto sums = film.extra(i).subspan(first, 3);
-        image.pixels[i] = expanded({pixel.mean_of(sums[0].value()), pixel.mean_of(sums[1].value()),
-                                    pixel.mean_of(sums[2].value())},
-                                   factor);
-    }
-    return image;
-}
-
 class LayerWriter {
 public:
     LayerWriter(const Film& film, const FilmFiles& files)
@@ -97,6 +82,7 @@ public:
         for (int c = 0; c < 3; ++c) add(rgb[c], [&](std::size_t i) { return image.pixels[i][c]; });
         if (files_.alpha) add("A", [&](std::size_t i) { return 1 - mean(i, 0); });
         if (extras_.smooth) add_smooth();
+        if (files_.denoise) add_denoised();
         for (const PictureLayer layer : files_.layers) add(layer);
         return std::move(made_);
     }
@@ -151,9 +137,19 @@ private:
     }
 
     void add_smooth() {
-        const Image image = linear(smooth_image(film_, files_), files_.format);
+        add_image(std::string(smooth_layer), linear(smooth_image(film_, files_), files_.format));
+    }
+
+    void add_denoised() {
+        const QuietPicture quiet = denoised_picture(film_, files_);
+        add_image(std::string(denoised_layer), linear(quiet.light, files_.format));
+        for (std::size_t k = 0; k < quiet.parts.size(); ++k)
+            add_image(message(denoised_layer, ".light.", files_.lights[k]), quiet.parts[k]);
+    }
+
+    void add_image(const std::string& name, const Image& image) {
         for (int c = 0; c < 3; ++c)
-            add(message(smooth_layer, '.', rgb[static_cast<std::size_t>(c)]),
+            add(message(name, '.', rgb[static_cast<std::size_t>(c)]),
                 [&](std::size_t i) { return image.pixels[i][c]; });
     }
 
@@ -181,26 +177,6 @@ private:
     Aovs extras_;
     LayeredPicture made_;
 };
-
-std::vector<double> alpha_of(const Film& film) {
-    std::vector<double> alpha;
-    alpha.reserve(film.pixels().size());
-    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-        const PixelSum& pixel = film.pixels()[i];
-        const bool seen = pixel.weight() > 0;
-        alpha.push_back(seen ? 1 - pixel.mean_of(film.extra(i)[0].value()) : 0);
-    }
-    return alpha;
-}
-
-/// With the values that the layers of a file would have.
-Negative negative_of(const Film& film, const FilmFiles& files) {
-    Negative negative{linear(film.image(), files.format), {}, {}};
-    if (files.aovs().smooth) negative.smooth = linear(smooth_image(film, files), files.format);
-    if (files.alpha)
-        for (const double each : alpha_of(film)) negative.alpha.push_back(static_cast<float>(each));
-    return negative;
-}
 
 }  // namespace
 
@@ -231,10 +207,11 @@ std::string layer_list(std::span<const PictureLayer> layers) {
     return text;
 }
 
-Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha, bool smooth) {
+Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha, const Extras& extras) {
     Aovs aovs;
     aovs.alpha = alpha;
-    aovs.smooth = smooth;
+    aovs.smooth = extras.smooth;
+    aovs.squares = aovs.surface = extras.denoise;
     for (const PictureLayer layer : layers) {
         aovs.surface |= layer <= PictureLayer::object;
         aovs.lights |= layer == PictureLayer::lights;
@@ -255,7 +232,7 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     return names;
 }
 
-Aovs FilmFiles::aovs() const { return aovs_for(layers, alpha, film.smooths_edges()); }
+Aovs FilmFiles::aovs() const { return aovs_for(layers, alpha, {film.smooths_edges(), denoise}); }
 
 bool is_developed(const FilmFiles& files) {
     return files.film.on && files.format.type != PictureType::exr &&
@@ -270,21 +247,44 @@ bool write_developed(const Negative& negative, const FilmFiles& files, Diagnosti
                          diagnostics, negative.alpha);
 }
 
+std::string denoised_path(const FilmFiles& files) {
+    if (!files.denoise || files.format.type == PictureType::exr) return {};
+    const std::filesystem::path path(files.path);
+    std::filesystem::path made = path;
+    return made.replace_extension(".denoised" + path.extension().string()).string();
+}
+
 std::string layers_path(const FilmFiles& files) {
     const bool exr = files.format.type == PictureType::exr;
-    if (files.layers.empty() && !(exr && files.film.on)) return {};
+    if (files.layers.empty() && !(exr && (files.film.on || files.denoise))) return {};
     if (exr) return files.path;
     return std::filesystem::path(files.path).replace_extension(".layers.exr").string();
 }
 
+namespace {
+
+/// The picture alone, in a format without layers.
+bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    if (is_developed(files)) return write_developed(negative, files, diagnostics);
+    return write_picture(negative.light, files.path, files.format, diagnostics, negative.alpha);
+}
+
+bool write_denoised(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
+    FilmFiles beside = files;
+    beside.path = denoised_path(files);
+    Image made = denoised_picture(film, files).light;
+    if (is_developed(files)) made = linear(std::move(made), files.format);
+    return write_flat(with_less_noise(negative_of(film, files), std::move(made)), beside,
+                      diagnostics);
+}
+
+}  // namespace
+
 bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     const std::string layers = layers_path(files);
-    if (is_developed(files)) {
-        if (!write_developed(negative_of(film, files), files, diagnostics)) return false;
-    } else if (layers != files.path &&
-               !write_picture(film.image(), files.path, files.format, diagnostics,
-                              files.alpha ? alpha_of(film) : std::vector<double>()))
+    if (layers != files.path && !write_flat(negative_of(film, files), files, diagnostics))
         return false;
+    if (!denoised_path(files).empty() && !write_denoised(film, files, diagnostics)) return false;
     if (layers.empty()) return true;
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
     return bytes && write_file(layers, *bytes, diagnostics);

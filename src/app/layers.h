@@ -35,9 +35,14 @@ std::span<const LayerInfo> all_layers();
 std::optional<std::vector<PictureLayer>> read_layer_list(std::string_view);
 std::string layer_list(std::span<const PictureLayer>);
 
-/// What the film has to gather for these layers. `smooth`: and for a response whose edges are to
-/// be smooth.
-Aovs aovs_for(std::span<const PictureLayer>, bool alpha, bool smooth = false);
+/// What is made of a film beside layers.
+struct Extras {
+    bool smooth = false;   ///< a response whose edges are to be smooth
+    bool denoise = false;  ///< a picture with less noise
+};
+
+/// What the film has to gather for these layers.
+Aovs aovs_for(std::span<const PictureLayer>, bool alpha, const Extras& = {});
 
 /// Names of the layers of light, one for each of Provenance::light_statements: of the declared name
 /// or the macro that a statement shows, or of its first word; a number tells equal ones apart.
@@ -50,19 +55,26 @@ struct FilmFiles {
     std::vector<PictureLayer> layers = {};
     std::vector<std::string> lights = {};  ///< names of statements, when there are layers of light
     FilmSettings film = {};                ///< how pictures that people look at are developed
-    int threads = 1;                       ///< that develop them
+    bool denoise = false;                  ///< a picture with less noise is made, too
+    int threads = 1;                       ///< that develop pictures
 
     /// What the film has to have.
     Aovs aovs() const;
 };
 
-/// The layer with compressed samples, and the text with the film's settings, of OpenEXR files.
+/// Layers of OpenEXR files, of the picture with less noise and of compressed samples, and the text
+/// with the film's settings.
+inline constexpr std::string_view denoised_layer = "denoised";
 inline constexpr std::string_view smooth_layer = "film";
 inline constexpr std::string_view film_text_name = "candelabraFilm";
 
 /// Where the layers go: into the picture, if that is an OpenEXR file; otherwise beside it,
 /// "a.png" to "a.layers.exr". Empty: there are none.
 std::string layers_path(const FilmFiles&);
+
+/// Where the picture with less noise goes when it is no layer of the picture itself: beside it,
+/// "a.png" to "a.denoised.png". Empty: there is none.
+std::string denoised_path(const FilmFiles&);
 
 /// Whether the picture is one that people look at: neither OpenEXR nor Radiance HDR.
 bool is_developed(const FilmFiles&);

@@ -157,6 +157,9 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "integrator", value, "name", store::integrator,
            "how light is followed, instead of the scene's: pov_ray or path_traced; see "
            "INTEGRATORS"),
+    option("", "", "denoise", nothing, "", store::denoise,
+           "makes a picture with less noise beside the exact one, a.denoised.png with a.png, or "
+           "the layer denoised in an OpenEXR file; see NOISE AND TIME"),
     option("", "", "film", value, "on|off", store::film,
            "a film as in camera { film { } }, which the scene may describe; off: none; see FILM"),
     option("", "", "exposure", value, "stops", store::exposure,

@@ -102,6 +102,7 @@ private:
     /// What becomes of the film, as far as the options say it.
     FilmFiles files_of(const Output& output) const {
         FilmFiles files{output.path, output.format, options_.alpha, options_.layers};
+        files.denoise = options_.denoise;
         files.threads = options_.render.threads;
         return files;
     }
@@ -110,12 +111,14 @@ private:
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render, saves = renders && options_.to_file;
         const std::string layers = renders ? layers_path(files_of(output)) : "";
+        const std::string quiet = saves ? denoised_path(files_of(output)) : "";
         if (saves) can_write(output.format.type, diagnostics_);
         if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
         const std::string state =
             saves && !is_stream(output.path) ? state_path(output.path, shard_) : "";
-        for (const std::string& path : {saves ? output.path : std::string(), options_.stats_file,
-                                        options_.depfile, options_.mesh_file, layers, state}) {
+        for (const std::string& path :
+             {saves ? output.path : std::string(), options_.stats_file, options_.depfile,
+              options_.mesh_file, layers, quiet, state}) {
             const std::string problem = problem_with_output(options_, path);
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }

@@ -301,6 +301,7 @@ private:
             gather(work.gathered, in_pixel.negative, extra, [&](std::span<ExactSum> sums) {
                 gather_sample(hooks_.aovs, world, ray, integrator, sums);
                 if (hooks_.aovs.smooth) add_compressed(colour, sums);
+                if (hooks_.aovs.squares) add_squares(colour, sums);
             });
         return {colour, rays, in_pixel.negative};
     }
@@ -313,6 +314,12 @@ private:
         apart.assign(sums.size(), ExactSum());
         add(std::span(apart));
         for (std::size_t i = 0; i < sums.size(); ++i) sums[i].subtract(apart[i]);
+    }
+
+    void add_squares(const Vec3& colour, std::span<ExactSum> sums) const {
+        for (int c = 0; c < 3; ++c)
+            sums[hooks_.aovs.first_square() + static_cast<std::size_t>(c)].add(colour[c] *
+                                                                               colour[c]);
     }
 
     void add_compressed(const Vec3& colour, std::span<ExactSum> sums) const {
