@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "scattering/bsdf.h"
+#include "scattering/scatterer.h"
 #include "transport/light_ledger.h"
 #include "transport/vertex.h"
 
@@ -39,10 +39,10 @@ struct HitNoise {
     }
 };
 
-/// What light that arrives at a vertex is asked for: one layer's answer to it.
+/// What light that arrives at a vertex is asked for: the answer to it of one layer, or of media.
 struct LitLayer {
     const Vertex& vertex;
-    const Bsdf& bsdf;
+    Scatterer scatterer;
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
     bool highlights = true;     ///< phong and specular ones count
     bool sources = true;        ///< light sources count
@@ -60,6 +60,10 @@ public:
     DirectLight(const World& world, const ShadowRays& rays) : world_(world), shadow_rays_(rays) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
+
+    /// In proportion to what may arrive at a point between surfaces by luminaires, if nothing is
+    /// between; below 0 where that is not known. Precondition: there are some.
+    double unoccluded_luminaires(const Vec3& position) const;
 
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }
@@ -93,11 +97,12 @@ private:
     std::optional<ProbeHit> sight(const Ray&, double tolerance) const;
     std::optional<ProbeHit> sight_past_clear(const Ray&, double tolerance) const;
     template <class Visit>
-    void for_densities(LightIndex, const Shading&, const Vec3& direction, const Distance&,
+    void for_densities(LightIndex, const LitLayer&, const Vec3& direction, const Distance&,
                        const Visit&);
     /// Weight: by the luminaire and the density with which it says the point is drawn.
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
+    Vec3 light_left(const LitLayer&, const Ray&, double distance) const;
     void meet_along(const LightTree&, const Vertex&, const Receiver&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&) const;
@@ -114,6 +119,7 @@ private:
 
     const World& world_;
     ShadowRays shadow_rays_;
+    Key medium_key_;         ///< of what media leave of the light that is asked for
     double asked_here_ = 1;  ///< shadow rays that the hit is expected to get
     HitNoise noise_;
     // Kept from hit to hit for their memory.

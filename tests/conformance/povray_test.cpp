@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels that POV-Ray 3.7 computes (scene text and values), for the part of its vocabulary that this
-// version has: povray.json as it prints them, radiosity.json as its radiosity has them when it
-// converges. (POV-Ray overlooks surfaces within fixed distances of a ray's start; we do not, so
-// scenes that show that are not among them.)
+// version has: povray.json as it prints them, radiosity.json and media.json as its radiosity and its
+// media have them when they converge. (POV-Ray overlooks surfaces within fixed distances of a ray's
+// start; we do not, so scenes that show that are not among them.)
 #include "render/render.h"
 
 #include "support/scripts.h"
@@ -66,6 +66,12 @@ TEST_CASE("radiosity agrees with POV-Ray 3.7's where that converges", "[render]"
     const nlohmann::json cases = cases_of("radiosity.json");
     REQUIRE(cases.size() > 40);
     for (const auto& c : cases) check_pixels(c, 30000);
+}
+
+TEST_CASE("media agree with POV-Ray 3.7's where its sampling converges", "[render]") {
+    const nlohmann::json cases = cases_of("media.json");
+    REQUIRE(cases.size() > 100);
+    for (const auto& c : cases) check_pixels(c, 256);
 }
 
 }  // namespace candelabra
