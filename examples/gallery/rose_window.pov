@@ -4,16 +4,16 @@
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 
 camera {
-    location <-4.6, 2.2, -8.6>
+    location <1.6, 1.9, -10.6>
     right 4/3*x
     up y
-    angle 62
-    look_at <0.6, 3.4, 1>
+    angle 60
+    look_at <-0.7, 3.9, 2>
 }
 
 // The sun stands behind the window, and a little of the sky shines in beside it.
-light_source { <900, 1150, 1500>, rgb <1, 0.86, 0.64>*7 media_attenuation on }
-light_source { <-5, 6, -7>, rgb <0.05, 0.06, 0.085> media_interaction off }
+light_source { <620, 1000, 1500>, rgb <1, 0.86, 0.64>*11 media_attenuation on }
+light_source { <-2, 9, -9>, rgb <0.2, 0.23, 0.3> media_interaction off }
 
 #declare Stone = texture {
     pigment { granite scale 0.6 color_map { [0 rgb <0.36, 0.33, 0.3>] [1 rgb <0.5, 0.47, 0.42>] } }
@@ -80,6 +80,8 @@ box {
     finish { ambient 0 diffuse 0.8 reflection 0.04 }
 }
 box { <6, -1, -12>, <7, 12, 6> texture { Stone } }
+box { <-9, 11.5, -13>, <9, 12, 6.3> texture { Stone } }
+box { <-9, -1, -13>, <9, 12, -12> texture { Stone } }
 box { <-8, -1, -12>, <-7, 12, 6> texture { Stone } }
 #for (I, 0, 2)
     #for (Side, -1, 1, 2)
@@ -93,9 +95,9 @@ box { <-8, -1, -12>, <-7, 12, 6> texture { Stone } }
     #end
 #end
 box {
-    <-7, 0, -12>, <6, 11.5, 5.7>
+    <-7.5, -0.5, -12.5>, <6.5, 11.8, 5.9>
     pigment { rgbt 1 }
     finish { ambient 0 diffuse 0 }
     hollow
-    interior { media { scattering { 5, rgb 0.016 eccentricity 0.25 extinction 1 } samples 16 } }
+    interior { media { scattering { 5, rgb 0.011 eccentricity 0.25 extinction 1 } samples 16 } }
 }

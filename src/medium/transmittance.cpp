@@ -16,10 +16,26 @@ constexpr double points_per_depth = 1, max_points = 8, share_of_greatest = 0.1;
 constexpr double max_parts = 16;
 /// Terms after which each may be the last.
 constexpr double long_series = 64;
+/// Greatest optical depths up to which the series is used, and up to which a way is tracked: it
+/// takes so many steps where nearly all of it is clear. Beyond is the end of the air.
+constexpr double max_series = 64, max_tracked = 4096;
 /// Where the optical depth is at most this, the series may end before its first term.
 constexpr double thin = 0.005;
 /// A term of the series that is smaller than one over this may be the last.
 constexpr double kept_terms = 2;
+
+/// The share of light that is left by ratio tracking (Novak, Selle and Jarosz, "Residual Ratio
+/// Tracking for Estimating Attenuation in Participating Media", 2014).
+Vec3 tracked(MediaView media, const MediaSegment& segment, double greatest,
+             const PatternScene& scene, RandomStream& random) {
+    Vec3 left(1);
+    double t = segment.from;
+    while ((t -= std::log1p(-random.next()) / greatest) < segment.to) {
+        left *= Vec3(1) - coefficients(media, segment.ray.at(t), scene).extinction / greatest;
+        if (!survives(left, random)) return Vec3(0);
+    }
+    return left;
+}
 
 }  // namespace
 
@@ -34,10 +50,21 @@ bool homogeneous(MediaView media) {
     return std::ranges::all_of(media, [](const Media* each) { return each->homogeneous(); });
 }
 
+bool survives(Vec3& left, RandomStream& random) {
+    constexpr double little = 0.01, chance = 0.1;
+    if (max_component(glm::abs(left)) >= little) return true;
+    if (random.next() >= chance) return false;
+    left /= chance;
+    return true;
+}
+
 Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double greatest,
                            const PatternScene& scene, RandomStream& random) {
     const double way = segment.to - segment.from, depth = greatest * way;
     if (!(depth > 0)) return Vec3(1);
+    if (depth > max_tracked)
+        return glm::exp(-0.5 * way * (segment.extinction_from + segment.extinction_to));
+    if (depth > max_series) return tracked(media, segment, greatest, scene, random);
     const Vec3 pivot = -0.5 * way * (segment.extinction_from + segment.extinction_to);
     const double expected = std::fmax(max_component(glm::abs(pivot)), share_of_greatest * depth);
     const double points = std::ceil(std::clamp(points_per_depth * expected, 1.0, max_points));
@@ -59,14 +86,6 @@ Vec3 segment_transmittance(MediaView media, const MediaSegment& segment, double 
             std::min(order < long_series ? 1.0 : 0.5, kept_terms * max_component(glm::abs(term)));
     }
     return glm::exp(pivot) * sum;
-}
-
-bool survives(Vec3& left, RandomStream& random) {
-    constexpr double little = 0.01, chance = 0.1;
-    if (max_component(glm::abs(left)) >= little) return true;
-    if (random.next() >= chance) return false;
-    left /= chance;
-    return true;
 }
 
 Vec3 transmittance(MediaView media, const Ray& ray, const Interval& way, const PatternScene& scene,

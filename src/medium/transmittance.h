@@ -27,7 +27,9 @@ bool homogeneous(MediaView);
 /// around the trapezoid's value, whose factors are independent estimates of the optical depth, cut
 /// off by Russian roulette (Bhanot and Kennedy; for transmittance Kettunen, d'Eon, Pantaleoni and
 /// Novak, "An Unbiased Ray-Marching Transmittance Estimator", 2021, whose pivots and weights
-/// differ). It has no variance where the extinction is constant. `greatest` is max_extinction().
+/// differ), or ratio tracking where the way may be very deep. It has no variance where the
+/// extinction is constant. A way of thousands of greatest mean free paths, as the air has to its
+/// end, is known by its ends alone. `greatest` is max_extinction().
 Vec3 segment_transmittance(MediaView, const MediaSegment&, double greatest, const PatternScene&,
                            RandomStream&);
 

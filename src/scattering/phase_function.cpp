@@ -59,11 +59,11 @@ double drawn_cosine(const Scattering& s, double u) {
 }  // namespace
 
 PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& view,
-                             const PatternScene& scene)
+                             const PatternScene& scene, const Vec3& weight)
     : position_(position), view_(view) {
     for (const Media* each : media) {
         if (!each->scatters()) continue;
-        const Vec3 coefficient = density(*each, position, scene) * each->scattering.colour;
+        const Vec3 coefficient = weight * density(*each, position, scene) * each->scattering.colour;
         const double share = max_component(glm::abs(coefficient)) * mean_phase(each->scattering);
         if (!(share > 0)) continue;
         parts_.push_back({coefficient, &each->scattering, share});

@@ -11,11 +11,14 @@ namespace candelabra {
 
 class PhaseFunction {
 public:
-    /// `view` is the unit direction of the ray that sees the point.
-    PhaseFunction(MediaView, const Vec3& position, const Vec3& view, const PatternScene&);
+    /// `view` is the unit direction of the ray that sees the point; `weight` is by what the light
+    /// that is scattered there is multiplied.
+    PhaseFunction(MediaView, const Vec3& position, const Vec3& view, const PatternScene&,
+                  const Vec3& weight = Vec3(1));
 
     bool answers_light() const { return total_ > 0; }
-    /// Radiance towards the viewer, per unit of length, by light of colour 1 from a unit direction.
+    /// Radiance towards the viewer, per unit of length times the weight, by light of colour 1 from
+    /// a unit direction.
     Vec3 evaluate(const Vec3& to_light) const;
     /// A unit direction, drawn as light that comes from everywhere is scattered; u is in [0, 1)^2.
     /// Precondition: it answers light.

@@ -149,14 +149,14 @@ Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_li
     const auto light = [&](const MediaPlace& place, const Key& key, double per_chance,
                            bool sources) {
         const Vertex vertex = vertex_in_air(world_, path.ray, place.distance, solids);
-        const PhaseFunction phase(view_of(media_), vertex.position(), path.ray.direction, scene);
-        const Vec3 weight = per_chance * place.weight;
-        sum += weight * direct_light({.vertex = vertex,
-                                      .scatterer = phase,
-                                      .throughput = path.throughput * weight,
-                                      .sources = sources,
-                                      .luminaires = !sources},
-                                     key, ledger);
+        const PhaseFunction phase(view_of(media_), vertex.position(), path.ray.direction, scene,
+                                  per_chance * place.weight);
+        sum += direct_light({.vertex = vertex,
+                             .scatterer = phase,
+                             .throughput = path.throughput,
+                             .sources = sources,
+                             .luminaires = !sources},
+                            key, ledger);
     };
     if (!world_.lights.sources.empty()) {
         const Key key = path.key.branched(Branch::medium, 0);
