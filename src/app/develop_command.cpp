@@ -213,12 +213,13 @@ private:
                                          : "");
         }
         const bool quiet = layer == denoised_layer;
-        const std::string all = quiet ? std::string() : layer;
-        negative.light = quiet ? planes.image(all).value_or(*light) : *light;
-        negative.alpha = planes.alpha(all);
-        if (all.empty() && film.smooths_edges())
-            negative.smooth = planes.image(std::string(smooth_layer)).value_or(Image());
-        if (quiet) negative = with_less_noise(std::move(negative), std::move(*light));
+        negative.light = std::move(*light);
+        negative.alpha = planes.alpha(quiet ? std::string() : layer);
+        if (film.smooths_edges() && (quiet || layer.empty()))
+            negative.smooth = planes
+                                  .image(quiet ? message(denoised_layer, '.', smooth_layer)
+                                               : std::string(smooth_layer))
+                                  .value_or(Image());
         return true;
     }
 

@@ -2,6 +2,7 @@
 #include "app/film_images.h"
 
 #include "app/layers.h"
+#include "film/denoise.h"
 #include "film/film.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ Image smooth_image(const Film& film, const FilmFiles& files) {
     return image;
 }
 
-QuietPicture denoised_picture(const Film& film, const FilmFiles& files) {
+QuietFilm denoised_film(const Film& film, const FilmFiles& files) {
     const Aovs aovs = files.aovs();
     NoisyPicture noisy{film.image(), Image(film.width(), film.height()), {}, {}, {}, {}};
     if (aovs.lights) noisy.parts.assign(files.lights.size(), noisy.variance);
@@ -59,7 +60,15 @@ QuietPicture denoised_picture(const Film& film, const FilmFiles& files) {
         const double depth = film.extra(i)[aovs.depth()].value();
         noisy.depth.push_back(depth > 0 ? depth : std::numeric_limits<double>::infinity());
     }
-    return denoised(noisy, files.threads);
+    // What is smooth is a mean with the same weights, so that it stays so.
+    if (aovs.smooth) noisy.parts.push_back(smooth_image(film, files));
+    QuietPicture made = denoised(noisy, files.threads);
+    QuietFilm quiet{std::move(made.light), {}, std::move(made.parts)};
+    if (aovs.smooth) {
+        quiet.smooth = std::move(quiet.lights.back());
+        quiet.lights.pop_back();
+    }
+    return quiet;
 }
 
 Negative negative_of(const Film& film, const FilmFiles& files) {

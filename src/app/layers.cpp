@@ -141,10 +141,13 @@ private:
     }
 
     void add_denoised() {
-        const QuietPicture quiet = denoised_picture(film_, files_);
+        const QuietFilm quiet = denoised_film(film_, files_);
         add_image(std::string(denoised_layer), linear(quiet.light, files_.format));
-        for (std::size_t k = 0; k < quiet.parts.size(); ++k)
-            add_image(message(denoised_layer, ".light.", files_.lights[k]), quiet.parts[k]);
+        if (extras_.smooth)
+            add_image(message(denoised_layer, '.', smooth_layer),
+                      linear(quiet.smooth, files_.format));
+        for (std::size_t k = 0; k < quiet.lights.size(); ++k)
+            add_image(message(denoised_layer, ".light.", files_.lights[k]), quiet.lights[k]);
     }
 
     void add_image(const std::string& name, const Image& image) {
@@ -272,10 +275,14 @@ bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& d
 bool write_denoised(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     FilmFiles beside = files;
     beside.path = denoised_path(files);
-    Image made = denoised_picture(film, files).light;
-    if (is_developed(files)) made = linear(std::move(made), files.format);
-    return write_flat(with_less_noise(negative_of(film, files), std::move(made)), beside,
-                      diagnostics);
+    QuietFilm quiet = denoised_film(film, files);
+    Negative negative = negative_of(film, files);
+    negative.light = std::move(quiet.light);
+    negative.smooth = std::move(quiet.smooth);
+    if (is_developed(files))
+        for (Image* image : {&negative.light, &negative.smooth})
+            *image = linear(std::move(*image), files.format);
+    return write_flat(negative, beside, diagnostics);
 }
 
 }  // namespace

@@ -95,17 +95,6 @@ Vec3 expanded(const Vec3& mean, double factor) {
     return mean / std::max(1 - factor * max_component(mean), least);
 }
 
-Negative with_less_noise(Negative negative, Image quiet) {
-    for (std::size_t i = 0; i < negative.smooth.pixels.size(); ++i)
-        for (int c = 0; c < 3; ++c) {
-            const double light = negative.light.pixels[i][c];
-            double& smooth = negative.smooth.pixels[i][c];
-            smooth = light > 0 ? quiet.pixels[i][c] * std::min(smooth / light, 1.0) : smooth;
-        }
-    negative.light = std::move(quiet);
-    return negative;
-}
-
 double exposure_of(const Negative& negative, const FilmSettings& film) {
     return film.exposure + (film.auto_exposure ? stops_asked_by(negative.light) : 0);
 }

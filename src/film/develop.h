@@ -25,10 +25,6 @@ struct Negative {
 Vec3 compressed(const Vec3& sample, double factor);
 Vec3 expanded(const Vec3& mean, double factor);
 
-/// With other light, of less noise. What is smooth of an edge stays so: each channel is less than
-/// the light in the same proportion as before.
-Negative with_less_noise(Negative, Image light);
-
 /// In stops, with those that the picture itself asks for.
 double exposure_of(const Negative&, const FilmSettings&);
 
