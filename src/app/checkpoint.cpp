@@ -56,7 +56,10 @@ StatePart extra_part(std::size_t which, int word) {
             }};
 }
 
-std::vector<StatePart> parts(std::size_t aovs) {
+constexpr std::string_view negative_plane = "negative";
+
+/// `negative`: some samples were subtracted, which only wide filters do.
+std::vector<StatePart> parts(std::size_t aovs, bool negative) {
     std::vector<StatePart> all;
     const auto add_number = [&](std::string name, std::uint32_t PixelSum::*number) {
         all.push_back(own_part(
@@ -66,6 +69,7 @@ std::vector<StatePart> parts(std::size_t aovs) {
     add_number("samples", &PixelSum::samples);
     add_number("target", &PixelSum::target);
     add_number("shadow_rays", &PixelSum::shadow_rays);
+    if (negative) add_number(std::string(negative_plane), &PixelSum::negative);
     for (std::size_t c = 0; c < channels.size(); ++c) {
         for (int i = 0; i < 4; ++i)
             all.push_back(own_part(
@@ -90,10 +94,20 @@ std::size_t extras_in(const LayeredPicture& picture) {
     return static_cast<std::size_t>(planes) / 4;
 }
 
+bool has_negative(const LayeredPicture& picture) {
+    return std::ranges::find(picture.planes, negative_plane, &ChannelPlane::name) !=
+           picture.planes.end();
+}
+
+bool has_negative(const Film& film) {
+    return std::ranges::any_of(film.pixels(),
+                               [](const PixelSum& pixel) { return pixel.negative > 0; });
+}
+
 /// Of the planes that count, in their order; nothing when one is missing.
 std::optional<std::uint64_t> checksum(const LayeredPicture& picture) {
     std::uint64_t sum = mix(static_cast<std::uint64_t>(picture.width));
-    for (const StatePart& part : parts(extras_in(picture))) {
+    for (const StatePart& part : parts(extras_in(picture), has_negative(picture))) {
         const auto plane = std::ranges::find(picture.planes, part.name, &ChannelPlane::name);
         if (plane == picture.planes.end()) return std::nullopt;
         for (const std::uint32_t bits : plane->bits) sum = mix(sum ^ bits);
@@ -123,7 +137,7 @@ bool are_possible(const Film& film) {
         };
         // Beyond 2^24 samples the squares may come round at 2^64.
         const bool shown = n >= std::uint64_t{1} << 24 || (within(0) && within(1) && within(2));
-        return shown && n <= max_in_pixel && pixel.target <= max_in_pixel;
+        return shown && pixel.negative <= n && n <= max_in_pixel && pixel.target <= max_in_pixel;
     });
 }
 
@@ -159,7 +173,7 @@ std::optional<std::string> encode(const Checkpoint& checkpoint, Diagnostics& dia
             plane.bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(pixel.mean()[c])));
         picture.planes.push_back(std::move(plane));
     }
-    for (const StatePart& part : parts(film.aovs())) {
+    for (const StatePart& part : parts(film.aovs(), has_negative(film))) {
         ChannelPlane plane{part.name, true, {}};
         plane.bits.reserve(film.pixels().size());
         for (std::size_t i = 0; i < film.pixels().size(); ++i)
@@ -187,7 +201,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, Diagnostics& 
     if (checksum(*picture) != sum) return fail("is damaged: its sums are not those that it had");
     Film& film = checkpoint.state.film;
     film = Film(picture->width, picture->height, extras_in(*picture));
-    for (const StatePart& part : parts(film.aovs())) {
+    for (const StatePart& part : parts(film.aovs(), has_negative(*picture))) {
         const auto plane = std::ranges::find(picture->planes, part.name, &ChannelPlane::name);
         for (std::size_t i = 0; i < plane->bits.size(); ++i) part.set(film, i, plane->bits[i]);
     }

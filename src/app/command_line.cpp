@@ -80,6 +80,19 @@ void add_sampling(Words& words, const Options& options) {
     if (settings.seed != usual.seed) words.add_long("seed", settings.seed);
 }
 
+void add_film(Words& words, const std::vector<FilmChange>& changes) {
+    constexpr std::string_view glare = "glare.";
+    for (const FilmChange& each : changes) {
+        std::string option = each.name, value = each.value;
+        if (option.starts_with(glare)) {
+            value = message(option.substr(glare.size()), '=', value);
+            option = "glare";
+        }
+        std::ranges::replace(option, '_', '-');
+        words.add_long(option, value);
+    }
+}
+
 /// The frame alone.
 void add_frame(Words& words, const Options& options) {
     const AnimationSettings& animation = options.animation;
@@ -128,6 +141,8 @@ std::string command_line(const Options& options) {
         words.add("+HI", std::filesystem::path(options.facts.header).filename().string());
     words.add_given("+MV", options.facts.version);
     add_region(words, options);
+    add_film(words, options.render.film);
+    if (options.denoise) words.add("--denoise");
     if (options.alpha) words.add("+UA");
     if (options.file_gamma > 0) words.add("File_Gamma=", options.file_gamma);
     if (!options.layers.empty()) words.add_long("layers", layer_list(options.layers));

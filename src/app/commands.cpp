@@ -3,6 +3,7 @@
 
 #include "app/animation_run.h"
 #include "app/completion.h"
+#include "app/develop_command.h"
 #include "app/fmt.h"
 #include "app/frame_commands.h"
 #include "app/help.h"
@@ -102,6 +103,11 @@ constexpr auto commands = std::to_array<Command>({
     {"merge", merge,
      "usage: candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
      "Joins the states that shards of a picture have left; candelabra-merge(1) says more.\n"},
+    {"develop", run_develop,
+     "usage: candelabra develop [-o file] [+Fx] [--layer name] [--exposure stops] ... "
+     "picture.exr ...\n"
+     "Makes pictures that people look at of the light in OpenEXR files; candelabra-develop(1) "
+     "says more.\n"},
     {"fmt", fmt,
      "usage: candelabra fmt [--check] [file ...]\n"
      "Lays scenes out; without files, standard input to standard output. --check only names the\n"

@@ -73,9 +73,9 @@ std::string for_bash() {
         "        [-+]*|[A-Z]*) mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\") ;;\n"
         "    esac\n"
         "    mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(\n"
-        "        compgen -f -X '!*.@(pov|ini|state.exr)' -- \"$word\"\n"
+        "        compgen -f -X '!*.@(pov|ini|exr)' -- \"$word\"\n"
         "        compgen -d -S / -- \"$word\"\n"
-        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'merge fmt lsp' -- \"$word\")\n"
+        "        [ \"$COMP_CWORD\" -eq 1 ] && compgen -W 'merge develop fmt lsp' -- \"$word\")\n"
         "    [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == */ ]] && compopt -o nospace\n"
         "    return 0\n"
         "}\n"
@@ -124,6 +124,8 @@ std::string for_fish() {
         "complete -c candelabra -k -a '(__fish_complete_suffix .pov)'\n"
         "complete -c candelabra -k -a '(__fish_complete_suffix .ini)'\n"
         "complete -c candelabra -n __fish_is_first_arg -a merge -d 'joins the states of shards'\n"
+        "complete -c candelabra -n __fish_is_first_arg -a develop -d 'develops light in OpenEXR "
+        "files'\n"
         "complete -c candelabra -n __fish_is_first_arg -a fmt -d 'lays out scene files'\n"
         "complete -c candelabra -n __fish_is_first_arg -a lsp -d 'helps an editor with scenes'\n";
     for (const Spelling& each : spellings()) {

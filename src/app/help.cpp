@@ -297,6 +297,7 @@ std::string version_text() { return "Candelabra " CANDELABRA_VERSION "\n"; }
 std::string short_usage() {
     return "usage: candelabra [option ...] scene.pov\n"
            "       candelabra merge [+Ofile] [+Fx] [--partial] state.state.exr ...\n"
+           "       candelabra develop [-o file] [+Fx] [--exposure stops] ... picture.exr ...\n"
            "       candelabra fmt [--check] [file ...]\n"
            "       candelabra describe [--json] [part]\n"
            "       candelabra lsp\n"

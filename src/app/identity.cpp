@@ -91,6 +91,7 @@ Identity identity_of(const Options& options, const std::vector<ReadFile>& files,
         identity.emplace_back(
             "region", message(region.left, ' ', region.top, ' ', region.right, ' ', region.bottom));
     if (options.alpha) identity.emplace_back("alpha", "yes");
+    if (options.denoise) identity.emplace_back("denoise", "yes");
     if (!options.layers.empty()) identity.emplace_back("layers", layer_list(options.layers));
     identity.emplace_back("gamma", message(format.gamma));
     identity.emplace_back("encoded", format.encoded ? "yes" : "no");
@@ -121,7 +122,13 @@ std::string description(const Identity& identity, int samples) {
     return message(text, " made by: ", fact(identity, std::string(command_mark)));
 }
 
+void note_film(Identity& identity, const FilmSettings& film) {
+    if (film.on) identity.emplace_back("film", to_text(film));
+}
+
 void tell_layers(const Identity& identity, FilmFiles& files) {
+    files.denoise = fact(identity, "denoise") == "yes";
+    files.film = film_from_text(fact(identity, "film")).value_or(FilmSettings());
     files.alpha = fact(identity, "alpha") == "yes";
     files.layers = read_layer_list(fact(identity, "layers")).value_or(std::vector<PictureLayer>());
     std::string names = fact(identity, "lights");

@@ -31,8 +31,9 @@ std::string description(const Identity&, int samples);
 std::string to_text(const Identity&);
 Identity identity_from(const std::string& text);
 
-/// Whether the picture has an alpha channel, which layers, and the names of its lights.
+/// Whether the picture has an alpha channel, which layers, its film, and the names of its lights.
 void tell_layers(const Identity&, FilmFiles&);
+void note_film(Identity&, const FilmSettings&);
 void note_lights(Identity&, std::span<const std::string> names);
 
 /// The value of a fact; empty when there is none.

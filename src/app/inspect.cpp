@@ -3,6 +3,7 @@
 
 #include "app/light_report.h"
 #include "base/parallel.h"
+#include "film/develop.h"
 #include "film/film.h"
 #include "render/pilot.h"
 #include "scene/dump_texture.h"
@@ -80,7 +81,7 @@ struct NamedView {
     Image (*made)(const Exhibit&);
 };
 constexpr auto all_views = std::to_array<NamedView>({
-    {"picture", [](const Exhibit& shown) { return shown.film.image(); }},
+    {"picture", picture_of},
     {"albedo",
      [](const Exhibit& shown) {
          return of_sights(shown, [](const PrimaryHit& seen) { return seen.albedo; });
@@ -145,6 +146,12 @@ std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
 }
 
 }  // namespace
+
+Image picture_of(const Exhibit& shown) {
+    const FilmSettings& film = shown.world.view.film;
+    Negative negative{shown.film.image(), {}, {}};
+    return film.on ? develop(negative, film, shown.settings.threads) : std::move(negative.light);
+}
 
 std::vector<std::string_view> views() {
     std::vector<std::string_view> names;

@@ -15,6 +15,9 @@ namespace candelabra {
 /// What can be looked at: "picture", and the layers that need no light of their own.
 std::vector<std::string_view> views();
 
+/// As its film develops it, if the scene has one.
+Image picture_of(const Exhibit&);
+
 /// One of these, in colours for a screen: directions from -1 to 1 as 0 to 1, near things bright,
 /// each object in a colour of its own, and numbers as shares of their greatest. Nothing for
 /// another name.

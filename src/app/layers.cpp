@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/layers.h"
 
+#include "app/film_images.h"
 #include "film/film.h"
 #include "picture/file.h"
 #include "picture/layers.h"
 #include "text/ascii.h"
 #include "text/message.h"
 #include "text/source.h"
-#include "transport/aovs.h"
 #include "vocabulary/words.h"
 
 #include <algorithm>
@@ -70,16 +70,19 @@ std::string name_of(const Span& span, const SourceStore& sources, const Names& n
 class LayerWriter {
 public:
     LayerWriter(const Film& film, const FilmFiles& files)
-        : film_(film), files_(files), extras_(aovs_for(files.layers, files.alpha)) {}
+        : film_(film), files_(files), extras_(files.aovs()) {}
 
     LayeredPicture picture() {
         made_.width = film_.width();
         made_.height = film_.height();
         if (!files_.format.description.empty())
             made_.texts.emplace_back("ImageDescription", files_.format.description);
+        if (files_.film.on) made_.texts.emplace_back(film_text_name, to_text(files_.film));
         const Image image = linear(film_.image(), files_.format);
         for (int c = 0; c < 3; ++c) add(rgb[c], [&](std::size_t i) { return image.pixels[i][c]; });
         if (files_.alpha) add("A", [&](std::size_t i) { return 1 - mean(i, 0); });
+        if (extras_.smooth) add_smooth();
+        if (files_.denoise) add_denoised();
         for (const PictureLayer layer : files_.layers) add(layer);
         return std::move(made_);
     }
@@ -102,8 +105,7 @@ private:
     }
 
     double mean(std::size_t pixel, std::size_t which) const {
-        const std::uint32_t samples = film_.pixels()[pixel].samples;
-        return samples == 0 ? 0 : sum(pixel, which) / samples;
+        return film_.pixels()[pixel].mean_of(sum(pixel, which));
     }
 
     void add(PictureLayer layer) {
@@ -134,6 +136,26 @@ private:
         }
     }
 
+    void add_smooth() {
+        add_image(std::string(smooth_layer), linear(smooth_image(film_, files_), files_.format));
+    }
+
+    void add_denoised() {
+        const QuietFilm quiet = denoised_film(film_, files_);
+        add_image(std::string(denoised_layer), linear(quiet.light, files_.format));
+        if (extras_.smooth)
+            add_image(message(denoised_layer, '.', smooth_layer),
+                      linear(quiet.smooth, files_.format));
+        for (std::size_t k = 0; k < quiet.lights.size(); ++k)
+            add_image(message(denoised_layer, ".light.", files_.lights[k]), quiet.lights[k]);
+    }
+
+    void add_image(const std::string& name, const Image& image) {
+        for (int c = 0; c < 3; ++c)
+            add(message(name, '.', rgb[static_cast<std::size_t>(c)]),
+                [&](std::size_t i) { return image.pixels[i][c]; });
+    }
+
     void add_three(const std::string& name, const std::array<const char*, 3>& channels,
                    std::size_t first) {
         for (std::size_t c = 0; c < 3; ++c)
@@ -158,16 +180,6 @@ private:
     Aovs extras_;
     LayeredPicture made_;
 };
-
-std::vector<double> alpha_of(const Film& film) {
-    std::vector<double> alpha;
-    alpha.reserve(film.pixels().size());
-    for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-        const std::uint32_t samples = film.pixels()[i].samples;
-        alpha.push_back(samples == 0 ? 0 : 1 - film.extra(i)[0].value() / samples);
-    }
-    return alpha;
-}
 
 }  // namespace
 
@@ -198,9 +210,11 @@ std::string layer_list(std::span<const PictureLayer> layers) {
     return text;
 }
 
-Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha) {
+Aovs aovs_for(std::span<const PictureLayer> layers, bool alpha, const Extras& extras) {
     Aovs aovs;
     aovs.alpha = alpha;
+    aovs.smooth = extras.smooth;
+    aovs.squares = aovs.surface = extras.denoise;
     for (const PictureLayer layer : layers) {
         aovs.surface |= layer <= PictureLayer::object;
         aovs.lights |= layer == PictureLayer::lights;
@@ -221,18 +235,63 @@ std::vector<std::string> light_names(const World& world, const SourceStore& sour
     return names;
 }
 
+Aovs FilmFiles::aovs() const { return aovs_for(layers, alpha, {film.smooths_edges(), denoise}); }
+
+bool is_developed(const FilmFiles& files) {
+    return files.film.on && files.format.type != PictureType::exr &&
+           files.format.type != PictureType::hdr;
+}
+
+bool write_developed(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    PictureFormat format = files.format;
+    format.gamma = 1;
+    format.encoded = true;
+    return write_picture(develop(negative, files.film, files.threads), files.path, format,
+                         diagnostics, negative.alpha);
+}
+
+std::string denoised_path(const FilmFiles& files) {
+    if (!files.denoise || files.format.type == PictureType::exr) return {};
+    const std::filesystem::path path(files.path);
+    std::filesystem::path made = path;
+    return made.replace_extension(".denoised" + path.extension().string()).string();
+}
+
 std::string layers_path(const FilmFiles& files) {
-    if (files.layers.empty()) return {};
-    if (files.format.type == PictureType::exr) return files.path;
+    const bool exr = files.format.type == PictureType::exr;
+    if (files.layers.empty() && !(exr && (files.film.on || files.denoise))) return {};
+    if (exr) return files.path;
     return std::filesystem::path(files.path).replace_extension(".layers.exr").string();
 }
 
+namespace {
+
+/// The picture alone, in a format without layers.
+bool write_flat(const Negative& negative, const FilmFiles& files, Diagnostics& diagnostics) {
+    if (is_developed(files)) return write_developed(negative, files, diagnostics);
+    return write_picture(negative.light, files.path, files.format, diagnostics, negative.alpha);
+}
+
+bool write_denoised(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
+    FilmFiles beside = files;
+    beside.path = denoised_path(files);
+    QuietFilm quiet = denoised_film(film, files);
+    Negative negative = negative_of(film, files);
+    negative.light = std::move(quiet.light);
+    negative.smooth = std::move(quiet.smooth);
+    if (is_developed(files))
+        for (Image* image : {&negative.light, &negative.smooth})
+            *image = linear(std::move(*image), files.format);
+    return write_flat(negative, beside, diagnostics);
+}
+
+}  // namespace
+
 bool write_film(const Film& film, const FilmFiles& files, Diagnostics& diagnostics) {
     const std::string layers = layers_path(files);
-    if (layers != files.path &&
-        !write_picture(film.image(), files.path, files.format, diagnostics,
-                       files.alpha ? alpha_of(film) : std::vector<double>()))
+    if (layers != files.path && !write_flat(negative_of(film, files), files, diagnostics))
         return false;
+    if (!denoised_path(files).empty() && !write_denoised(film, files, diagnostics)) return false;
     if (layers.empty()) return true;
     const auto bytes = encode(LayerWriter(film, files).picture(), diagnostics);
     return bytes && write_file(layers, *bytes, diagnostics);

@@ -231,7 +231,7 @@ bool write_result(const Request& request, const Checkpoint& result, Diagnostics&
     tell_layers(result.identity, files);
     options.alpha = files.alpha;
     options.layers = files.layers;
-    const std::size_t needed = aovs_for(files.layers, files.alpha).count(files.lights.size());
+    const std::size_t needed = files.aovs().count(files.lights.size());
     if (result.state.film.aovs() < needed)
         diagnostics.add(error(Fault::io, {},
                               message("the states have ", result.state.film.aovs(),

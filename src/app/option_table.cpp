@@ -3,6 +3,7 @@
 
 #include "app/choice_options.h"
 #include "app/console_options.h"
+#include "app/film_options.h"
 #include "app/limit_options.h"
 #include "app/production_options.h"
 #include "text/message.h"
@@ -156,6 +157,26 @@ constexpr auto rows = std::to_array<OptionRow>({
     option("", "", "integrator", value, "name", store::integrator,
            "how light is followed, instead of the scene's: pov_ray or path_traced; see "
            "INTEGRATORS"),
+    option("", "", "denoise", nothing, "", store::denoise,
+           "makes a picture with less noise beside the exact one, a.denoised.png with a.png, or "
+           "the layer denoised in an OpenEXR file; see NOISE AND TIME"),
+    option("", "", "film", value, "on|off", store::film,
+           "a film as in camera { film { } }, which the scene may describe; off: none; see FILM"),
+    option("", "", "exposure", value, "stops", store::exposure,
+           "of the film: stops that double the light each, or auto, or auto+1"),
+    option("", "", "white-balance", value, "kelvins", store::white_balance,
+           "of the film: light of a black body so hot becomes white; 0: colours stay"),
+    option("", "", "response", value, "name", store::response,
+           "of the film: linear, filmic or agx"),
+    option("", "", "pixel-filter", value, "name", store::pixel_filter,
+           "of the film: box, triangle, mitchell or blackman_harris"),
+    option("", "", "smooth-edges", value, "on|off", store::smooth_edges,
+           "of the film: samples are compressed before they are averaged"),
+    option("", "", "glare", value, "what", store::glare,
+           "of the film: on, off, or fields such as veil=0.2,star=0.05,blades=6"),
+    option("", "", "vignette", value, "share", store::vignette,
+           "of the film: light that corners lose"),
+    option("", "", "grain", value, "size", store::grain, "of the film: size of its grains"),
     setting("", "", "seed", "seed"),
     setting("WT", "Work_Threads", "threads", "threads"),
     that(Touches::reads,

@@ -85,6 +85,7 @@ struct Options {
     std::string stats_file;
     bool light_report = false;
     std::vector<PictureLayer> layers;  ///< beside the colours, in an OpenEXR file
+    bool denoise = false;              ///< a picture with less noise is made beside the exact one
     bool alpha = false;                ///< how opaque a pixel is
     bool grey = false;                 ///< one channel instead of three
     double file_gamma = -1;            ///< of pictures of whole numbers; below 0: sRGB

@@ -198,7 +198,7 @@ private:
 
     void show(const Exhibit& exhibit) {
         Diagnostics problems;
-        auto png = encode(exhibit.film.image(), PictureFormat(), problems);
+        auto png = encode(picture_of(exhibit), PictureFormat(), problems);
         std::string lights = light_report(exhibit.world, exhibit.rays, exhibit.sources);
         questions_.answer(exhibit);
         const std::lock_guard lock(shown_.mutex);

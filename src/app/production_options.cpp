@@ -54,6 +54,8 @@ void store::layers(Options& options, const Given& given, Diagnostics& diagnostic
 
 void store::alpha(Options& options, const Given& given, Diagnostics&) { options.alpha = given.on; }
 
+void store::denoise(Options& options, const Given&, Diagnostics&) { options.denoise = true; }
+
 void store::grey(Options& options, const Given& given, Diagnostics&) { options.grey = given.on; }
 
 void store::time(Options& options, const Given& given, Diagnostics& diagnostics) {

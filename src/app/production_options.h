@@ -11,6 +11,7 @@ namespace store {
 
 void layers(Options&, const Given&, Diagnostics&);
 void alpha(Options&, const Given&, Diagnostics&);
+void denoise(Options&, const Given&, Diagnostics&);
 void grey(Options&, const Given&, Diagnostics&);
 void time(Options&, const Given&, Diagnostics&);
 void start_row(Options&, const Given&, Diagnostics&);

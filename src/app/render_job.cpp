@@ -46,7 +46,8 @@ std::string state_path(const JobPlan& plan) { return state_path(plan.picture, pl
 RenderJob::RenderJob(JobPlan plan, const World& world, const Interrupts& interrupts,
                      Diagnostics& diagnostics)
     : plan_(std::move(plan)),
-      extras_(aovs_for(plan_.options.layers, plan_.options.alpha)),
+      extras_(aovs_for(plan_.options.layers, plan_.options.alpha,
+                       {world.view.film.smooths_edges(), plan_.options.denoise})),
       rendering_(plan_of(world, timed(plan_.options))),
       interrupts_(interrupts),
       diagnostics_(diagnostics) {}

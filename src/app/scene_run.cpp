@@ -101,19 +101,24 @@ private:
 
     /// What becomes of the film, as far as the options say it.
     FilmFiles files_of(const Output& output) const {
-        return {output.path, output.format, options_.alpha, options_.layers, {}};
+        FilmFiles files{output.path, output.format, options_.alpha, options_.layers};
+        files.denoise = options_.denoise;
+        files.threads = options_.render.threads;
+        return files;
     }
 
     /// Long work should not end at a missing folder.
     bool destinations_work(const Output& output) {
         const bool renders = options_.task == Task::render, saves = renders && options_.to_file;
         const std::string layers = renders ? layers_path(files_of(output)) : "";
+        const std::string quiet = saves ? denoised_path(files_of(output)) : "";
         if (saves) can_write(output.format.type, diagnostics_);
         if (!layers.empty()) can_write(PictureType::exr, diagnostics_);
         const std::string state =
             saves && !is_stream(output.path) ? state_path(output.path, shard_) : "";
-        for (const std::string& path : {saves ? output.path : std::string(), options_.stats_file,
-                                        options_.depfile, options_.mesh_file, layers, state}) {
+        for (const std::string& path :
+             {saves ? output.path : std::string(), options_.stats_file, options_.depfile,
+              options_.mesh_file, layers, quiet, state}) {
             const std::string problem = problem_with_output(options_, path);
             if (!problem.empty()) diagnostics_.add(error(Fault::io, {}, problem));
         }
@@ -225,9 +230,24 @@ private:
         return Progress(style, seconds_now, out ? console_.out : console_.err, options_.share);
     }
 
+    /// Each picture has grains of its own.
+    FilmSettings film_of_frame(const World& world) const {
+        FilmSettings film = world.view.film;
+        constexpr std::uint32_t most = (1u << 30) - 1;
+        if (film.grain > 0)
+            film.grain_seed =
+                static_cast<int>((static_cast<std::uint32_t>(film.grain_seed) +
+                                  static_cast<std::uint32_t>(options_.render.seed) +
+                                  static_cast<std::uint32_t>(options_.facts.frame_number)) &
+                                 most);
+        return film;
+    }
+
     int render_picture(const World& world, const Output& output) {
         Identity identity = identity_of(options_, session_->files(), output.format);
         FilmFiles files = files_of(output);
+        files.film = film_of_frame(world);
+        note_film(identity, files.film);
         if (aovs_for(options_.layers, false).lights) {
             files.lights = light_names(world, sources());
             note_lights(identity, files.lights);

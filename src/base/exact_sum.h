@@ -26,6 +26,7 @@ public:
         sum_ += usual ? static_cast<std::int64_t>(scaled) : static_cast<Wide>(scaled);
     }
     void add(const ExactSum& other) { sum_ += other.sum_; }
+    void subtract(const ExactSum& other) { sum_ -= other.sum_; }
     double value() const { return static_cast<double>(sum_) * 0x1p-52; }
 
     /// Four groups of 32 bits, the lowest first: how sums travel in files.

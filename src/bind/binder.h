@@ -24,6 +24,7 @@ namespace candelabra {
 struct DeclaredCamera {
     Camera camera;
     Bump normal;  ///< disturbs the directions of its rays
+    FilmSettings film;
 };
 
 /// A material as a value of the language.

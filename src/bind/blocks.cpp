@@ -209,6 +209,8 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"reflection", "finish"},
     {"reflection_exponent", "finish"},
     {"mesh_camera", "camera"},
+    {"film", "camera"},
+    {"glare", "film"},
     {"looks_like", "light_source"},
     {"projected_through", "light_source"},
 });

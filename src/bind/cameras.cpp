@@ -2,6 +2,7 @@
 #include "bind/cameras.h"
 
 #include "bind/blocks.h"
+#include "bind/films.h"
 #include "bind/normals.h"
 #include "bind/objects.h"
 #include "bind/transforms.h"
@@ -214,7 +215,8 @@ bool read_camera(Binder& binder, const Element& element, DeclaredCamera& made) {
     };
     TransformReader moves(block, apply);
     CameraNormal normal(block, made.normal);
-    block.read(element.body, declared, fields, normal, moves);
+    FilmReader film(block, made.film);
+    block.read(element.body, declared, fields, normal, film, moves);
     if (block.broken) return false;
     const std::string wrong = problem(camera);
     if (!wrong.empty())

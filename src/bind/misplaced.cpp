@@ -183,6 +183,10 @@ bool Misplaced::reject_word(const Element& element, const WordList& words, bool 
         const Value* declared = block ? block_.binder.evaluator.find(element.word) : nullptr;
         const std::string bare = declared ? bare_kind(*declared) : std::string();
         const std::string_view way_out = foreign_name(word);
+        std::string list;
+        for (const std::string_view home : homes(word))
+            if (block && way_out.empty()) list += message(list.empty() ? "" : ", ", '`', home, '`');
+        if (!list.empty()) unknown.with_note(message("it belongs in ", list));
         block_.report(std::move(unknown.with_help(
             known_in_blocks(bare) ? message("write `", bare, " { ", word, " ... }`")
             : way_out.empty()     ? block_.help()

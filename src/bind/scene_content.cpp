@@ -30,6 +30,7 @@ void SceneContent::add(const DeclaredCamera& camera, const Element& block) {
 void SceneContent::show(const DeclaredCamera& camera) {
     scene.camera = camera.camera;
     scene.camera_normal = camera.normal;
+    scene.film = camera.film;
 }
 
 }  // namespace candelabra

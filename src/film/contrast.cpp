@@ -12,7 +12,7 @@ namespace candelabra {
 DisplayValue Contrast::shown(const Vec3& colour, double clear) const {
     DisplayValue shown{colour, clear};
     for (int i = 0; i < 3; ++i)
-        shown.colour[i] = from_linear(to_linear(colour[i], assumed_gamma), gamma);
+        shown.colour[i] = from_linear(exposure * to_linear(colour[i], assumed_gamma), gamma);
     return shown;
 }
 
@@ -21,12 +21,12 @@ bool Contrast::between(const DisplayValue& a, const DisplayValue& b) const {
     return difference.x + difference.y + difference.z + std::abs(a.clear - b.clear) >= threshold;
 }
 
-Contrast contrast_of(const RenderSettings& settings, double assumed_gamma) {
-    return {settings.antialias_threshold, assumed_gamma, settings.antialias_gamma};
+Contrast contrast_of(const RenderSettings& settings, double assumed_gamma, double exposure) {
+    return {settings.antialias_threshold, assumed_gamma, settings.antialias_gamma, exposure};
 }
 
-ContrastRule contrast_rule(const RenderSettings& settings, double assumed_gamma) {
-    return {contrast_of(settings, assumed_gamma), settings.antialias_depth,
+ContrastRule contrast_rule(const RenderSettings& settings, double assumed_gamma, double exposure) {
+    return {contrast_of(settings, assumed_gamma, exposure), settings.antialias_depth,
             settings.jitter ? settings.jitter_amount : 0};
 }
 

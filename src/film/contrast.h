@@ -24,12 +24,14 @@ struct Contrast {
     double threshold;      ///< of the difference, summed over the channels
     double assumed_gamma;  ///< of the colours in the film
     double gamma;          ///< of those that are compared
+    double exposure = 1;   ///< the light's factor as it is shown
 
     DisplayValue shown(const Vec3& colour, double clear) const;
     bool between(const DisplayValue&, const DisplayValue&) const;
 };
 
-Contrast contrast_of(const RenderSettings&, double assumed_gamma);
+/// `exposure`: the light's factor as it is shown.
+Contrast contrast_of(const RenderSettings&, double assumed_gamma, double exposure = 1);
 
 struct ContrastRule {
     Contrast contrast;
@@ -37,7 +39,7 @@ struct ContrastRule {
     double jitter;  ///< how far rays are moved at random, in parts of the distance between two
 };
 
-ContrastRule contrast_rule(const RenderSettings&, double assumed_gamma);
+ContrastRule contrast_rule(const RenderSettings&, double assumed_gamma, double exposure = 1);
 
 /// Of a pixel that differs from one beside it.
 std::uint32_t all_samples(const ContrastRule&);

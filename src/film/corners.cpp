@@ -23,8 +23,8 @@ PixelSample mean_of(const FourSights& sights) {
 
 }  // namespace
 
-CornerRule corner_rule(const RenderSettings& settings, double assumed_gamma) {
-    return {contrast_of(settings, assumed_gamma), settings.antialias_depth,
+CornerRule corner_rule(const RenderSettings& settings, double assumed_gamma, double exposure) {
+    return {contrast_of(settings, assumed_gamma, exposure), settings.antialias_depth,
             settings.jitter ? settings.jitter_amount : 0};
 }
 

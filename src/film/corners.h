@@ -18,7 +18,7 @@ struct CornerRule {
     double jitter;  ///< how far rays inside are moved at random, in parts of the least distance
 };
 
-CornerRule corner_rule(const RenderSettings&, double assumed_gamma);
+CornerRule corner_rule(const RenderSettings&, double assumed_gamma, double exposure = 1);
 
 /// How many of the smallest quarters are side by side in a pixel.
 std::uint32_t quarters_across(const CornerRule&);

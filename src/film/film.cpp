@@ -5,17 +5,19 @@
 
 namespace candelabra {
 
-void PixelSum::add(const Vec3& sample) {
+void PixelSum::add(const Vec3& sample, bool subtracted, double exposure) {
     for (int i = 0; i < 3; ++i) {
         const auto channel = static_cast<std::size_t>(i);
-        radiance[channel].add(sample[i]);
+        radiance[channel].add(subtracted ? -sample[i] : sample[i]);
         // A square root is near enough to a display's transfer curve to weigh differences by.
-        const double shown = sample[i] > 0 ? std::sqrt(std::min(sample[i], 1.0)) : 0;
+        const double light = sample[i] * exposure;
+        const double shown = light > 0 ? std::sqrt(std::min(light, 1.0)) : 0;
         const auto units = static_cast<std::uint64_t>(shown * 0x1p20 + 0.5);
         display[channel] += units;
         display_squared[channel] += units * units;
     }
     ++samples;
+    negative += subtracted ? 1 : 0;
 }
 
 void PixelSum::add(const PixelSum& other) {
@@ -25,13 +27,13 @@ void PixelSum::add(const PixelSum& other) {
         display_squared[i] += other.display_squared[i];
     }
     samples += other.samples;
+    negative += other.negative;
     shadow_rays += other.shadow_rays;
 }
 
 Vec3 PixelSum::mean() const {
-    if (samples == 0) return Vec3(0);
-    return Vec3(radiance[0].value(), radiance[1].value(), radiance[2].value()) /
-           static_cast<double>(samples);
+    if (!(weight() > 0)) return Vec3(0);
+    return Vec3(radiance[0].value(), radiance[1].value(), radiance[2].value()) / weight();
 }
 
 double PixelSum::variance(std::size_t channel) const {

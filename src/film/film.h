@@ -22,9 +22,15 @@ struct PixelSum {
     std::uint32_t samples = 0;
     std::uint32_t target = 0;       ///< samples that are wanted up to now
     std::uint32_t shadow_rays = 0;  ///< that its samples took, modulo 2^32
+    std::uint32_t negative = 0;     ///< samples that were subtracted, by a filter below 0
 
-    void add(const Vec3& sample);
+    /// `negative`: the sample is subtracted. `exposure`: the light's factor as it is shown.
+    void add(const Vec3& sample, bool negative = false, double exposure = 1);
     void add(const PixelSum& other);
+    /// By which sums become means; 0 where there is nothing to divide.
+    double weight() const { return samples - 2.0 * negative; }
+    /// Of a sum of the samples.
+    double mean_of(double sum) const { return weight() > 0 ? sum / weight() : 0; }
     Vec3 mean() const;
     /// Standard deviation of one sample in display values, summed over the channels. Needs two
     /// samples.

@@ -171,13 +171,18 @@ std::string read_layers(const std::string& path, std::int64_t max_pixels, Layere
     picture.width = spec.width;
     picture.height = spec.height;
     for (auto& [name, text] : picture.texts) text = spec.get_string_attribute(name);
-    for (int c = 0; c < spec.nchannels; ++c)
-        if (spec.channelformat(c).size() != sizeof(std::uint32_t))
-            return "its channels do not have 32 bits each";
+    // Numbers of other sizes become floats; whole numbers would lose bits.
+    bool as_stored = true, whole_numbers = false;
+    for (int c = 0; c < spec.nchannels; ++c) {
+        as_stored &= spec.channelformat(c).size() == sizeof(std::uint32_t);
+        whole_numbers |= !spec.channelformat(c).is_floating_point();
+    }
+    if (!as_stored && whole_numbers) return "its channels do not have 32 bits each";
     // All at once: asking for one channel unpacks the whole file, too.
     const auto count = static_cast<std::size_t>(spec.nchannels);
     std::vector<std::uint32_t> side_by_side(static_cast<std::size_t>(pixels) * count);
-    if (!opened.input->read_image(0, 0, 0, spec.nchannels, TypeDesc::UNKNOWN, side_by_side.data()))
+    const TypeDesc type = as_stored ? TypeDesc::UNKNOWN : TypeDesc::FLOAT;
+    if (!opened.input->read_image(0, 0, 0, spec.nchannels, type, side_by_side.data()))
         return said(opened.input->geterror());
     for (std::size_t c = 0; c < count; ++c) {
         const bool whole = spec.channelformat(static_cast<int>(c)) == TypeDesc::UINT32;

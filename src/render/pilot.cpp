@@ -47,7 +47,8 @@ void try_pixel(Integrator& integrator, const World& world, const RenderSettings&
                      dy = spread ? uniform(where, Purpose::pixel_y) : 0.5;
         const double u = (x + dx) / settings.width - 0.5, v = 0.5 - (y + dy) / settings.height;
         // What is brighter than white is cut off in pictures, and its noise with it.
-        return std::fmin(grey(integrator.radiance(camera_ray(world, u, v, where), key)), 1.0);
+        const double bright = grey(integrator.radiance(camera_ray(world, u, v, where), key));
+        return std::fmin(bright * world.view.film.exposure_factor(), 1.0);
     };
     // Two lights at each of two places: what differs between the places under the one light and
     // under the other is the camera's, whatever the noise of light.

@@ -2,6 +2,8 @@
 #include "render/render.h"
 
 #include "base/parallel.h"
+#include "film/develop.h"
+#include "film/pixel_filter.h"
 #include "render/pilot.h"
 
 #include <algorithm>
@@ -36,10 +38,14 @@ SampleRule sample_rule(const World& world, const RenderSettings& settings, bool 
     const auto depth = static_cast<std::uint32_t>(settings.antialias_depth);
     const std::uint32_t by_contrast = depth * depth + 1;
     if (settings.antialias && world.left_to_chance() && quiet) return NoiseRule{by_contrast};
-    if (!settings.antialias || world.left_to_chance() || world.view.camera.mesh) return NoiseRule();
-    if (settings.sampling_method > 1)
-        return corner_rule(settings, world.rules.settings.assumed_gamma);
-    return contrast_rule(settings, world.rules.settings.assumed_gamma);
+    // A filter wider than a pixel needs samples all over its place, not in squares of the pixel.
+    const FilmSettings& film = world.view.film;
+    const bool wide = film.filter() != FilterShape::box;
+    if (!settings.antialias || world.left_to_chance() || world.view.camera.mesh || wide)
+        return NoiseRule();
+    const double gamma = world.rules.settings.assumed_gamma, exposure = film.exposure_factor();
+    if (settings.sampling_method > 1) return corner_rule(settings, gamma, exposure);
+    return contrast_rule(settings, gamma, exposure);
 }
 
 /// Whether the number of samples depends on that of shadow rays.
@@ -88,6 +94,9 @@ public:
           settings_(plan.settings),
           state_(state),
           hooks_(hooks),
+          film_(plan.world.view.film),
+          filter_(film_.filter()),
+          exposure_(film_.exposure_factor()),
           tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, hooks.aovs.alpha},
           fresh_integrators_(integrators_of_moments()) {}
 
@@ -121,6 +130,7 @@ private:
     struct Work {
         std::vector<Integrator> integrators;  ///< one for each moment
         std::uint64_t made = 0;               ///< samples
+        std::vector<ExactSum> gathered = {};  ///< room for what a sample has besides its colour
     };
 
     void over_tiles(std::uint32_t level, bool ends_round) {
@@ -227,7 +237,7 @@ private:
 
     DisplayValue shown(const Contrast& contrast, const PixelSum& pixel,
                        std::span<const ExactSum> extra) const {
-        const double clear = hooks_.aovs.alpha ? extra[0].value() / pixel.samples : 0;
+        const double clear = hooks_.aovs.alpha ? pixel.mean_of(extra[0].value()) : 0;
         return contrast.shown(pixel.mean(), clear);
     }
 
@@ -239,7 +249,7 @@ private:
         for (; pixel.samples < wanted && !stop(work); ++work.made) {
             const std::uint32_t sample = state_.share.first_sample + pixel.samples;
             const Seen seen = look(work, x, y, sample, extra);
-            pixel.add(seen.colour);
+            pixel.add(seen.colour, seen.negative, exposure_);
             pixel.shadow_rays += seen.shadow_rays;
             if (sample == 0) gather_middle(hooks_.aovs, world_, point(x, y), extra);
         }
@@ -259,7 +269,7 @@ private:
             if (hooks_.aovs.alpha) sight.clear = sight.extra.front();
             return sight;
         });
-        pixel.add(seen.colour);
+        pixel.add(seen.colour, false, exposure_);
         pixel.shadow_rays += seen.shadow_rays;
         for (std::size_t i = 0; i < extra.size(); ++i) extra[i].add(seen.extra[i]);
         gather_middle(hooks_.aovs, world_, point(x, y), extra);
@@ -273,6 +283,7 @@ private:
     struct Seen {
         Vec3 colour;
         std::uint32_t shadow_rays;
+        bool negative;  ///< the filter is below 0 where the ray goes
     };
 
     /// Follows the ray of a sample, and adds what it shows besides its colour. Samples take turns
@@ -283,23 +294,53 @@ private:
         key.sample = sample;
         const std::size_t moment = sample % work.integrators.size();
         const World& world = moment == 0 ? world_ : world_.shutter[moment - 1];
-        const Ray ray = ray_through(world, point(x, y), place(world, key), key);
+        const FilteredPlace in_pixel = place(world, key);
+        const Ray ray = ray_through(world, point(x, y), in_pixel.place, key);
         Integrator& integrator = work.integrators[moment];
         const std::uint64_t before_rays = integrator.ledger().shadow;
         const Vec3 colour = integrator.radiance(ray, key);
-        if (!extra.empty()) gather_sample(hooks_.aovs, world, ray, integrator, extra);
-        return {colour, static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays)};
+        const auto rays = static_cast<std::uint32_t>(integrator.ledger().shadow - before_rays);
+        if (!extra.empty())
+            gather(work.gathered, in_pixel.negative, extra, [&](std::span<ExactSum> sums) {
+                gather_sample(hooks_.aovs, world, ray, integrator, sums);
+                if (hooks_.aovs.smooth) add_compressed(colour, sums);
+                if (hooks_.aovs.squares) add_squares(colour, sums);
+            });
+        return {colour, rays, in_pixel.negative};
+    }
+
+    /// Adds what the sample has besides its colour, or subtracts it by way of `apart`.
+    template <class Add>
+    static void gather(std::vector<ExactSum>& apart, bool subtracts, std::span<ExactSum> sums,
+                       const Add& add) {
+        if (!subtracts) return add(sums);
+        apart.assign(sums.size(), ExactSum());
+        add(std::span(apart));
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i].subtract(apart[i]);
+    }
+
+    void add_squares(const Vec3& colour, std::span<ExactSum> sums) const {
+        for (int c = 0; c < 3; ++c)
+            sums[hooks_.aovs.first_square() + static_cast<std::size_t>(c)].add(colour[c] *
+                                                                               colour[c]);
+    }
+
+    void add_compressed(const Vec3& colour, std::span<ExactSum> sums) const {
+        const Vec3 light = compressed(colour, exposure_);
+        for (int c = 0; c < 3; ++c)
+            sums[hooks_.aovs.first_smooth() + static_cast<std::size_t>(c)].add(light[c]);
     }
 
     /// In the pixel.
-    Vec2 place(const World& world, const Key& key) const {
+    FilteredPlace place(const World& world, const Key& key) const {
         if (const auto* rule = std::get_if<ContrastRule>(&plan_.rule))
-            return place_in_pixel(*rule, key);
+            return {place_in_pixel(*rule, key)};
         if (const auto* rule = std::get_if<CornerRule>(&plan_.rule))
-            return place_in_pixel(*rule, key);
+            return {place_in_pixel(*rule, key)};
         // A blurred picture's rays are spread over the pixel in any case, as in POV-Ray.
-        if (!settings_.antialias && world.view.camera.lens_radius == 0) return Vec2(0.5);
-        return {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)};
+        if (!settings_.antialias && world.view.camera.lens_radius == 0) return {Vec2(0.5)};
+        return filter_.place(uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y),
+                             key.sample);
     }
 
     bool stop(const Work& work) {
@@ -313,6 +354,9 @@ private:
     const RenderSettings& settings_;
     RenderState& state_;
     const RenderHooks& hooks_;
+    const FilmSettings& film_;
+    const PixelFilter filter_;
+    const double exposure_;  ///< by which light counts as it is shown
     Tracing tracing_;
     /// To be copied: to find out what is around the camera takes a look at every object.
     const std::vector<Integrator> fresh_integrators_;

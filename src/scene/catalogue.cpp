@@ -18,6 +18,7 @@ constexpr auto surroundings =
     std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
                &Scattering::vocabulary};
 constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
+constexpr auto films = std::array{&FilmSettings::vocabulary, &Glare::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
                                      &Radiosity::vocabulary};
@@ -28,6 +29,8 @@ constexpr auto groups = std::array{
               "The type is the first word in camera { }; perspective when there is none.",
               Kinds<Camera>::infos, "camera"},
     ItemGroup{"Parts of cameras", "What mesh_camera has in braces.", parts_of_cameras, "camera"},
+    ItemGroup{"Films",
+              "What develops the light of a camera: camera { film { glare { ... } ... } }.", films},
     ItemGroup{"Lights",
               "Lights without size. Every object whose finish has emission is a luminaire and "
               "lights the scene as well.",

@@ -82,11 +82,18 @@ std::string settings_text(const Scene& scene) {
     return text.empty() ? "" : message("global_settings { ", text, " }\n");
 }
 
+std::string film_text(const FilmSettings& film) {
+    if (!film.on) return {};
+    std::string text = written_fields(FilmSettings::vocabulary, &film);
+    if (film.glares) text += message(text.empty() ? "" : " ", block_text(film.glare));
+    return message(" film { ", text, text.empty() ? "" : " ", "}");
+}
+
 std::string camera_text(const Scene& scene) {
     const Transform& transform = std::visit(
         [](const View& view) -> const Transform& { return view.transform; }, scene.camera);
     return message("camera { ", item_text(scene.camera), dump(scene.camera_normal),
-                   matrix_text(transform), " }\n");
+                   film_text(scene.film), matrix_text(transform), " }\n");
 }
 
 /// The object in one line, with all that is in it.

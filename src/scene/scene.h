@@ -9,6 +9,7 @@
 #include "base/handle.h"
 #include "base/transform.h"
 #include "camera/camera.h"
+#include "camera/film_settings.h"
 #include "light/light.h"
 #include "medium/fog.h"
 #include "medium/interior.h"
@@ -133,6 +134,7 @@ struct Scene {
     std::vector<PlacedLight> lights;
     Camera camera;
     Bump camera_normal;         ///< disturbs the directions of its rays
+    FilmSettings film;          ///< of the camera
     bool camera_given = false;  ///< otherwise it is the default
     Background background;
     std::optional<SkySphere> sky;

@@ -95,4 +95,10 @@ void settle_settings(GlobalSettings& scene, const RenderSettings& run) {
     scene.luminaires_said = true;
 }
 
+std::string settle_film(FilmSettings& film, const RenderSettings& run) {
+    for (const FilmChange& each : run.film)
+        if (std::string wrong = change(film, each); !wrong.empty()) return wrong;
+    return {};
+}
+
 }  // namespace candelabra

@@ -2,6 +2,7 @@
 // Settings of the scene (global_settings) and of the run (command line).
 #pragma once
 
+#include "camera/film_settings.h"
 #include "index/settings.h"
 #include "lighting/settings.h"
 #include "method/radiosity.h"
@@ -61,11 +62,15 @@ struct RenderSettings {
     std::optional<RayIndex> index;                 ///< the same
     std::optional<IntegratorSettings> integrator;  ///< the same
     std::optional<double> luminaires_above;        ///< the same
+    std::vector<FilmChange> film;                  ///< changes of the camera's
 
     static const ItemInfo vocabulary;
 };
 
 /// Gives the scene what the run says instead: its rule of what is a luminaire, and its integrator.
 void settle_settings(GlobalSettings&, const RenderSettings&);
+
+/// The film with the run's changes; an error as a sentence, empty when there is none.
+std::string settle_film(FilmSettings&, const RenderSettings&);
 
 }  // namespace candelabra

@@ -71,6 +71,9 @@ Scene Session::evaluate(double clock_ahead, Diagnostics& diagnostics) {
     if (clock_ahead > 0) options.print = {};
     Scene scene = candelabra::evaluate(sources_, loader, main_, options, diagnostics);
     settle_settings(scene.settings, settings_.render);
+    if (const std::string wrong = settle_film(scene.film, settings_.render); !wrong.empty())
+        diagnostics.add(
+            error(Fault::option, {}, message("the options do not fit the scene's film: ", wrong)));
     return scene;
 }
 

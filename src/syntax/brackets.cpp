@@ -62,7 +62,8 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
         // Nothing is subtracted from a string: it is the sign of the next value. So it was from
         // any value before there were expressions: <0 -1 2>.
         const bool old = tokens_.version() < 1.5 && ends_operand() && in_elements();
-        if (token.kind == minus && (old || (last_.kind == text && in_braces()))) return comma;
+        const bool begins_value = last_.kind == text || is_signed_word(last_);
+        if (token.kind == minus && (old || (begins_value && in_braces()))) return comma;
         return !open_.empty() && begins_part(open_.back()) ? std::optional(joins) : std::nullopt;
     }
     if (has_parts(token.kind)) {
@@ -85,6 +86,17 @@ std::optional<TokenKind> Brackets::mark_before(const Token& token) {
     }
     if (token.kind == hash_declare && last_.kind == equal) return leads;
     return wants_operand(last_.kind) ? std::optional(between) : std::nullopt;
+}
+
+/// Whether the token is a word that is not reserved and takes a number that may be below 0, in its
+/// own block: `film { exposure -1 }`.
+bool Brackets::is_signed_word(const Token& token) const {
+    if (token.kind != TokenKind::name || !in_braces() || spelling(token) != "exposure")
+        return false;
+    std::string_view before = text_.substr(0, open_.back().token.first);
+    while (!before.empty() && std::string_view(" \t\r\n").find(before.back()) != before.npos)
+        before.remove_suffix(1);
+    return before.ends_with("film");
 }
 
 /// Whether the directive that has just begun is the left side of an operator, as in

@@ -70,6 +70,7 @@ private:
     std::optional<TokenKind> mark_before(const Token&);
     std::optional<TokenKind> mark_before_end(const Token&);
     bool begins_head();
+    bool is_signed_word(const Token&) const;
     bool ends_operand() const;
     bool gives_value();
     bool ends_expression(TokenKind loop);

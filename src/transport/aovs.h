@@ -18,6 +18,8 @@ struct Aovs {
     bool alpha = false;    ///< how much of what is behind everything is clear
     bool surface = false;  ///< albedo, normal, depth and object
     bool lights = false;   ///< red, green and blue of each of Provenance::light_statements
+    bool smooth = false;   ///< red, green and blue of compressed samples, which the renderer adds
+    bool squares = false;  ///< red, green and blue of the samples' squares, which it adds, too
 
     /// How many sums each pixel has.
     std::size_t count(const World& world) const {
@@ -29,7 +31,9 @@ struct Aovs {
 
     // Where they begin. Those of albedo and normal are of all samples; depth and object are what
     // the pixel's middle shows, 0 where there is nothing.
-    std::size_t albedo() const { return alpha ? 1 : 0; }
+    std::size_t first_smooth() const { return alpha ? 1 : 0; }
+    std::size_t first_square() const { return first_smooth() + (smooth ? 3 : 0); }
+    std::size_t albedo() const { return first_square() + (squares ? 3 : 0); }
     std::size_t normal() const { return albedo() + 3; }
     std::size_t depth() const { return albedo() + 6; }
     std::size_t object() const { return albedo() + 7; }

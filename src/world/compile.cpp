@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "world/compile.h"
 
+#include "base/degrees.h"
 #include "csg/assemble.h"
 #include "index/tree_builder.h"
 #include "luminaire/brightness.h"
@@ -100,6 +101,17 @@ void simplify_lights(World& world) {
         std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
 
+/// Glare is measured in degrees, which the camera makes pixels of.
+FilmSettings film_of(const Scene& scene, const Projection& camera) {
+    FilmSettings film = scene.film;
+    const bool flat = camera.lens == Lens::flat;
+    if (!film.glares || film.glare.field > 0 || !flat) return film;
+    const double across = length(camera.right) / 2, ahead = length(camera.direction);
+    constexpr double widest = 170;
+    film.glare.field = std::min(2 * std::atan2(across, ahead) / radians_per_degree, widest);
+    return film;
+}
+
 /// Around the camera and all luminaires, or all that has an end where nothing glows.
 Box near_camera_and_lamps(const World& world) {
     Box box;
@@ -120,6 +132,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     world.rules.language_version = scene.language_version;
     world.view.camera = projection(scene.camera);
     world.view.camera_normal = scene.camera_normal;
+    world.view.film = film_of(scene, world.view.camera);
     world.sky.background = scene.background;
     if (scene.language_version < 3.7)  // it was always seen
         world.sky.background.colour.filter = world.sky.background.colour.transmit = 0;

@@ -23,6 +23,7 @@ class RayConstants;
 struct WorldView {
     Projection camera;
     Bump camera_normal;
+    FilmSettings film = {};
 };
 
 /// What holds for the whole scene.

@@ -24,6 +24,34 @@ TEST_CASE("the deviation is that of displayed values", "[render]") {
     CHECK(even.deviation() == Approx(0).margin(1e-7));
 }
 
+TEST_CASE("samples that are subtracted count below zero", "[render]") {
+    PixelSum pixel;
+    pixel.add(Vec3(1));
+    pixel.add(Vec3(1));
+    pixel.add(Vec3(0.25), true);
+    CHECK(pixel.samples == 3);
+    CHECK(pixel.weight() == 1);
+    CHECK(pixel.mean() == Vec3(1.75));
+    PixelSum other;
+    other.add(Vec3(1));
+    other.add(pixel);
+    CHECK(other.negative == 1);
+    CHECK(other.mean() == Vec3(1.375));
+    PixelSum alone;
+    alone.add(Vec3(1), true);
+    CHECK(alone.mean() == Vec3(0));
+}
+
+TEST_CASE("noise is that of light as it is exposed", "[render]") {
+    PixelSum dark, exposed;
+    for (const double light : {0.0, 0.01}) {
+        dark.add(Vec3(light));
+        exposed.add(Vec3(light), false, 100);
+    }
+    CHECK(exposed.deviation() == Approx(10 * dark.deviation()));
+    CHECK(exposed.mean() == dark.mean());
+}
+
 TEST_CASE("exact sums do not depend on the order of what is added", "[render]") {
     const std::vector<double> values = {1e12,  0.1,     -3e-7,  1e300, 0.3,
                                         -1e12, 2.0 / 3, -1e300, 5e-16};
@@ -43,6 +71,8 @@ TEST_CASE("exact sums do not depend on the order of what is added", "[render]") 
     ExactSum strange;
     strange.add(std::nan(""));
     CHECK(strange.value() == 0);
+    forwards.subtract(backwards);
+    CHECK(forwards.value() == 0);
     strange.add(-HUGE_VAL);
     CHECK(strange.value() == -ExactSum::greatest);
 }

@@ -30,6 +30,30 @@ RenderSettings small(int threads) {
     return settings;
 }
 
+/// A lamp whose edge no pixel filter may move, on a ground that is lit evenly.
+World filmed(const std::string& film) {
+    return world_of(R"(
+        #version 3.7;
+        camera { location -5*z right x up y film { )" +
+                    film + R"( } }
+        sphere { 0, 1.2 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 0.8 } }
+        plane { z, 2 pigment { rgb 1 } finish { ambient 0.3 diffuse 0 } }
+    )");
+}
+
+RenderSettings of_samples(int samples) {
+    RenderSettings settings;
+    settings.width = settings.height = 32;
+    settings.samples = samples;
+    return settings;
+}
+
+double mean_grey(const Image& image) {
+    double sum = 0;
+    for (const Vec3& pixel : image.pixels) sum += pixel.x;
+    return sum / static_cast<double>(image.pixels.size());
+}
+
 }  // namespace
 
 TEST_CASE("the picture has the same bytes for any number of threads", "[render]") {
@@ -248,6 +272,50 @@ TEST_CASE("a round of very many samples has an end", "[render]") {
     hooks.cancelled = [&] { return ++asked > 1000; };
     CHECK(advance(plan, state, rays, hooks));
     CHECK(state.film.at(0, 0).samples == wanted);
+}
+
+TEST_CASE("pixel filters keep even light as it is, and the mean of a picture", "[render][film]") {
+    const Image box = render(filmed("pixel_filter box"), of_samples(64)).image;
+    for (const std::string name : {"triangle", "mitchell", "blackman_harris"}) {
+        INFO(name);
+        const Image made = render(filmed("pixel_filter " + name), of_samples(64)).image;
+        CHECK(mean_grey(made) == Approx(mean_grey(box)).epsilon(0.005));
+        CHECK(made.at(16, 16).x == Approx(0.8).epsilon(1e-9));
+        CHECK(made.at(1, 1).x == Approx(box.at(1, 1).x).epsilon(1e-9));
+        CHECK(made.pixels != box.pixels);
+    }
+    // Below 0 beside the edge: the ground is darker there, and the lamp brighter.
+    const Image sharp = render(filmed("pixel_filter mitchell"), of_samples(256)).image;
+    double least = 1, greatest = 0;
+    for (const Vec3& pixel : sharp.pixels) {
+        least = std::min(least, pixel.x);
+        greatest = std::max(greatest, pixel.x);
+    }
+    CHECK(least < 0.295);
+    CHECK(greatest > 0.805);
+}
+
+TEST_CASE("a bound for noise is for light as the film shows it", "[render][film]") {
+    const auto samples = [](const std::string& film) {
+        const World world = world_of(R"(
+            #version 3.7;
+            camera { location <0, 2, -5> look_at 0 film { )" +
+                                     film + R"( } }
+            sphere { <0, 3, 0>, 0.5 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }
+            plane { y, -1 pigment { rgb 0.5 } finish { ambient 0 } }
+        )");
+        RenderSettings settings = of_samples(0);
+        settings.width = settings.height = 16;
+        settings.noise = 0.002;
+        RenderState state = begin_picture(settings);
+        LightLedger rays;
+        REQUIRE(advance(plan_of(world, settings), state, rays));
+        std::uint64_t sum = 0;
+        for (const PixelSum& pixel : state.film.pixels()) sum += pixel.samples;
+        return sum;
+    };
+    CHECK(samples("exposure 3") > 2 * samples("exposure 0"));
+    CHECK(samples("exposure -4") <= samples("exposure 0"));
 }
 
 }  // namespace candelabra

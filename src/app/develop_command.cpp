@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/develop_command.h"
+
+#include "app/layers.h"
+#include "app/option_store.h"
+#include "app/output.h"
+#include "film/develop.h"
+#include "picture/layers.h"
+#include "text/message.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <filesystem>
+#include <set>
+
+namespace candelabra {
+
+namespace {
+
+struct DevelopRequest {
+    Options options;
+    std::vector<std::string> files;
+    std::string layer;  ///< empty: the picture itself
+};
+
+/// Whether an option, as in an INI file, can change what develop does.
+bool matters_to_develop(std::string_view given) {
+    static constexpr auto all =
+        std::to_array<std::string_view>({"Output_File_Name=", "Output_File_Type=", "+F",
+                                         "Bits_Per_Color=",   "Grayscale_Output=", "File_Gamma=",
+                                         "Verbose=",          "--diagnostics=",    "--warn=",
+                                         "Warning_Level=",    "Work_Threads=",     "--film=",
+                                         "--exposure=",       "--white-balance=",  "--response=",
+                                         "--pixel-filter=",   "--smooth-edges=",   "--glare=",
+                                         "--vignette=",       "--grain="});
+    return std::ranges::any_of(all, [&](std::string_view each) { return given.starts_with(each); });
+}
+
+bool names_exr(std::string_view argument) {
+    return !argument.starts_with('-') && !argument.starts_with('+') &&
+           type_of_name(argument) == PictureType::exr;
+}
+
+DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
+                                    Diagnostics& diagnostics) {
+    DevelopRequest request;
+    std::vector<std::string> kept;  // where views look at
+    kept.reserve(arguments.size());
+    std::vector<std::string_view> others;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string_view argument = arguments[i];
+        const bool has_next = i + 1 < arguments.size();
+        if ((argument == "-o" || argument == "--output") && has_next)
+            others.push_back(kept.emplace_back(message("+O", arguments[++i])));
+        else if (argument == "--layer" && has_next)
+            request.layer = arguments[++i];
+        else if (argument.starts_with("--layer="))
+            request.layer = argument.substr(argument.find('=') + 1);
+        else if (names_exr(argument))
+            request.files.emplace_back(argument);
+        else
+            others.push_back(argument);
+    }
+    request.options = read_options(others, diagnostics);
+    for (const std::string& given : request.options.given)
+        if (!matters_to_develop(given))
+            diagnostics.add(warning(
+                Fault::option, {},
+                message("`", printable(given), "` is ignored: nothing is rendered any more")));
+    if (request.options.scene)
+        diagnostics.add(error(
+            Fault::option, {},
+            message("`", printable(*request.options.scene), "` is no OpenEXR file by its name")));
+    else if (request.options.task != Task::render)
+        diagnostics.add(error(Fault::option, {}, "develop makes pictures and nothing else")
+                            .with_help("man candelabra-develop"));
+    else if (request.files.empty())
+        diagnostics.add(error(Fault::option, {}, "develop needs a picture that has kept its light")
+                            .with_help("candelabra develop picture.exr -o picture.png"));
+    return request;
+}
+
+/// The planes of a file by their names.
+class Planes {
+public:
+    explicit Planes(const LayeredPicture& picture) : picture_(picture) {}
+
+    const ChannelPlane* find(std::string_view name) const {
+        const auto found = std::ranges::find(picture_.planes, name, &ChannelPlane::name);
+        return found == picture_.planes.end() || found->whole ? nullptr : &*found;
+    }
+
+    /// Three planes as a picture, "R" and so on behind the layer's name; or one of grey, "Y".
+    std::optional<Image> image(const std::string& layer) const {
+        const std::string before = layer.empty() ? "" : layer + ".";
+        std::array<const ChannelPlane*, 3> found = {find(before + "R"), find(before + "G"),
+                                                    find(before + "B")};
+        if (const ChannelPlane* grey = find(before + "Y"); grey && !found[0])
+            found = {grey, grey, grey};
+        if (!found[0] || !found[1] || !found[2]) return std::nullopt;
+        Image image(picture_.width, picture_.height);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i)
+            image.pixels[i] = {value(*found[0], i), value(*found[1], i), value(*found[2], i)};
+        return image;
+    }
+
+    std::vector<double> alpha(const std::string& layer) const {
+        std::vector<double> alpha;
+        if (const ChannelPlane* plane = find(layer.empty() ? "A" : layer + ".A"))
+            for (std::size_t i = 0; i < plane->bits.size(); ++i) alpha.push_back(value(*plane, i));
+        return alpha;
+    }
+
+    /// Names of what image() takes, each once, in the order of the file.
+    std::vector<std::string> layers() const {
+        std::vector<std::string> names;
+        for (const ChannelPlane& plane : picture_.planes) {
+            const std::size_t dot = plane.name.rfind('.');
+            const std::string name = dot == plane.name.npos ? "" : plane.name.substr(0, dot);
+            if (std::ranges::find(names, name) == names.end() && image(name)) names.push_back(name);
+        }
+        return names;
+    }
+
+private:
+    static double value(const ChannelPlane& plane, std::size_t pixel) {
+        return std::bit_cast<float>(plane.bits[pixel]);
+    }
+
+    const LayeredPicture& picture_;
+};
+
+class Developer {
+public:
+    Developer(const DevelopRequest& request, Diagnostics& diagnostics)
+        : request_(request), diagnostics_(diagnostics) {}
+
+    /// False after a report.
+    bool file(const std::string& path) {
+        static constexpr auto texts =
+            std::to_array<std::string_view>({film_text_name, "ImageDescription"});
+        const auto picture = read_layers(path, texts, diagnostics_);
+        if (!picture) return false;
+        FilmFiles files;
+        Negative negative;
+        if (!film_of_file(path, picture->texts[0].second, files.film) ||
+            !negative_of_file(path, Planes(*picture), files.film, negative))
+            return false;
+        Options options = request_.options;
+        options.alpha = !negative.alpha.empty();
+        options.output = output_for(path);
+        Output output = output_of(options, diagnostics_);
+        if (diagnostics_.failed()) return false;
+        output.format.description = picture->texts[1].second;
+        files.path = output.path;
+        files.format = output.format;
+        files.threads = options.render.threads;
+        if (!is_developed(files))
+            return fail(
+                "an OpenEXR or Radiance HDR file keeps the light, "
+                "which develop is to end",
+                "-o picture.png");
+        return write_developed(negative, files, diagnostics_);
+    }
+
+private:
+    bool fail(std::string text, std::string help = {}) {
+        diagnostics_.add(error(Fault::option, {}, std::move(text)).with_help(std::move(help)));
+        return false;
+    }
+
+    /// The film that the file tells of, with the changes of the options.
+    bool film_of_file(const std::string& path, const std::string& text, FilmSettings& film) {
+        if (const auto told = film_from_text(text))
+            film = *told;
+        else
+            diagnostics_.add(warning(Fault::io, {},
+                                     message("`", printable(path),
+                                             "` tells of a film that this version does not know, "
+                                             "and is developed as if it told of none")));
+        RenderSettings settings;
+        settings.film = request_.options.render.film;
+        const std::string wrong = settle_film(film, settings);
+        film.on = true;
+        return wrong.empty() ||
+               fail(message("the options do not fit the film of `", printable(path), "`: ", wrong));
+    }
+
+    bool negative_of_file(const std::string& path, const Planes& planes, const FilmSettings& film,
+                          Negative& negative) {
+        std::string layer = request_.layer;
+        auto light = planes.image(layer);
+        const std::vector<std::string> names = planes.layers();
+        if (!light && layer.empty() && !names.empty()) {
+            // Other programs have no picture beside their layers.
+            layer = names.front();
+            light = planes.image(layer);
+        }
+        if (!light) {
+            const std::string meant =
+                nearest(layer, std::vector<std::string_view>(names.begin(), names.end()));
+            std::string known;
+            for (const std::string& name : names)
+                if (!name.empty()) known += message(known.empty() ? "" : ", ", printable(name));
+            return fail(layer.empty() ? message("`", printable(path), "` has no colours")
+                                      : message("`", printable(path), "` has no layer `",
+                                                printable(layer), "` of colours"),
+                        !meant.empty()   ? message("did you mean `", meant, "`?")
+                        : !known.empty() ? message("there are ", known)
+                                         : "");
+        }
+        const bool quiet = layer == denoised_layer;
+        negative.light = std::move(*light);
+        negative.alpha = planes.alpha(quiet ? std::string() : layer);
+        if (film.smooths_edges() && (quiet || layer.empty()))
+            negative.smooth = planes
+                                  .image(quiet ? message(denoised_layer, '.', smooth_layer)
+                                               : std::string(smooth_layer))
+                                  .value_or(Image());
+        return true;
+    }
+
+    /// Beside the light, unless something else is said.
+    std::string output_for(const std::string& path) const {
+        namespace fs = std::filesystem;
+        const std::string& said = request_.options.output;
+        std::error_code none;
+        if (!said.empty() && !said.ends_with('/') && !fs::is_directory(said, none)) return said;
+        fs::path made(path);
+        if (!said.empty()) made = fs::path(said) / made.filename();
+        const PictureType type = request_.options.type.value_or(PictureType::png);
+        return made.replace_extension(extension(type)).string();
+    }
+
+    const DevelopRequest& request_;
+    Diagnostics& diagnostics_;
+};
+
+/// Two files must not become one.
+bool names_one_file(const DevelopRequest& request) {
+    const std::string& said = request.options.output;
+    std::error_code none;
+    return !said.empty() && !said.ends_with('/') && !std::filesystem::is_directory(said, none);
+}
+
+}  // namespace
+
+int run_develop(std::span<const std::string_view> arguments, const Console& console) {
+    Diagnostics diagnostics;
+    const DevelopRequest request = read_develop_request(arguments, diagnostics);
+    const auto end = [&](int status) {
+        say_errors(console, request.options, diagnostics);
+        return status;
+    };
+    if (!diagnostics.failed() && request.files.size() > 1 && names_one_file(request))
+        diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
+                            .with_help("-o a folder, with a / at its end"));
+    if (diagnostics.failed()) return end(exit_status::usage);
+    Developer developer(request, diagnostics);
+    for (const std::string& file : request.files)
+        if (!developer.file(file)) return end(exit_status::file);
+    return end(exit_status::done);
+}
+
+}  // namespace candelabra

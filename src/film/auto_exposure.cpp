@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/auto_exposure.h"
+
+#include <cmath>
+#include <vector>
+
+namespace candelabra {
+
+namespace {
+
+constexpr double middle_grey_shown = 0.18 / 1.18;
+constexpr double least_stops = -20, most_stops = 40;
+/// By which a dark picture can be made lighter.
+constexpr double most_lift = 4;
+
+double mean_shown(const std::vector<double>& luminances, double stops) {
+    const double factor = std::exp2(stops);
+    double sum = 0;
+    for (const double each : luminances) sum += factor * each / (1 + factor * each);
+    return sum / static_cast<double>(luminances.size());
+}
+
+}  // namespace
+
+double srgb_luminance(const Vec3& c) { return dot(c, Vec3(0.2126, 0.7152, 0.0722)); }
+
+double stops_asked_by(const Image& image) {
+    std::vector<double> lit;
+    lit.reserve(image.pixels.size());
+    for (const Vec3& pixel : image.pixels) {
+        const double light = srgb_luminance(pixel);
+        constexpr double most = 1e15;
+        lit.push_back(light > 0 ? std::fmin(light, most) : 0);
+    }
+    if (lit.empty()) return 0;
+    double below = least_stops, above = most_stops;
+    constexpr int halvings = 40;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (below + above) / 2;
+        (mean_shown(lit, middle) < middle_grey_shown ? below : above) = middle;
+    }
+    return below > 0 ? most_lift * -std::expm1(-below / most_lift) : below;
+}
+
+}  // namespace candelabra

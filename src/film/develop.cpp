@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/develop.h"
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "film/auto_exposure.h"
+#include "film/glare.h"
+#include "film/response.h"
+#include "film/white_balance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+Image in_single_precision(Image image) {
+    for (Vec3& pixel : image.pixels)
+        for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(pixel[c]);
+    return image;
+}
+
+/// The light after glare. What is scattered is exact; what stays has smooth edges.
+Image glared(const Negative& negative, const FilmSettings& film, int threads) {
+    const Image& stays = negative.smooth.pixels.empty() ? negative.light : negative.smooth;
+    if (!film.glares || film.glare.share() <= 0 || stays.pixels.empty()) return stays;
+    const GlareKernel kernel(film.glare, stays.width, stays.height, threads);
+    Image made = spread(negative.light, kernel, threads);
+    if (&stays != &negative.light)
+        for (std::size_t i = 0; i < made.pixels.size(); ++i)
+            made.pixels[i] +=
+                (1 - kernel.scattered()) * (stays.pixels[i] - negative.light.pixels[i]);
+    return made;
+}
+
+/// Of a pixel and a channel, with a mean of 0 and a deviation of 1, and nearly normal: the sum of
+/// twelve uniform numbers.
+double chance_of(int seed, std::size_t pixel, int channel) {
+    const std::uint64_t place = mix(mix(static_cast<std::uint64_t>(seed)) + pixel);
+    double sum = 0;
+    constexpr std::uint64_t count = 12;
+    for (std::uint64_t i = 0; i < count; ++i)
+        sum += static_cast<double>(mix(place + count * static_cast<std::uint64_t>(channel) + i) >>
+                                   11) *
+               0x1p-53;
+    return sum - 0.5 * count;
+}
+
+/// A pixel's exposure as a display shows it.
+class Paper {
+public:
+    Paper(const Negative& negative, const FilmSettings& film)
+        : negative_(negative),
+          film_(film),
+          curve_(film.curve()),
+          exposure_(std::exp2(exposure_of(negative, film))),
+          balance_(white_balance(film.white_balance)) {}
+
+    Vec3 operator()(const Image& light, int x, int y) const {
+        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(light.width) +
+                           static_cast<std::size_t>(x);
+        const double right = 2 * (x + 0.5) - light.width, down = 2 * (y + 0.5) - light.height;
+        const double corner = std::hypot(light.width, light.height);
+        const double falls = vignetted(film_.vignette, std::hypot(right, down) / corner);
+        const double alpha = negative_.alpha.empty() ? 1 : negative_.alpha[pixel];
+        const bool clear = alpha > 0 && alpha < 1;
+        const Vec3 exposed = balance_(light.pixels[pixel] * (exposure_ * falls));
+        Vec3 shown = respond(curve_, clear ? exposed / alpha : exposed);
+        for (int c = 0; c < 3 && film_.grain > 0; ++c)
+            shown[c] = grained(shown[c], film_.grain, chance_of(film_.grain_seed, pixel, c));
+        return clear ? shown * alpha : shown;
+    }
+
+private:
+    const Negative& negative_;
+    const FilmSettings& film_;
+    ResponseCurve curve_;
+    double exposure_;
+    ColourMatrix balance_;
+};
+
+}  // namespace
+
+Vec3 compressed(const Vec3& sample, double factor) {
+    const Vec3 light = glm::max(sample, Vec3(0));
+    const double most = factor * max_component(light);
+    // The greatest channel of an infinite light becomes 1 / factor.
+    if (!(most < 1e30)) return Vec3(std::isnan(most) ? 0 : 1 / factor);
+    return light / (1 + most);
+}
+
+Vec3 expanded(const Vec3& mean, double factor) {
+    constexpr double least = 1e-9;
+    return mean / std::max(1 - factor * max_component(mean), least);
+}
+
+double exposure_of(const Negative& negative, const FilmSettings& film) {
+    return film.exposure + (film.auto_exposure ? stops_asked_by(negative.light) : 0);
+}
+
+double vignetted(double share, double distance) {
+    const double fourth_power = 1 / ((1 + distance * distance) * (1 + distance * distance));
+    constexpr double lost_in_corners = 0.75;
+    return 1 - share * (1 - fourth_power) / lost_in_corners;
+}
+
+double grained(double shown, double size, double chance) {
+    return std::clamp(shown + size * std::sqrt(shown * (1 - shown)) * chance, 0.0, 1.0);
+}
+
+Image develop(const Negative& given, const FilmSettings& film, int threads) {
+    const Negative negative{in_single_precision(given.light), in_single_precision(given.smooth),
+                            given.alpha};
+    Image image = glared(negative, film, threads);
+    const Paper paper(negative, film);
+    run_parallel(static_cast<std::size_t>(image.height), threads, [&](std::size_t row) {
+        const int y = static_cast<int>(row);
+        for (int x = 0; x < image.width; ++x) image.at(x, y) = paper(image, x, y);
+    });
+    return image;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/response.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+constexpr double middle_grey = 0.18;
+
+/// Hable's curve, from 0 on.
+double hable(double x) {
+    constexpr double shoulder = 0.15, linear = 0.5, angle = 0.1, toe = 0.2, toe_top = 0.02,
+                     toe_bottom = 0.3;
+    return (x * (shoulder * x + angle * linear) + toe * toe_top) /
+               (x * (shoulder * x + linear) + toe * toe_bottom) -
+           toe_top / toe_bottom;
+}
+
+/// What becomes white, in Hable's units.
+constexpr double hable_white = 11.2;
+/// By which the grey's exposure is multiplied to stay where it is: the solution of
+/// hable(k * 0.18) = 0.18 hable(11.2).
+constexpr double hable_gain = 2.9275228328801886;
+
+constexpr double stops_below = 10, stops_above = 6.5;
+constexpr double pivot_place = stops_below / (stops_below + stops_above);
+/// Of the values that the curve makes: they are to this power linear light.
+constexpr double curve_gamma = 2.2;
+constexpr double slope = 2, toe_power = 3, shoulder_power = 3.25;
+
+/// A straight line of the slope through 0 that bends towards `room` when it has gone on to `way`.
+double bent(double x, double way, double room, double power) {
+    const double scale =
+        room == 0
+            ? 0
+            : std::pow(std::pow(slope * way, -power) * (std::pow(slope * way / room, power) - 1),
+                       -1 / power);
+    const double steep = slope * x / scale;
+    return scale * steep / std::pow(1 + std::pow(steep, power), 1 / power);
+}
+
+/// How much of each channel comes from all, before the curve and after it.
+constexpr double mixed_in = 0.2, taken_back = 0.1;
+
+Vec3 mixed(const Vec3& c, double share) {
+    return (1 - share) * c + Vec3(share * (c.x + c.y + c.z) / 3);
+}
+
+Vec3 agx(const Vec3& exposure) {
+    Vec3 made = mixed(glm::max(exposure, Vec3(0)), mixed_in);
+    for (int i = 0; i < 3; ++i) made[i] = agx_curve(made[i]);
+    const double grey = (made.x + made.y + made.z) / 3;
+    return (made - Vec3(taken_back * grey)) / (1 - taken_back);
+}
+
+}  // namespace
+
+double filmic_curve(double exposure) {
+    if (!(exposure > 0)) return 0;
+    // Far above white, where the curve is flat.
+    constexpr double enough = 1e6;
+    return std::min(hable(hable_gain * std::min(exposure, enough)) / hable(hable_white), 1.0);
+}
+
+double agx_curve(double exposure) {
+    if (!(exposure > 0)) return 0;
+    const double stops = std::log2(exposure / middle_grey);
+    const double place = std::clamp((stops + stops_below) / (stops_below + stops_above), 0.0, 1.0);
+    static const double pivot = std::pow(middle_grey, 1 / curve_gamma);
+    const double shown =
+        place < pivot_place
+            ? pivot - bent(pivot_place - place, pivot_place, pivot, toe_power)
+            : pivot + bent(place - pivot_place, 1 - pivot_place, 1 - pivot, shoulder_power);
+    return std::pow(std::clamp(shown, 0.0, 1.0), curve_gamma);
+}
+
+Vec3 respond(ResponseCurve curve, const Vec3& exposure) {
+    Vec3 known = exposure;
+    for (int i = 0; i < 3; ++i)
+        if (std::isnan(known[i])) known[i] = 0;
+    if (curve == ResponseCurve::filmic)
+        known = {filmic_curve(known.x), filmic_curve(known.y), filmic_curve(known.z)};
+    if (curve == ResponseCurve::agx) known = agx(known);
+    return glm::clamp(known, Vec3(0), Vec3(1));
+}
+
+}  // namespace candelabra

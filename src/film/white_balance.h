@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which light looks white, as film for lamps or for daylight has it.
+#pragma once
+
+#include "base/vector.h"
+
+namespace candelabra {
+
+/// A linear map of red, green and blue.
+struct ColourMatrix {
+    Vec3 red = Vec3(1, 0, 0), green = Vec3(0, 1, 0), blue = Vec3(0, 0, 1);  ///< rows
+
+    Vec3 operator()(const Vec3& c) const { return {dot(red, c), dot(green, c), dot(blue, c)}; }
+};
+
+/// Chromaticity x, y of a black body, after M. Krystek, "An algorithm to calculate correlated
+/// colour temperature" (1985); from 1000 to 15000 kelvins.
+Vec2 black_body_chromaticity(double kelvins);
+
+/// Makes light of a black body of that temperature white and keeps its luminance, by the Bradford
+/// transform (CIE 160:2004) in sRGB's primaries. 0 kelvins: the identity.
+ColourMatrix white_balance(double kelvins);
+
+}  // namespace candelabra

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/develop_command.h"
+
+#include "picture/layers.h"
+#include "picture/read.h"
+#include "support/shell.h"
+
+#include <catch2/catch.hpp>
+
+#include <bit>
+#include <cmath>
+
+namespace candelabra {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto filmed_scene = R"(#version 3.7;
+camera { location <0, 1, -5> look_at 0
+  film { exposure 0.5 response agx pixel_filter mitchell white_balance 5000 vignette 0.2
+         glare { veil 0.2 halo 0.02 star 0.05 blades 5 angle 9 } } }
+sphere { <0.3, 1.2, 0>, 0.4 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 30 } }
+plane { y, -1 pigment { checker rgb 1, rgb <1, 0, 0> } finish { ambient 0 } }
+)";
+
+struct Darkroom : Shell {
+    Darkroom() { write("film.pov", filmed_scene); }
+
+    std::string picture(const std::string& name, std::vector<std::string> more = {}) {
+        more.insert(more.end(), {path("film.pov"), "-V", "+W40", "+H36", "+O" + path(name)});
+        INFO(name);
+        CHECK((*this)(more) == 0);
+        CHECK(err == "");
+        return content(name);
+    }
+    std::string developed(const std::string& from, std::vector<std::string> more = {}) {
+        more.insert(more.begin(), {"develop", path(from), "-o", path("developed.png")});
+        CHECK((*this)(more) == 0);
+        CHECK(err == "");
+        return content("developed.png");
+    }
+    /// A file of other programs.
+    void write_planes(const std::string& name, const std::vector<std::string>& planes) {
+        LayeredPicture picture{2, 1, {}, {}};
+        float value = 0.125f;
+        for (const std::string& plane : planes) {
+            picture.planes.push_back(
+                {plane, false, {std::bit_cast<std::uint32_t>(value), 0x3f800000u}});
+            value *= 2;
+        }
+        Diagnostics diagnostics;
+        write(name, encode(picture, diagnostics).value());
+    }
+};
+
+const std::vector<std::string> some_samples = {"--samples", "5"};
+
+}  // namespace
+
+TEST_CASE("what is developed later has the bytes of what was developed at once", "[app][film]") {
+    Darkroom darkroom;
+    const std::string at_once = darkroom.picture("a.png", some_samples);
+    darkroom.picture("a.exr", some_samples);
+    CHECK(darkroom.developed("a.exr") == at_once);
+    CHECK(darkroom.developed("a.exr", {"--exposure", "2"}) != at_once);
+    for (const std::vector<std::string>& film :
+         std::vector<std::vector<std::string>>{{"--exposure", "auto"},
+                                               {"--response", "linear", "--glare", "off"},
+                                               {"--response", "filmic", "--grain", "0.1"},
+                                               {"--white-balance", "0", "--vignette", "0"}}) {
+        std::vector<std::string> options = some_samples;
+        options.insert(options.end(), film.begin(), film.end());
+        const std::string wanted = darkroom.picture("b.png", options);
+        darkroom.picture("b.exr", options);
+        INFO(film[0] << ' ' << film[1]);
+        CHECK(darkroom.developed("b.exr") == wanted);
+    }
+    // With layers, the light lies beside the picture, too; an alpha channel is kept.
+    std::vector<std::string> layers = some_samples;
+    layers.insert(layers.end(), {"+UA", "--layers", "albedo,lights"});
+    const std::string with_alpha = darkroom.picture("c.png", layers);
+    CHECK(darkroom.developed("c.layers.exr") == with_alpha);
+    CHECK(darkroom.developed("c.layers.exr", {"--layer", "albedo"}) != with_alpha);
+}
+
+TEST_CASE("a picture with a film does not depend on shards, threads and stops", "[app][film]") {
+    Darkroom darkroom;
+    const std::vector<std::string> samples = {"--samples", "24"};
+    const std::string whole = darkroom.picture("a.png", samples);
+    for (const char* shard : {"1/3", "2/3", "3/3"}) {
+        std::vector<std::string> more = samples;
+        more.insert(more.end(), {"--shard", shard});
+        darkroom.picture("b.png", more);
+    }
+    REQUIRE(darkroom({"merge", darkroom.path("b.png.1of3.state.exr"),
+                      darkroom.path("b.png.2of3.state.exr"), darkroom.path("b.png.3of3.state.exr"),
+                      "+O" + darkroom.path("b.png")}) == 0);
+    CHECK(darkroom.content("b.png") == whole);
+    darkroom.picture("c.png", {"--samples", "7", "--keep-state"});
+    CHECK(darkroom.picture("c.png", {"--samples", "24", "+C", "+WT3"}) == whole);
+    // Another film would have needed other samples.
+    CHECK(darkroom({darkroom.path("film.pov"), "-V", "+W40", "+H36", "--samples", "24", "+C",
+                    "--exposure", "3", "+O" + darkroom.path("b.png")}) == 0);
+    darkroom.picture("d.png", {"--samples", "7", "--keep-state"});
+    CHECK(darkroom({darkroom.path("film.pov"), "-V", "+W40", "+H36", "--samples", "24", "+C",
+                    "--exposure", "3", "+O" + darkroom.path("d.png")}) != 0);
+    CHECK(has(darkroom.err, "film was "));
+}
+
+TEST_CASE("a film that changes nothing makes the picture that there is without", "[app][film]") {
+    Shell shell;
+    const auto pixels = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {"-V", "+FP", "+O" + shell.path("a.ppm")});
+        REQUIRE(shell.render(more) == 0);
+        const std::string bytes = shell.content("a.ppm");
+        return bytes.substr(bytes.size() - 16 * 12 * 3);
+    };
+    CHECK(pixels({"--film", "on"}) == pixels({}));
+    CHECK(pixels({"--film", "on", "--exposure", "1"}) != pixels({}));
+    Darkroom darkroom;
+    darkroom.picture("on.exr", {"--samples", "2", "--pixel-filter", "box"});
+    darkroom.picture("off.exr", {"--samples", "2", "--film", "off"});
+    Diagnostics diagnostics;
+    const auto on = read_layers(darkroom.path("on.exr"), {}, diagnostics),
+               off = read_layers(darkroom.path("off.exr"), {}, diagnostics);
+    REQUIRE((on && off));
+    CHECK(off->planes.size() == 3);
+    CHECK(on->planes.size() == 6);
+    // The light is the scene's in both.
+    for (std::size_t i = 0; i < 3; ++i) CHECK(on->planes[i].bits == off->planes[i].bits);
+}
+
+TEST_CASE("edges of lamps are smooth where the response ends", "[app][film]") {
+    Shell shell;
+    shell.write("lamp.pov", R"(#version 3.7;
+camera { location -5*z film { response agx } }
+sphere { 0, 1.5 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 10000 } }
+)");
+    const auto shades = [&](const std::string& smooth) {
+        REQUIRE(shell({shell.path("lamp.pov"), "-V", "+W40", "+H30", "--samples", "64",
+                       "--smooth-edges", smooth, "+O" + shell.path("a.ppm")}) == 0);
+        const std::string bytes = shell.content("a.ppm");
+        int between = 0;
+        for (std::size_t i = bytes.size() - 40 * 30 * 3; i < bytes.size(); i += 3) {
+            const auto shade = static_cast<unsigned char>(bytes[i]);
+            between += shade > 30 && shade < 225;
+        }
+        return between;
+    };
+    CHECK(shades("on") > 40);
+    CHECK(shades("off") < 10);
+}
+
+TEST_CASE("frames of an animation are exposed without flicker, and have grains of their own",
+          "[app][film]") {
+    Shell shell;
+    shell.write("blink.pov", R"(#version 3.7;
+camera { location <0, 1, -5> look_at 0 film { exposure auto } }
+sphere { <clock - 1, 1, 0>, 0.1 pigment { rgb 1 }
+         finish { ambient 0 diffuse 0 emission 40 + 20 * sin(frame_number * 9) } }
+light_source { <3, 5, -5>, 0.2 }
+plane { y, -1 pigment { rgb 0.5 } finish { ambient 0.1 } }
+)");
+    REQUIRE(shell({shell.path("blink.pov"), "-V", "+W32", "+H24", "--samples", "4", "+KFF6",
+                   "+O" + shell.path("f.ppm")}) == 0);
+    double before = -1;
+    for (int frame = 1; frame <= 6; ++frame) {
+        const std::string bytes = shell.content("f" + std::to_string(frame) + ".ppm");
+        REQUIRE(bytes.size() > 32 * 24 * 3);
+        // The ground below, away from the lamp.
+        double sum = 0;
+        for (std::size_t i = bytes.size() - 32 * 3 * 3; i < bytes.size(); ++i)
+            sum += static_cast<unsigned char>(bytes[i]);
+        const double shade = sum / (32 * 3 * 3);
+        if (before >= 0) CHECK(std::abs(shade - before) < 4);
+        before = shade;
+    }
+    REQUIRE(shell({shell.path("blink.pov"), "-V", "+W32", "+H24", "--samples", "4", "+KFF2",
+                   "--grain", "0.2", "--exposure", "0", "+O" + shell.path("g.exr")}) == 0);
+    Diagnostics diagnostics;
+    constexpr auto texts = std::array{std::string_view("candelabraFilm")};
+    CHECK(read_layers(shell.path("g1.exr"), texts, diagnostics)->texts[0].second ==
+          "film=on grain=0.2 grain_seed=1");
+    CHECK(read_layers(shell.path("g2.exr"), texts, diagnostics)->texts[0].second ==
+          "film=on grain=0.2 grain_seed=2");
+}
+
+TEST_CASE("any OpenEXR file with colours is developed", "[app][film]") {
+    Darkroom darkroom;
+    const auto shades = [&](std::vector<std::string> more = {}) {
+        more.insert(more.begin(),
+                    {"develop", darkroom.path("x.exr"), "+FP", "-o", darkroom.path("x.ppm")});
+        CHECK(darkroom(more) == 0);
+        const std::string bytes = darkroom.content("x.ppm");
+        std::vector<int> result;
+        for (const char byte : bytes.substr(bytes.size() - 6))
+            result.push_back(static_cast<unsigned char>(byte));
+        return result;
+    };
+    darkroom.write_planes("x.exr", {"B", "G", "R"});
+    CHECK(shades() == std::vector<int>{188, 137, 99, 255, 255, 255});
+    CHECK(shades({"--exposure", "-1"}) == std::vector<int>{137, 99, 71, 188, 188, 188});
+    darkroom.write_planes("x.exr", {"Y"});
+    CHECK(shades() == std::vector<int>{99, 99, 99, 255, 255, 255});
+    darkroom.write_planes("x.exr", {"Render.Combined.B", "Render.Combined.G", "Render.Combined.R"});
+    CHECK(shades() == std::vector<int>{188, 137, 99, 255, 255, 255});
+    darkroom.write_planes("x.exr", {"B", "G", "R", "light.Lamp.B", "light.Lamp.G", "light.Lamp.R"});
+    CHECK(shades({"--layer", "light.Lamp", "--exposure=-4"}) ==
+          std::vector<int>{137, 99, 71, 71, 71, 71});
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), "--layer", "light.Lomp"}) == 3);
+    CHECK(has(darkroom.err, "has no layer `light.Lomp` of colours"));
+    CHECK(has(darkroom.err, "did you mean `light.Lamp`?"));
+    darkroom.write_planes("x.exr", {"depth"});
+    CHECK(darkroom({"develop", darkroom.path("x.exr")}) == 3);
+    CHECK(has(darkroom.err, "has no colours"));
+}
+
+TEST_CASE("pictures lie beside their light, or in a folder", "[app][film]") {
+    Darkroom darkroom;
+    darkroom.write_planes("x.exr", {"B", "G", "R"});
+    darkroom.write_planes("y.exr", {"B", "G", "R"});
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), darkroom.path("y.exr")}) == 0);
+    CHECK(fs::exists(darkroom.path("x.png")));
+    CHECK(fs::exists(darkroom.path("y.png")));
+    fs::create_directory(darkroom.path("out"));
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), darkroom.path("y.exr"), "+FJ", "-o",
+                    darkroom.path("out")}) == 0);
+    CHECK(fs::exists(darkroom.path("out/x.jpg")));
+    CHECK(fs::exists(darkroom.path("out/y.jpg")));
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), darkroom.path("y.exr"), "-o",
+                    darkroom.path("z.png")}) == 2);
+    CHECK(has(darkroom.err, "several pictures cannot go to one file"));
+}
+
+TEST_CASE("develop says what it cannot do", "[app][film]") {
+    Darkroom darkroom;
+    CHECK(darkroom({"develop", "--help"}) == 0);
+    CHECK(has(darkroom.out, "usage: candelabra develop"));
+    CHECK(darkroom({"develop"}) == 2);
+    CHECK(has(darkroom.err, "develop needs a picture that has kept its light"));
+    CHECK(darkroom({"develop", darkroom.path("no.exr")}) == 3);
+    CHECK(darkroom({"develop", darkroom.path("film.pov")}) == 2);
+    CHECK(has(darkroom.err, "is no OpenEXR file by its name"));
+    darkroom.write("bad.exr", "nonsense");
+    CHECK(darkroom({"develop", darkroom.path("bad.exr")}) == 3);
+    darkroom.write_planes("x.exr", {"B", "G", "R"});
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), "-o", darkroom.path("y.hdr")}) == 3);
+    CHECK(has(darkroom.err, "keeps the light"));
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), "+W99"}) == 0);
+    CHECK(has(darkroom.err, "`Width=99` is ignored: nothing is rendered any more"));
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), "--response", "kodak"}) == 2);
+    CHECK(darkroom({"develop", darkroom.path("x.exr"), "--glare", "veil=0.7", "--glare",
+                    "star=0.6"}) == 3);
+    CHECK(has(darkroom.err, "the options do not fit the film"));
+}
+
+}  // namespace candelabra

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/denoise.h"
+
+#include "base/random.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+constexpr int side = 48;
+
+/// A floor with a pattern under a light that falls off, a wall, and the sky above.
+struct QuietView {
+    Image light{side, side}, albedo{side, side}, normal{side, side};
+    std::vector<double> depth;
+
+    QuietView() {
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) {
+                const bool sky = y < 8, wall = y < 20;
+                const bool dark = (x / 6 + y / 6) % 2 == 0;
+                const double away = std::hypot(x - 30, y - 40) / 20;
+                albedo.at(x, y) = sky    ? Vec3(0)
+                                  : wall ? Vec3(0.6, 0.5, 0.4)
+                                         : Vec3(dark ? 0.2 : 0.7);
+                normal.at(x, y) = sky ? Vec3(0) : wall ? Vec3(0, 0, -1) : Vec3(0, 1, 0);
+                light.at(x, y) = sky ? Vec3(0.1, 0.1, 0.3) : albedo.at(x, y) / (1 + away * away);
+                depth.push_back(sky ? INFINITY : wall ? 10 : 10 - 0.2 * (y - 20));
+            }
+    }
+};
+
+/// With so many samples of noisy light in each pixel.
+NoisyPicture noisy(const QuietView& view, int samples, double noise = 1) {
+    NoisyPicture made{view.light, Image(side, side), view.albedo, view.normal, view.depth, {}};
+    std::uint64_t n = 0;
+    for (std::size_t i = 0; i < made.light.pixels.size(); ++i) {
+        Vec3 sum(0), squares(0);
+        for (int k = 0; k < samples; ++k) {
+            // Mostly little, now and then much: of mean 1.
+            const double chance = static_cast<double>(mix(++n) >> 11) * 0x1p-53;
+            const double factor = 1 + noise * (3 * chance * chance - 1);
+            const Vec3 sample = factor * view.light.pixels[i];
+            sum += sample;
+            squares += sample * sample;
+        }
+        const Vec3 mean = sum / static_cast<double>(samples);
+        made.light.pixels[i] = mean;
+        made.variance.pixels[i] =
+            glm::max(squares / static_cast<double>(samples) - mean * mean, Vec3(0)) /
+            std::max(samples - 1.0, 1.0);
+    }
+    return made;
+}
+
+double error_of(const Image& made, const Image& exact) {
+    double sum = 0;
+    for (std::size_t i = 0; i < made.pixels.size(); ++i) {
+        const Vec3 off = made.pixels[i] - exact.pixels[i];
+        sum += dot(off, off);
+    }
+    return std::sqrt(sum / static_cast<double>(made.pixels.size()));
+}
+
+}  // namespace
+
+TEST_CASE("a picture has less noise when it is denoised", "[film][denoise]") {
+    const QuietView view;
+    const NoisyPicture four = noisy(view, 4);
+    CHECK(error_of(denoised(four, 1).light, view.light) < 0.4 * error_of(four.light, view.light));
+    const NoisyPicture many = noisy(view, 64);
+    CHECK(error_of(denoised(many, 1).light, view.light) < 0.7 * error_of(many.light, view.light));
+}
+
+TEST_CASE("the denoised picture becomes the exact one as samples grow", "[film][denoise]") {
+    const QuietView view;
+    double before = 1e9;
+    for (const int samples : {4, 32, 256, 2048}) {
+        const NoisyPicture picture = noisy(view, samples);
+        const double error = error_of(denoised(picture, 1).light, view.light);
+        INFO(samples << " samples: " << error);
+        CHECK(error < 0.75 * before);
+        before = error;
+    }
+    NoisyPicture exact = noisy(view, 2, 0);
+    const Image made = denoised(exact, 1).light;
+    for (std::size_t i = 0; i < made.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            CHECK(made.pixels[i][c] == Approx(view.light.pixels[i][c]).epsilon(1e-3).margin(1e-5));
+}
+
+TEST_CASE("edges of surfaces and of shadows stay", "[film][denoise]") {
+    QuietView view;
+    // A lamp, which has no noise, and a shadow on the floor with the same noise as all.
+    for (int y = 24; y < 44; ++y)
+        for (int x = 4; x < 16; ++x) view.light.at(x, y) *= 0.05;
+    for (int y = 2; y < 6; ++y)
+        for (int x = 20; x < 24; ++x) view.light.at(x, y) = Vec3(500);
+    const Image made = denoised(noisy(view, 16), 1).light;
+    for (int y = 26; y < 42; ++y) {
+        CHECK(made.at(14, y).x < 3 * view.light.at(14, y).x);
+        CHECK(made.at(18, y).x > 0.5 * view.light.at(18, y).x);
+    }
+    CHECK(made.at(19, 4).x < 0.5);
+    CHECK(made.at(21, 4).x > 250);
+}
+
+TEST_CASE("a denoised picture does not depend on threads, and one sample is left alone",
+          "[film][denoise]") {
+    const QuietView view;
+    const NoisyPicture picture = noisy(view, 4);
+    CHECK(denoised(picture, 1).light.pixels == denoised(picture, 3).light.pixels);
+    const NoisyPicture one = noisy(view, 1);
+    const Image made = denoised(one, 1).light;
+    CHECK(error_of(made, one.light) < 0.1 * error_of(one.light, view.light));
+    CHECK(denoised(NoisyPicture(), 1).light.pixels.empty());
+}
+
+TEST_CASE("parts of the light are denoised with it, and are the light together",
+          "[film][denoise]") {
+    const QuietView view;
+    NoisyPicture picture = noisy(view, 4);
+    picture.parts.assign(2, picture.light);
+    for (std::size_t i = 0; i < picture.light.pixels.size(); ++i) {
+        picture.parts[0].pixels[i] = 0.25 * picture.light.pixels[i] + Vec3(0.01, 0, 0);
+        picture.parts[1].pixels[i] = picture.light.pixels[i] - picture.parts[0].pixels[i];
+    }
+    const QuietPicture made = denoised(picture, 2);
+    REQUIRE(made.parts.size() == 2);
+    CHECK(made.light.pixels == denoised(noisy(view, 4), 1).light.pixels);
+    for (std::size_t i = 0; i < made.light.pixels.size(); ++i)
+        for (int c = 0; c < 3; ++c)
+            CHECK(made.parts[0].pixels[i][c] + made.parts[1].pixels[i][c] ==
+                  Approx(made.light.pixels[i][c]).margin(1e-12));
+}
+
+}  // namespace candelabra

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/develop.h"
+
+#include "film/response.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+FilmSettings film_with(std::initializer_list<FilmChange> changes) {
+    FilmSettings film;
+    film.on = true;
+    for (const FilmChange& each : changes) REQUIRE(change(film, each) == "");
+    return film;
+}
+
+Negative even(const Vec3& light, int width = 12, int height = 8) {
+    Negative negative{Image(width, height), {}, {}};
+    for (Vec3& pixel : negative.light.pixels) pixel = light;
+    return negative;
+}
+
+}  // namespace
+
+TEST_CASE("a film that changes nothing clips", "[film][develop]") {
+    const Image made = develop(even({0.25, 2, -1}), film_with({}), 1);
+    CHECK(made.at(5, 5) == Vec3(0.25, 1, 0));
+    CHECK(develop(Negative(), film_with({}), 1).pixels.empty());
+}
+
+TEST_CASE("exposure, white balance and response come one after the other", "[film][develop]") {
+    const Image made =
+        develop(even({0.25, 0.5, 0.125}), film_with({{"exposure", "1"}, {"response", "agx"}}), 1);
+    CHECK(made.at(2, 2) == respond(ResponseCurve::agx, {0.5, 1, 0.25}));
+    const Image grey = develop(even(Vec3(0.01)), film_with({{"exposure", "auto"}}), 1);
+    const double lifted = std::log2(grey.at(0, 0).x / 0.01);
+    CHECK(lifted == Approx(4 * (1 - std::exp(-std::log2(18) / 4))).margin(1e-3));
+    CHECK(exposure_of(even(Vec3(0.18)), film_with({{"exposure", "auto-1"}})) ==
+          Approx(-1).margin(1e-6));
+    const Image warm = develop(even({0.5, 0.3, 0.1}), film_with({{"white_balance", "2700"}}), 1);
+    CHECK(warm.at(0, 0).z > 0.2);
+    CHECK(warm.at(0, 0).x < 0.4);
+}
+
+TEST_CASE("corners lose the share of a vignette", "[film][develop]") {
+    const Image made = develop(even(Vec3(0.8), 401, 301), film_with({{"vignette", "0.5"}}), 2);
+    CHECK(made.at(200, 150).x == Approx(0.8).epsilon(1e-4));
+    CHECK(made.at(0, 0).x == Approx(0.4).epsilon(0.01));
+    CHECK(made.at(0, 0).x == Approx(made.at(400, 300).x));
+    CHECK(vignetted(1, 1) == Approx(0).margin(1e-12));
+    CHECK(vignetted(0, 0.7) == 1);
+}
+
+TEST_CASE("grain keeps the mean, and is another one for each seed", "[film][develop]") {
+    const auto shown = [](const char* seed) {
+        return develop(even(Vec3(0.25), 200, 100),
+                       film_with({{"grain", "0.05"}, {"grain_seed", seed}}), 1);
+    };
+    const Image made = shown("1");
+    double sum = 0, squares = 0;
+    for (const Vec3& pixel : made.pixels) {
+        sum += pixel.x;
+        squares += pixel.x * pixel.x;
+    }
+    const double count = static_cast<double>(made.pixels.size()), mean = sum / count;
+    CHECK(mean == Approx(0.25).epsilon(0.01));
+    CHECK(std::sqrt(squares / count - mean * mean) ==
+          Approx(0.05 * std::sqrt(0.25 * 0.75)).epsilon(0.05));
+    CHECK(made.pixels == shown("1").pixels);
+    CHECK(made.pixels != shown("2").pixels);
+    CHECK(develop(even(Vec3(0)), film_with({{"grain", "1"}}), 1).at(1, 1) == Vec3(0));
+}
+
+TEST_CASE("means of compressed samples are brought back", "[film][develop]") {
+    for (const Vec3& light : {Vec3(0), Vec3(0.5, 0.2, 0), Vec3(1e6, 10, 1)}) {
+        const Vec3 back = expanded(compressed(light, 2), 2);
+        for (int c = 0; c < 3; ++c) CHECK(back[c] == Approx(light[c]).epsilon(1e-6));
+    }
+    // Half of the edge of a very bright lamp, and a tenth of it.
+    const Vec3 half = expanded(0.5 * compressed(Vec3(1e5), 4), 4);
+    CHECK(half.x == Approx(0.25).epsilon(1e-3));
+    const Vec3 little = expanded(0.1 * compressed(Vec3(1e5), 4), 4);
+    CHECK(little.x == Approx(0.25 / 9).epsilon(1e-3));
+    CHECK(compressed(Vec3(INFINITY), 4) == Vec3(0.25));
+    CHECK(compressed(Vec3(NAN, NAN, NAN), 4) == Vec3(0));
+    CHECK(compressed(Vec3(-1), 4) == Vec3(0));
+}
+
+TEST_CASE("the smooth picture stays, and the exact one glares", "[film][develop]") {
+    Negative negative = even(Vec3(0), 40, 30);
+    negative.light.at(20, 15) = Vec3(1000);
+    const FilmSettings film = film_with({{"glare.veil", "0.4"}});
+    const Image exact = develop(negative, film, 1);
+    negative.smooth = negative.light;
+    CHECK(develop(negative, film, 1).pixels == exact.pixels);
+    negative.smooth.at(20, 15) = Vec3(0.1);
+    const Image smooth = develop(negative, film, 1);
+    CHECK(smooth.at(25, 15).x == Approx(exact.at(25, 15).x).epsilon(1e-6));
+    CHECK(smooth.at(20, 15).x < 1.0001);
+    CHECK(exact.at(25, 15).x > 0);
+}
+
+TEST_CASE("what is half clear is developed as if it were opaque", "[film][develop]") {
+    const FilmSettings film = film_with({{"response", "agx"}});
+    Negative negative = even(Vec3(0.5));
+    negative.alpha.assign(negative.light.pixels.size(), 0.5);
+    const Vec3 opaque = respond(ResponseCurve::agx, Vec3(1));
+    CHECK(develop(negative, film, 1).at(3, 3).x == Approx(0.5 * opaque.x));
+}
+
+}  // namespace candelabra

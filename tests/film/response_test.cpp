@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "film/response.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace candelabra {
+
+namespace {
+
+struct CurvePoint {
+    double exposure, filmic, agx;
+};
+
+/// Computed apart from the program, by the formulas of the sources.
+constexpr CurvePoint curve_points[] = {
+    {0.001, 0.0011216463306467958, 4.790657936735761e-05},
+    {0.01, 0.011212843121201254, 0.003236659554772241},
+    {0.05, 0.05499231406810284, 0.044226445921254416},
+    {0.18, 0.18, 0.18},
+    {0.5, 0.40180072484507334, 0.3698408005309577},
+    {1, 0.6129469027105334, 0.5304101034565805},
+    {2, 0.8306867200828927, 0.6922357299357822},
+    {5, 1, 0.8660114993871182},
+    {10, 1, 0.9555508092573235},
+    {16.29, 1, 0.9999916606953767},
+    {20, 1, 1},
+    {100, 1, 1},
+};
+
+}  // namespace
+
+TEST_CASE("the response curves have the numbers of their formulas", "[film][response]") {
+    for (const CurvePoint& point : curve_points) {
+        INFO("exposure " << point.exposure);
+        CHECK(filmic_curve(point.exposure) == Approx(point.filmic).epsilon(1e-10));
+        CHECK(agx_curve(point.exposure) == Approx(point.agx).epsilon(1e-10));
+        const Vec3 grey = respond(ResponseCurve::agx, Vec3(point.exposure));
+        CHECK(grey.x == Approx(point.agx).epsilon(1e-10));
+        CHECK(grey.y == Approx(grey.z).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("bright colours become white with agx, in steps that are known", "[film][response]") {
+    const Vec3 dim = respond(ResponseCurve::agx, {0.1, 0.02, 0.02}),
+               bright = respond(ResponseCurve::agx, {10, 0.2, 0.2}),
+               lamp = respond(ResponseCurve::agx, {100, 2, 2});
+    CHECK(dim.x == Approx(0.09688124675342023).epsilon(1e-9));
+    CHECK(dim.y == Approx(0.013007225251842674).epsilon(1e-9));
+    CHECK(bright.x == Approx(0.9733414600384153).epsilon(1e-9));
+    CHECK(bright.y == Approx(0.4759649700511986).epsilon(1e-9));
+    CHECK(lamp.x == Approx(1));
+    CHECK(lamp.y == Approx(0.9357529059787579).epsilon(1e-9));
+    const Vec3 clipped = respond(ResponseCurve::linear, {100, 0.5, -1});
+    CHECK(clipped == Vec3(1, 0.5, 0));
+}
+
+TEST_CASE("more light never shows as less, and all is within a display", "[film][response]") {
+    double filmic = 0, agx = 0;
+    for (double exposure = 1e-6; exposure < 1e9; exposure *= 1.07) {
+        CHECK(filmic_curve(exposure) >= filmic);
+        CHECK(agx_curve(exposure) >= agx);
+        filmic = filmic_curve(exposure);
+        agx = agx_curve(exposure);
+    }
+    CHECK(filmic == 1);
+    CHECK(agx == 1);
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    for (const ResponseCurve curve :
+         {ResponseCurve::linear, ResponseCurve::filmic, ResponseCurve::agx})
+        for (const Vec3& strange : {Vec3(inf), Vec3(-inf, 1, 0), Vec3(NAN), Vec3(NAN, 1e300, -5),
+                                    Vec3(1e300), Vec3(0), Vec3(inf, 0, 0)}) {
+            const Vec3 shown = respond(curve, strange);
+            for (int c = 0; c < 3; ++c) CHECK((shown[c] >= 0 && shown[c] <= 1));
+        }
+    CHECK(respond(ResponseCurve::agx, Vec3(0)) == Vec3(0));
+    CHECK(respond(ResponseCurve::filmic, Vec3(0)) == Vec3(0));
+}
+
+}  // namespace candelabra
