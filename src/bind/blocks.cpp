@@ -156,6 +156,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"interior_texture", "object", BlockForm::block},
     {"material", "object", BlockForm::block, nullptr, part<DeclaredMaterial, read_material>},
     {"interior", "object", BlockForm::block, nullptr, part<Interior, read_interior>},
+    {"photons", "object light_source global_settings", BlockForm::block},
     {"cutaway_textures", "intersection difference"},
     {"clipped_by", "object"},
     {"bounded_by", "object"},

@@ -9,6 +9,7 @@
 #include "world/hit.h"
 #include "world/lights.h"
 #include "world/material.h"
+#include "world/photon_targets.h"
 #include "world/provenance.h"
 #include "world/sky.h"
 
@@ -75,6 +76,8 @@ public:
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be such solids.
     bool notes_solids() const { return appearance.any_transparent || has_air(); }
+    /// Whether rays begin in places of which it must be found out fast what they are in.
+    bool indexes_solids() const { return view.camera.parallel || !photon_targets.empty(); }
     /// Whether there is fog or a rainbow.
     bool has_air() const { return !sky.fogs.empty() || !sky.rainbows.empty(); }
 
@@ -155,7 +158,7 @@ public:
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || has_indirect_light();
+               !shutter.empty() || has_indirect_light() || !photon_targets.empty();
     }
 
     Geometry geometry;
@@ -164,6 +167,7 @@ public:
     Sky sky;
     WorldView view;
     Rules rules;
+    std::vector<PhotonTarget> photon_targets;  ///< empty: there are no photons
     Provenance provenance;
     std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
 
