@@ -4,6 +4,7 @@
 #include "base/gamma.h"
 #include "lighting/draw.h"
 #include "transport/point_lights.h"
+#include "transport/sight.h"
 
 #include <algorithm>
 #include <numbers>
@@ -50,6 +51,7 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     Vec3 sum(0);
     if (!layer.bsdf.answers_light()) return sum;
     if (layer.sources) sum = from_sources(layer, key, ledger);
+    if (photons_ && layer.collects()) sum += photons_(layer, key, ledger);
     if (!layer.luminaires) return sum;
     if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
     if (world_.sky.light.empty()) return sum;
@@ -74,8 +76,15 @@ Vec3 DirectLight::gathered(const LitLayer& layer, const Vec3& light) {
     return layer.radiosity ? gathered_light(*layer.radiosity, light) : light;
 }
 
-Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
-    return luminaire.varying ? world_.emission(luminaire.primitive, position) : luminaire.radiance;
+/// The share of a luminaire's light that gets here from so far away. What photons bring does not
+/// come straight.
+Vec3 DirectLight::arriving(const LitLayer& layer, const Vec3& direction, double distance) const {
+    const Ray ray{layer.vertex.position(), direction};
+    const double tolerance = layer.vertex.tolerance();
+    const Vec3 passed = world_.transmittance(ray, tolerance, distance, layer.vertex.around);
+    const bool brought = photons_ && passed != Vec3(0) && layer.collects() &&
+                         target_between(world_, ways_of_luminaires, ray, tolerance, distance);
+    return brought ? Vec3(0) : passed;
 }
 
 Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const Vec3& before,
@@ -86,7 +95,9 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
     const auto draw = [&](Vec2 u) { return bsdf.sample(u); };
     const auto pdf = [&](const Vec3& direction) { return bsdf.pdf(direction); };
     const BsdfSampler sampler{bsdf.gloss(), draw, pdf};
-    const auto look = [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); };
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
     const LightProbe scene(look);
     return std::visit(
         [&](const auto& strategy) {
@@ -178,11 +189,10 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     if (!point) return Vec3(0);
     const Vec3 answer = answer_to(layer, point->direction, key);
     if (answer == Vec3(0)) return Vec3(0);
-    const Vec3 sent = radiance(luminaire, point->position);
+    const Vec3 sent = radiance_of(world_, luminaire, point->position);
     if (sent == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
-    const Vec3 passed = world_.transmittance({position, point->direction}, layer.vertex.tolerance(),
-                                             point->distance, layer.vertex.around);
+    const Vec3 passed = arriving(layer, point->direction, point->distance);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     const Vec3 seen = passed == Vec3(0) ? passed
                                         : answer * gathered(layer, sent * passed) /
@@ -231,11 +241,10 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
     const Ray ray{vertex.position(), direction};
     for (const Met& met : met_) {
         ++ledger.shadow;
-        const Vec3 passed =
-            world_.transmittance(ray, vertex.tolerance(), met.meeting.distance, vertex.around);
+        const Vec3 passed = arriving(layer, direction, met.meeting.distance);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.lights.luminaires[met.light];
-        const Vec3 light = passed * radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 light = passed * radiance_of(world_, luminaire, ray.at(met.meeting.distance));
         const Vec3 seen = weight(met.light, met.meeting.density) * gathered(layer, light);
         record(ledger, met.light, seen, layer.throughput, 1);
         sum += seen;
@@ -259,9 +268,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         const bool passes = !world_.material(hit.primitive).stops_light();
         const LightIndex light = world_.lights.luminaire_of[hit.primitive];
         if (light == no_primitive) return passes;
-        const Vec3 clear =
-            unobstructed ? Vec3(1)
-                         : world_.transmittance(ray, vertex.tolerance(), distance, vertex.around);
+        const Vec3 clear = unobstructed ? Vec3(1) : arriving(layer, direction, distance);
         if (clear == Vec3(0)) return false;
         Vec3 weights(0);
         for_densities(light, layer.bsdf.shading(), direction, {distance, hit.tolerance},
@@ -270,7 +277,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         const Vec3 seen =
             weights == Vec3(0)
                 ? weights
-                : weights * gathered(layer, clear * radiance(luminaire, hit.position));
+                : weights * gathered(layer, clear * radiance_of(world_, luminaire, hit.position));
         record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
         met_.push_back({{distance, 0}, light});
         sum += seen;
@@ -296,21 +303,6 @@ void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& 
     for (const LightHit& meeting : meetings_)
         if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
             visit(meeting.density);
-}
-
-/// What a ray that is tried meets first.
-std::optional<ProbeHit> DirectLight::sight(const Ray& ray, double tolerance) const {
-    Hit hit;
-    if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
-    ProbeHit result{
-        dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
-    const LightIndex light = world_.lights.luminaire_of[hit.primitive];
-    if (light != no_primitive) {
-        result.light = light;
-        result.luminance = luminance(radiance(world_.lights.luminaires[light], hit.position));
-    }
-    result.passes = luminance(world_.passed(hit, ray));
-    return result;
 }
 
 /// A direction from where the sky is bright or the surface answers, weighed by the density that

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "scattering/bsdf.h"
 #include "transport/light_ledger.h"
+#include "transport/photon_light.h"
 #include "transport/vertex.h"
 
 #include <optional>
@@ -45,22 +46,28 @@ struct LitLayer {
     const Bsdf& bsdf;
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
     bool highlights = true;     ///< phong and specular ones count
-    bool sources = true;        ///< light sources count
-    bool luminaires = true;     ///< they and the sky count
+    bool sources = true;        ///< light sources and their photons count
+    bool luminaires = true;     ///< they, their photons and the sky count
     /// Light of luminaires is part of what this gathers; null: nothing is.
     const Radiosity* radiosity = nullptr;
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
+    /// Whether it shows light that photons bring, instead of what comes straight through targets.
+    bool collects() const { return vertex.material->photons.collects; }
 };
 
 /// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
 /// estimate. One for each job: it keeps scratch memory.
 class DirectLight {
 public:
-    DirectLight(const World& world, const ShadowRays& rays) : world_(world), shadow_rays_(rays) {}
+    /// `photons`: null where there are none.
+    DirectLight(const World& world, const ShadowRays& rays,
+                std::shared_ptr<Photons> photons = nullptr)
+        : world_(world), shadow_rays_(rays), photons_(std::move(photons)) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
+    const PhotonLight& photons() const { return photons_; }
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }
 
@@ -90,7 +97,6 @@ private:
     Vec3 from_direction(const Vec3&, const LightTree* meetings, const LitLayer&, const Key&,
                         LightLedger&, const Density&);
 
-    std::optional<ProbeHit> sight(const Ray&, double tolerance) const;
     std::optional<ProbeHit> sight_past_clear(const Ray&, double tolerance) const;
     template <class Visit>
     void for_densities(LightIndex, const Shading&, const Vec3& direction, const Distance&,
@@ -105,7 +111,7 @@ private:
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
     static Vec3 gathered(const LitLayer&, const Vec3& light);
-    Vec3 radiance(const Luminaire&, const Vec3& position) const;
+    Vec3 arriving(const LitLayer&, const Vec3& direction, double distance) const;
     template <LightAnswer Answer>
     double chance_of_asking(const Answer&, const LitLayer&, const Vec3& straight,
                             const Vec3& before) const;
@@ -114,6 +120,7 @@ private:
 
     const World& world_;
     ShadowRays shadow_rays_;
+    PhotonLight photons_;
     double asked_here_ = 1;  ///< shadow rays that the hit is expected to get
     HitNoise noise_;
     // Kept from hit to hit for their memory.

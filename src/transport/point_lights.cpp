@@ -16,11 +16,12 @@ constexpr double apart_for_light = 1e-3;
 /// Light of one source at a point, with what it needs.
 class SourceLight {
 public:
-    SourceLight(const World& world, const PointLight& light, const Composite* window,
+    SourceLight(const World& world, const PointLight& light, std::uint32_t number,
                 const LitLayer& layer, const Key& key, LightLedger& ledger)
         : world_(world),
           light_(light),
-          window_(window),
+          window_(world.lights.reach[number].window.get()),
+          photons_(ways_of_source(world, number)),
           vertex_(layer.vertex),
           // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights,
           // and one that is not there knows nothing.
@@ -66,8 +67,16 @@ private:
         const Ray ray{vertex_.position(), light.direction};
         const Vec3 left =
             world_.transmittance(ray, vertex_.tolerance(), *until, vertex_.around, apart_for_light);
+        if (left != Vec3(0) && !world_.photon_targets.empty() && brought(ray, *until))
+            return Vec3(0);
         if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
         return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
+    }
+
+    /// Whether photons bring its light along that way instead.
+    bool brought(const Ray& ray, double until) const {
+        return vertex_.material->photons.collects &&
+               target_between(world_, photons_, ray, vertex_.tolerance(), until);
     }
 
     /// The way to the window, which may not be there in this direction.
@@ -134,6 +143,7 @@ private:
     const World& world_;
     const PointLight& light_;
     const Composite* window_;  ///< null: none
+    const PhotonWays photons_;
     const Vertex& vertex_;
     const Bsdf bsdf_;
     const BsdfTerms terms_;
@@ -149,9 +159,8 @@ private:
 Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
                   LightLedger& ledger) {
     const Key own = key.branched(Branch::source, light);
-    const Composite* window = world.lights.reach[light].window.get();
     return std::visit(
-        [&](const auto& l) { return SourceLight(world, l, window, layer, own, ledger).seen(); },
+        [&](const auto& l) { return SourceLight(world, l, light, layer, own, ledger).seen(); },
         world.lights.sources[light]);
 }
 

@@ -19,7 +19,8 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays),
+      direct_light_(world, wanted.shadow_rays,
+                    wanted.photons ? wanted.photons : photons_of(world, 0, 1)),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)) {}
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels that POV-Ray 3.7 computes (scene text and values), for the part of its vocabulary that this
-// version has: povray.json as it prints them, radiosity.json as its radiosity has them when it
-// converges. (POV-Ray overlooks surfaces within fixed distances of a ray's start; we do not, so
+// version has: povray.json as it prints them, radiosity.json and photons.json as these have them when
+// they converge. (POV-Ray overlooks surfaces within fixed distances of a ray's start; we do not, so
 // scenes that show that are not among them.)
 #include "render/render.h"
 
@@ -66,6 +66,12 @@ TEST_CASE("radiosity agrees with POV-Ray 3.7's where that converges", "[render]"
     const nlohmann::json cases = cases_of("radiosity.json");
     REQUIRE(cases.size() > 40);
     for (const auto& c : cases) check_pixels(c, 30000);
+}
+
+TEST_CASE("photons agree with POV-Ray 3.7's where these converge", "[render][photons]") {
+    const nlohmann::json cases = cases_of("photons.json");
+    REQUIRE(cases.size() == 33);
+    for (const auto& c : cases) check_pixels(c, c.value("samples", 16));
 }
 
 }  // namespace candelabra
