@@ -13,14 +13,14 @@ namespace candelabra {
 
 /// Of the scene: in global_settings.
 struct PhotonSettings {
-    double count = 0;    ///< of photons in a generation; 0 and less: by `spacing`
-    double spacing = 0;  ///< mean distance of photons on a target; 0 and less: by `count`
-    double gather = 20, gather_most = 100;  ///< photons within the first radius lie between
-    double radius = 0;                      ///< the first radius; 0 and less: by `gather`
+    double count = 0;          ///< of photons in a generation; 0 and less: by `spacing`
+    double spacing = 0;        ///< mean distance of photons on a target; 0 and less: by `count`
+    double gather = 20;        ///< has no effect
+    double gather_most = 100;  ///< photons within the first radius, about
+    double radius = 0;         ///< the first radius; 0 and less: by `gather`
     std::optional<double> radius_more = {}, media_radius = {}, media_radius_more = {};
-    std::optional<double> max_trace_level =
-        {};                                  ///< surfaces that a photon may meet; unset: as rays
-    std::optional<double> adc_bailout = {};  ///< share that a photon is worth; unset: as rays
+    /// Surfaces that a photon may meet, and the least share that it is worth; unset: as of rays.
+    std::optional<double> max_trace_level = {}, adc_bailout = {};
     double media = 0;
     std::optional<double> media_factor = {};
     double jitter = 0.4, autostop = 0;

@@ -53,7 +53,11 @@ public:
                 at = node.next;
                 continue;
             }
-            for (std::uint32_t i = node.first; i < node.last; ++i) use(photons_[i]);
+            for (std::uint32_t i = node.first; i < node.last; ++i) {
+                const Vec3 offset = point - photons_[i].position;
+                const double radius = photons_[i].radius;
+                if (dot(offset, offset) < radius * radius) use(photons_[i]);
+            }
             ++at;
         }
     }

@@ -82,7 +82,7 @@ void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count
 
 PhotonMap Photons::made(std::uint32_t number) const {
     const PhotonSettings& settings = world_.rules.settings.photons;
-    const DiscRule rule{std::fmax(0.5 * (settings.gather + settings.gather_most), 1),
+    const DiscRule rule{std::fmax(settings.gather_most, 1),
                         std::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
                         disc_of_target * world_.photon_targets.front().radius};
     return {shot(count_, mix(seed_ ^ mix(number + 1))), rule};
