@@ -54,6 +54,8 @@ Dimension dimension(Purpose purpose) {
             return {static_cast<std::uint32_t>(Purpose::facet_u), true};
         case Purpose::bounce_v:
             return {static_cast<std::uint32_t>(Purpose::bounce_u), true};
+        case Purpose::media_direction_v:
+            return {static_cast<std::uint32_t>(Purpose::media_direction_u), true};
         default:
             return {static_cast<std::uint32_t>(purpose), false};
     }
@@ -89,6 +91,16 @@ double uniform(const Key& key, Purpose purpose) {
     // The bits below 2^-32 are plain noise.
     const std::uint64_t low = mix(h ^ std::uint64_t{key.sample} << 32) >> 43;
     return static_cast<double>(std::uint64_t{high} << 21 | low) * 0x1p-53;
+}
+
+RandomStream::RandomStream(const Key& key, Purpose purpose)
+    : state_(
+          mix(mix(mix(mix(key.pixel) ^ (std::uint64_t{key.path} << 32 | key.branch)) ^ key.sample) ^
+              static_cast<std::uint64_t>(purpose))) {}
+
+double RandomStream::next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    return static_cast<double>(mix(state_) >> 11) * 0x1p-53;
 }
 
 }  // namespace candelabra

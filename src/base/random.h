@@ -35,7 +35,14 @@ enum class Purpose : std::uint32_t {
     band_choice,
     bounce_u,
     bounce_v,
-    roulette
+    roulette,
+    media_distance,       ///< where a path is asked for light between surfaces
+    media_transmittance,  ///< seeds a RandomStream
+    media_choice,
+    media_event,  ///< whether the path is scattered between surfaces
+    media_direction_u,
+    media_direction_v,
+    media_lobe
 };
 
 /// Ways on which a path goes on, and decisions beside it that need numbers of their own. One that
@@ -48,7 +55,9 @@ enum class Branch : std::uint32_t {
     subsurface_spread,  ///< light that spreads inside of a solid
     subsurface_once,    ///< light that is scattered once inside
     drawn_sources,      ///< the choice among many light sources
-    source              ///< one light source; counted
+    source,             ///< one light source; counted
+    medium,             ///< light that media scatter to the viewer; counted
+    medium_scattering   ///< the path goes on from a point between surfaces
 };
 
 /// What is found out by trial, apart from all pictures.
@@ -85,6 +94,19 @@ struct Key {
 
 /// Uniform in [0, 1), a multiple of 2^-53.
 double uniform(const Key&, Purpose);
+
+/// Any number of independent numbers for one key, for estimates that need an unknown number of
+/// them. They are not spread evenly over the samples of a pixel.
+class RandomStream {
+public:
+    RandomStream(const Key&, Purpose);
+
+    /// Uniform in [0, 1).
+    double next();
+
+private:
+    std::uint64_t state_;
+};
 
 /// 64 well-mixed bits of a 64-bit counter (the finaliser of SplitMix64).
 std::uint64_t mix(std::uint64_t);

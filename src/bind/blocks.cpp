@@ -7,6 +7,7 @@
 #include "bind/finishes.h"
 #include "bind/lights.h"
 #include "bind/materials.h"
+#include "bind/media.h"
 #include "bind/normals.h"
 #include "bind/objects.h"
 #include "bind/scene_content.h"
@@ -117,6 +118,13 @@ void settings_in_scene(SceneContent& content, const Element& element) {
     read_global_settings(content.binder, element, content.scene.settings, content.given);
 }
 
+Value density_value(Binder& binder, const Element& element) {
+    Pigment made;
+    made.colour.rgb = Vec3(1);
+    return read_density(binder, element, made) ? Value(make_handle<Pigment>(std::move(made)))
+                                               : Value(Absence::broken);
+}
+
 Value texture_value(Binder& binder, const Element& element) {
     const Handle<Texture> made = read_layers(binder, {&element, 1});
     return made ? Value(made) : Value(Absence::broken);
@@ -150,6 +158,8 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"fog", "", BlockForm::block, scene_part<Fog, &Scene::fogs, read_fog>, part<Fog, read_fog>},
     {"rainbow", "", BlockForm::block, scene_part<Rainbow, &Scene::rainbows, read_rainbow>,
      part<Rainbow, read_rainbow>},
+    {"media", "interior", BlockForm::block, scene_part<Media, &Scene::media, read_media>,
+     part<Media, read_media>},
     {"global_settings", "", BlockForm::block, settings_in_scene},
 
     {"texture", "object", BlockForm::block, nullptr, texture_value, default_texture},
@@ -157,6 +167,9 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"material", "object", BlockForm::block, nullptr, part<DeclaredMaterial, read_material>},
     {"interior", "object", BlockForm::block, nullptr, part<Interior, read_interior>},
     {"photons", "object light_source global_settings", BlockForm::block},
+    {"scattering", "media", BlockForm::block},
+    {"density", "media", BlockForm::block, nullptr, density_value},
+    {"density_map", "density", BlockForm::word, nullptr, part<PigmentMap, read_pigment_map>},
     {"cutaway_textures", "intersection difference"},
     {"clipped_by", "object"},
     {"bounded_by", "object"},

@@ -3,6 +3,7 @@
 
 #include "bind/bind.h"
 #include "bind/item_block.h"
+#include "bind/media.h"
 #include "text/message.h"
 #include "vocabulary/manual.h"
 
@@ -206,7 +207,8 @@ bool read_interior(Binder& binder, const Element& element, Interior& interior) {
     auto declared =
         named<Interior>(block, [&](const Handle<Interior>& other) { interior = *other; });
     ItemReader fields(block, *block.item, &interior);
-    block.read(element.body, declared, fields);
+    MediaReader media(block, interior.media);
+    block.read(element.body, declared, fields, media);
     return !block.broken;
 }
 

@@ -75,6 +75,8 @@ bool read_material(Binder& binder, const Element& element, DeclaredMaterial& mat
     MaterialReader parts(block, material);
     // As in POV-Ray, the inner texture stays where it is.
     const auto apply = [&](const Transform& transform) {
+        if (material.interior && candelabra::moves(*material.interior))
+            material.interior = make_handle<Interior>(transformed(*material.interior, transform));
         if (!material.texture) return;
         TextureDraft draft(material.texture);
         draft.move(transform);

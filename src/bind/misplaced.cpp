@@ -17,9 +17,6 @@ namespace candelabra {
 
 namespace {
 
-/// Blocks that this version has not, though their word is one of a setting elsewhere.
-constexpr std::string_view blocks_to_come = "media";
-
 /// Words that follow a word without effect, and need not be spoken of.
 constexpr std::string_view values_of_charset = "utf8 ascii sys";
 
@@ -250,8 +247,7 @@ void Misplaced::reject_reserved(const Element& element, std::string_view word) {
         block_.broken = true;
         return;
     }
-    const bool to_come = element.kind == Element::Kind::block && contains(blocks_to_come, word);
-    if (known_in_blocks(word) && !to_come) {
+    if (known_in_blocks(word)) {
         // It may belong to what is not available, or has no braces.
         const std::vector<std::string_view> places = homes(word);
         if (reported_unavailable_ || std::ranges::find(places, unbraced_) != places.end()) return;

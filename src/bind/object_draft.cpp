@@ -41,6 +41,8 @@ void ObjectDraft::move(const Movement& next) {
     for (auto* objects : {&clipping.clips, &clipping.bounds})
         for (ObjectHandle& each : *objects)
             each = candelabra::moved(std::move(each), next.transform);
+    if (const auto& interior = made->interior; interior && moves(*interior))
+        made.edit().interior = make_handle<Interior>(transformed(*interior, next.transform));
     if (switches.uv_mapping) return;
     for (Handle<Texture>& each : part_textures)
         if (TextureDraft(each).movable())

@@ -20,6 +20,33 @@ namespace {
 constexpr std::string_view pigment_form =
     "{ rgb <r, g, b> }, or pigment { pattern [color_map { [0 rgb ...] [1 rgb ...] }] }";
 
+constexpr std::string_view density_form =
+    "{ rgb <r, g, b> }, or density { pattern [color_map { [0 rgb ...] [1 rgb ...] }] }";
+
+/// The words of what has colours: of a surface, or of a medium.
+struct ColouringWords {
+    NameId block, map;
+    std::string_view block_name, map_name;
+};
+constexpr ColouringWords pigment_words{"pigment"_word, "pigment_map"_word, "pigment",
+                                       "pigment_map"};
+constexpr ColouringWords density_words{"density"_word, "density_map"_word, "density",
+                                       "density_map"};
+
+const ColouringWords& colouring_words(const OpenBlock& block) {
+    return block.name == density_words.block_name || block.name == density_words.map_name
+               ? density_words
+               : pigment_words;
+}
+
+/// What a block or an entry starts from.
+Pigment first_colouring(const Binder& binder, const ColouringWords& words) {
+    if (words.block != density_words.block) return binder.default_texture->pigment;
+    Pigment even;
+    even.colour.rgb = Vec3(1);
+    return even;
+}
+
 /// A pigment while it is read.
 struct PigmentDraft {
     explicit PigmentDraft(const Pigment& pigment)
@@ -47,6 +74,7 @@ class ColouringReader {
 public:
     ColouringReader(OpenBlock& block, PigmentDraft& draft)
         : block_(block),
+          words_(colouring_words(block)),
           draft_(draft),
           pattern_(block, draft.pattern, "pigment",
                    [this](const Element& entry) { return take(entry); }) {}
@@ -69,15 +97,17 @@ public:
         pattern_.finish();
         if (block_.broken || !draft_.pattern.pattern || draft_.map) return;
         if (std::holds_alternative<Average>(*draft_.pattern.pattern))
-            block_.report(error(Fault::missing, block_.span, "`average` needs a `pigment_map`")
-                              .with_help("pigment { average pigment_map { [1 ...] [2 ...] } }"));
+            block_.report(error(Fault::missing, block_.span,
+                                message("`average` needs a `", words_.map_name, '`'))
+                              .with_help(message(words_.block_name, " { average ", words_.map_name,
+                                                 " { [1 ...] [2 ...] } }")));
         else
             draft_.map = default_map(*draft_.pattern.pattern);
     }
 
     void add_words(WordList& words) const {
         pattern_.add_words(words);
-        words.insert(words.end(), {"color_map", "colour_map", "pigment_map"});
+        words.insert(words.end(), {"color_map", "colour_map", words_.map_name});
     }
 
 private:
@@ -127,12 +157,13 @@ private:
         const NameId word = element.word;
         if (word == "color_map"_word || word == "colour_map"_word) {
             take_map<ColourMap>(element, read_colour_map);
-        } else if (word == "pigment_map"_word) {
+        } else if (word == words_.map) {
             take_map<PigmentMap>(element, read_pigment_map);
-        } else if (word == "pigment"_word && pattern_.named() &&
+        } else if (word == words_.block && pattern_.named() &&
                    choices(*draft_.pattern.pattern) > 0) {
+            const auto read = words_.block == density_words.block ? read_density : read_pigment;
             list_entry<PigmentMap>(element, [&](PigmentStop& stop) {
-                block_.broken |= !read_pigment(block_.binder, element, stop.pigment);
+                block_.broken |= !read(block_.binder, element, stop.pigment);
             });
         } else {
             return false;
@@ -158,7 +189,7 @@ private:
             why = message('`', name(), "` takes ", number_word(choices(*pattern)),
                           " colours, not a `", word, "`");
         else if (std::holds_alternative<Average>(*pattern))
-            why = message("`average` takes a `pigment_map`, not a `", word, "`");
+            why = message("`average` takes a `", words_.map_name, "`, not a `", word, "`");
         else
             return true;
         block_.report(
@@ -169,7 +200,7 @@ private:
     bool fits(const Element& element, PigmentMap& map) {
         if (!draft_.pattern.pattern)
             block_.report(error(Fault::misplaced, element.word_span,
-                                "`pigment_map` needs a pattern before it")
+                                message('`', words_.map_name, "` needs a pattern before it"))
                               .with_help(block_.help()));
         else
             settle_values(block_, element.word_span, map,
@@ -190,7 +221,8 @@ private:
             block_.report(error(
                 map ? Fault::wrong_count : Fault::misplaced, element.span,
                 map ? message('`', name(), "` takes ", listed_, " colours, but here is one more")
-                    : "the entries of a list are all colours or all pigments"));
+                    : message("the entries of a list are all colours or all ",
+                              words_.block == density_words.block ? "densities" : "pigments")));
         }
     }
 
@@ -200,7 +232,7 @@ private:
     PatternedPigment::Map default_list(const PigmentMap&) const {
         PigmentMap map;
         for (int i = 0; i < choices(*draft_.pattern.pattern); ++i)
-            map.push_back({static_cast<double>(i), block_.binder.default_texture->pigment});
+            map.push_back({static_cast<double>(i), first_colouring(block_.binder, words_)});
         return map;
     }
 
@@ -219,12 +251,14 @@ private:
         const auto bare = unbracketed_vector(element, block_.binder.evaluator.names());
         block_.report(bare ? *bare
                            : error(Fault::misplaced, element.span,
-                                   "a pigment has one colour or one pattern, and this is a second")
+                                   message("a ", words_.block_name,
+                                           " has one colour or one pattern, and this is a second"))
                                  .with_help(block_.help()));
         return true;
     }
 
     OpenBlock& block_;
+    const ColouringWords& words_;
     PigmentDraft& draft_;
     PatternReader pattern_;
     bool coloured_ = false;  ///< this block has given the colour
@@ -278,13 +312,14 @@ void read_content(OpenBlock& block, const Content& content, Pigment& pigment, Fi
 }  // namespace
 
 bool read_pigment_map(Binder& binder, const Element& element, PigmentMap& map) {
+    const ColouringWords& words = element.word == density_words.map ? density_words : pigment_words;
     const auto read_entry = [&](OpenBlock& entry, Body body) {
         EntryNumber number(entry);
-        Pigment pigment = binder.default_texture->pigment;
+        Pigment pigment = first_colouring(binder, words);
         read_content(entry, body, pigment, number);
         if (!entry.broken) map.push_back({*number.value, std::move(pigment)});
     };
-    return read_map(binder, element, "pigment_map", "{ [0 pattern ...] [1 rgb <r, g, b>] }", map,
+    return read_map(binder, element, words.map_name, "{ [0 pattern ...] [1 rgb <r, g, b>] }", map,
                     read_entry);
 }
 
@@ -298,6 +333,13 @@ bool read_pigment(Binder& binder, const Element& element, Pigment& pigment) {
     block.form = pigment_form;
     block.ignored = "no_bump_scale";
     read_content(block, element.body, pigment);
+    return !block.broken;
+}
+
+bool read_density(Binder& binder, const Element& element, Pigment& density) {
+    OpenBlock block(binder, "density", element.word_span);
+    block.form = density_form;
+    read_content(block, element.body, density);
     return !block.broken;
 }
 

@@ -46,8 +46,11 @@ private:
 /// been reported.
 bool read_texture(Binder&, const Element& block, TextureDraft&);
 bool read_pigment(Binder&, const Element& block, Pigment&);
+/// `density { ... }` of a medium: as a pigment, whose filter and transmit do not count.
+bool read_density(Binder&, const Element& block, Pigment&);
 /// The words of a pigment in a texture from before version 3.0, whose word is at the span.
 bool read_legacy_pigment(Binder&, const ElementList&, Span, Pigment&);
+/// The same for `density_map`.
 bool read_pigment_map(Binder&, const Element& block, PigmentMap&);
 
 bool read_texture_map(Binder&, const Element& block, TextureMap&);

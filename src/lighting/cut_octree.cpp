@@ -124,9 +124,13 @@ struct BuiltCutOctree::State {
     double brightest = 0;  ///< luminance
     Box cube;
     std::atomic<Cell*> root;
+    std::atomic<Cell*> air;  ///< of points between surfaces: its cells are not surveyed
     std::atomic<std::size_t> cells = 0, bytes = 0;
 
-    ~State() { delete root.load(); }
+    ~State() {
+        delete root.load();
+        delete air.load();
+    }
 };
 
 BuiltCutOctree::BuiltCutOctree(BuiltCutOctree&&) noexcept = default;
@@ -284,9 +288,12 @@ BuiltCutOctree::Cell* BuiltCutOctree::cell_in(std::atomic<Cell*>& place, const B
     return cell;
 }
 
-const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
+const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Receiver& receiver,
                                                     const LightProbe* probe) const {
-    Cell* cell = cell_in(state_->root, state_->cube, nullptr, probe);
+    const bool in_air = receiver.horizon == Horizon::none;
+    if (in_air) probe = nullptr;
+    const Vec3& point = receiver.position;
+    Cell* cell = cell_in(in_air ? state_->air : state_->root, state_->cube, nullptr, probe);
     while (!cell->cut) {
         const Vec3 middle = cell->box.centre();
         Box part = cell->box;
@@ -304,7 +311,7 @@ const BuiltCutOctree::Cell& BuiltCutOctree::cell_at(const Vec3& point,
 void BuiltCutOctree::weigh(const Receiver& point, const LightProbe& probe, const BsdfLobes& lobes,
                            Weights& weights) const {
     if (state_->luminaires.empty()) return;
-    const Cell& cell = cell_at(point.position, &probe);
+    const Cell& cell = cell_at(point, &probe);
     weights.cut = &*cell.cut;
     weights.cut->weigh(point, weights);
     weights.by_direction = weights.total > 0 && cell.survey ? cell.survey->by_direction : 0;
@@ -320,7 +327,7 @@ void BuiltCutOctree::weigh(const Receiver& point, const LightProbe& probe, const
 void BuiltCutOctree::weigh_choice(const Receiver& point, const BsdfLobes& lobes,
                                   Weights& weights) const {
     if (state_->luminaires.empty()) return;
-    weights.cut = &*cell_at(point.position, nullptr).cut;
+    weights.cut = &*cell_at(point, nullptr).cut;
     weights.cut->weigh(point, weights);
     if (lobes.count > 0) weights.cut->weigh_answers(point, lobes, weights);
 }

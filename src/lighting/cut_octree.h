@@ -59,7 +59,7 @@ private:
     struct State;
 
     Cell* cell_in(std::atomic<Cell*>&, const Box&, const Cell* parent, const LightProbe*) const;
-    const Cell& cell_at(const Vec3&, const LightProbe*) const;
+    const Cell& cell_at(const Receiver&, const LightProbe*) const;
     std::unique_ptr<Cell> make(const Box&, const Cell* parent, const LightProbe*) const;
     CellSurvey survey(const Box&, LightCut&, const LightProbe&) const;
     std::vector<float> counted(std::span<const float> shares, const LightCut&, const Box&) const;
@@ -86,6 +86,7 @@ public:
     double pdf(const Vec3& direction, double expected, double of_point) const;
     double noise() const { return weights_.noise; }
     double irradiance() const { return weights_.irradiance; }
+    double unoccluded() const { return weights_.total; }
     const LightTree* meetings() const { return nullptr; }
 
 private:

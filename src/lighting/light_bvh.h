@@ -45,6 +45,7 @@ public:
         }
         double noise() const { return -1; }
         double irradiance() const { return 0; }
+        double unoccluded() const { return -1; }
         const LightTree* meetings() const { return bsdf_ ? &bvh_.tree() : nullptr; }
 
     private:

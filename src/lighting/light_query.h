@@ -46,6 +46,8 @@ concept LightAnswer = requires(const T& at, const Key& key, LightSamples& sample
     // Standard deviation that one shadow ray's irradiance is expected to have; below 0: not known.
     { at.noise() } -> std::same_as<double>;
     { at.irradiance() } -> std::same_as<double>;  // that is expected; known where the noise is
+    // In proportion to what luminaires give there if nothing is between; below 0: not known.
+    { at.unoccluded() } -> std::same_as<double>;
     // Finds the luminaires in a direction; null: the scene does.
     { at.meetings() } -> std::convertible_to<const LightTree*>;
 };
@@ -65,6 +67,7 @@ public:
     double pdf(const Vec3&, double expected, double of_point) const { return expected * of_point; }
     double noise() const { return -1; }
     double irradiance() const { return 0; }
+    double unoccluded() const { return -1; }
     const LightTree* meetings() const { return nullptr; }
 
 private:

@@ -56,8 +56,11 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     if (settings.samples > 0) return settings.samples;
     if (world.view.camera.blurs()) return std::max(2, world.view.camera.blur.least);
     // With more shadow rays each, fewer samples tell as much.
-    constexpr int least = 4, to_middle = 16;
-    if (!settings.antialias) return world.left_to_chance() ? std::max(least, to_middle / rays) : 1;
+    constexpr int least = 4, to_middle = 16, least_in_media = 2;
+    if (!settings.antialias) {
+        if (!world.left_to_chance()) return 1;
+        return world.differs_but_for_media() ? std::max(least, to_middle / rays) : least_in_media;
+    }
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
     return rays == 1 ? first : std::min(first, std::max(least, first / rays));
 }

@@ -15,7 +15,8 @@ constexpr auto surface = std::array{
     &BumpSettings::vocabulary, &Finish::vocabulary,     &Reflection::vocabulary, &Irid::vocabulary,
     &Microfacet::vocabulary,   &Subsurface::vocabulary, &Interior::vocabulary};
 constexpr auto surroundings =
-    std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary};
+    std::array{&SkySphere::vocabulary, &Fog::vocabulary, &Rainbow::vocabulary, &Media::vocabulary,
+               &Scattering::vocabulary};
 constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,

@@ -25,6 +25,22 @@ std::string block_text(const T& item) {
     return message(T::vocabulary.name, " { ", fields, fields.empty() ? "" : " ", "}");
 }
 
+std::string media_text(const Media& media) {
+    std::string text = message("media { ", written_fields(Media::vocabulary, &media));
+    if (media.scatters())
+        text += message(" scattering { ", written_fields(Scattering::vocabulary, &media.scattering),
+                        " }");
+    for (const Pigment& density : media.densities)
+        text += message(" density", dump(density).substr(std::string_view("pigment").size()));
+    return text + " }";
+}
+
+std::string interior_text(const Interior& interior) {
+    std::string text = message("interior { ", written_fields(Interior::vocabulary, &interior));
+    for (const Media& media : interior.media) text += " " + media_text(media);
+    return text + " }";
+}
+
 std::string settings_text(const Scene& scene) {
     GlobalSettings settings = scene.settings;
     const bool srgb = settings.assumed_gamma < 0;
@@ -113,6 +129,12 @@ std::string fogs_text(const Scene& scene) {
     return text;
 }
 
+std::string media_of_scene_text(const Scene& scene) {
+    std::string text;
+    for (const Media& media : scene.media) text += media_text(media) + "\n";
+    return text;
+}
+
 std::string rainbows_text(const Scene& scene) {
     std::string text;
     for (const Rainbow& rainbow : scene.rainbows) text += dump(rainbow);
@@ -125,6 +147,7 @@ constexpr auto blocks_of_scenes = std::to_array<SceneText>({
     {"sky_sphere", sky_text},
     {"fog", fogs_text},
     {"rainbow", rainbows_text},
+    {"media", media_of_scene_text},
     {"camera", camera_text},
     {"light_source", lights_text},
 });
@@ -172,7 +195,7 @@ std::vector<std::string> modifiers_of(const Object& object) {
         result.push_back(list_text(object.part_textures->list));
     if (object.part_textures && object.part_textures->interior)
         result.push_back("interior_" + dump(*object.part_textures->interior));
-    if (object.interior) result.push_back(block_text(*object.interior));
+    if (object.interior) result.push_back(interior_text(*object.interior));
     if (object.texture) result.push_back(dump(*object.texture));
     return result;
 }

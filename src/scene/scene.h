@@ -11,10 +11,11 @@
 #include "camera/camera.h"
 #include "light/light.h"
 #include "medium/fog.h"
+#include "medium/interior.h"
+#include "medium/media.h"
 #include "method/photons.h"
 #include "scene/settings.h"
 #include "shape/shape.h"
-#include "surface/interior.h"
 #include "surface/texture.h"
 #include "text/span.h"
 
@@ -139,6 +140,7 @@ struct Scene {
     Background background;
     std::optional<SkySphere> sky;
     std::vector<Fog> fogs;
+    std::vector<Media> media;  ///< fill all that is outside of solids
     std::vector<Rainbow> rainbows;
     GlobalSettings settings;
     double language_version = 3.7;  ///< the last version in force; 3.62 when the scene names none

@@ -3,6 +3,7 @@
 
 #include "base/gamma.h"
 #include "lighting/draw.h"
+#include "transport/light_left.h"
 #include "transport/point_lights.h"
 #include "transport/sight.h"
 
@@ -32,7 +33,7 @@ constexpr double min_chance = 1.0 / 256;
 Vec3 answer_to(const LitLayer& layer, const Vec3& direction, const Key& key) {
     // What radiosity gathers has no brilliance.
     const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
-    return layer.bsdf.evaluate(direction, terms, layer.grain(key));
+    return layer.scatterer.evaluate(direction, terms, layer.grain(key));
 }
 
 /// A difference of radiance that is so many steps of what is displayed.
@@ -44,20 +45,25 @@ double visible_step(double radiance) {
 }  // namespace
 
 double LitLayer::grain(const Key& key) const {
-    return bsdf.shading().finish->crand > 0 ? uniform(key, Purpose::grain) : 0;
+    if (scatterer.in_air()) return 0;
+    return scatterer.bsdf().shading().finish->crand > 0 ? uniform(key, Purpose::grain) : 0;
 }
 
 Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
     Vec3 sum(0);
-    if (!layer.bsdf.answers_light()) return sum;
+    if (!layer.scatterer.answers_light()) return sum;
     if (layer.sources) sum = from_sources(layer, key, ledger);
-    if (photons_ && layer.collects()) sum += photons_(layer, key, ledger);
+    if (photons_ && !layer.scatterer.in_air() && layer.collects(world_))
+        sum += photons_(layer, key, ledger);
     if (!layer.luminaires) return sum;
     if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
     if (world_.sky.light.empty()) return sum;
     Vec3 of_sky(0);
     const int count = shadow_rays_.usual;
-    for (int i = 0; i < count; ++i) of_sky += from_sky(layer, key.part(count, i), ledger);
+    for (int i = 0; i < count; ++i) {
+        medium_key_ = key.part(count, i);
+        of_sky += from_sky(layer, medium_key_, ledger);
+    }
     return sum + of_sky / static_cast<double>(count);
 }
 
@@ -76,25 +82,14 @@ Vec3 DirectLight::gathered(const LitLayer& layer, const Vec3& light) {
     return layer.radiosity ? gathered_light(*layer.radiosity, light) : light;
 }
 
-/// The share of a luminaire's light that gets here from so far away. What photons bring does not
-/// come straight.
-Vec3 DirectLight::arriving(const LitLayer& layer, const Vec3& direction, double distance) const {
-    const Ray ray{layer.vertex.position(), direction};
-    const double tolerance = layer.vertex.tolerance();
-    const Vec3 passed = world_.transmittance(ray, tolerance, distance, layer.vertex.around);
-    const bool brought = photons_ && passed != Vec3(0) && layer.collects() &&
-                         target_between(world_, ways_of_luminaires, ray, tolerance, distance);
-    return brought ? Vec3(0) : passed;
-}
-
 Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const Vec3& before,
                                   LightLedger& ledger) {
-    const Bsdf& bsdf = layer.bsdf;
-    const Receiver point = receiver(bsdf.shading());
-    const BsdfLobes lobes = bsdf.lobes();
-    const auto draw = [&](Vec2 u) { return bsdf.sample(u); };
-    const auto pdf = [&](const Vec3& direction) { return bsdf.pdf(direction); };
-    const BsdfSampler sampler{bsdf.gloss(), draw, pdf};
+    const Scatterer& scatterer = layer.scatterer;
+    const Receiver point = receiver(scatterer);
+    const BsdfLobes lobes = scatterer.lobes();
+    const auto draw = [&](Vec2 u) { return scatterer.sample(u); };
+    const auto pdf = [&](const Vec3& direction) { return scatterer.pdf(direction); };
+    const BsdfSampler sampler{scatterer.gloss(), draw, pdf};
     const auto look = [&](const Ray& ray, double tolerance) {
         return first_sight(world_, ray, tolerance);
     };
@@ -104,7 +99,8 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
             const auto answer = strategy.at({point, lobes, &sampler, &scene});
             int count = shadow_rays_.usual;
             double chance = 1;
-            if (answer.noise() >= 0) {
+            if (answer.noise() >= 0 && !scatterer.in_air()) {
+                const Bsdf& bsdf = scatterer.bsdf();
                 const Vec3 straight =
                     answer_to(layer, bsdf.shading().normal, key) + Vec3(bsdf.highlights());
                 chance = chance_of_asking(answer, layer, straight, before);
@@ -126,6 +122,7 @@ Vec3 DirectLight::from_answer(const Answer& answer, const LitLayer& layer, const
                               LightLedger& ledger) {
     samples_.clear();
     answer.sample(key, samples_);
+    medium_key_ = key;
     Vec3 sum(0);
     if (samples_.direction)
         sum += from_direction(*samples_.direction, answer.meetings(), layer, key, ledger,
@@ -170,6 +167,27 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
     return 1 << static_cast<int>(exponent);
 }
 
+/// What surfaces and media leave of a luminaire's light on the way from there. What photons bring
+/// does not come straight.
+Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double distance) const {
+    const Vertex& vertex = layer.vertex;
+    const Vec3 left = candelabra::light_left(
+        world_, {ray, vertex.tolerance(), distance, vertex.around}, medium_key_);
+    const bool brought =
+        photons_ && left != Vec3(0) && layer.collects(world_) &&
+        target_between(world_, ways_of_luminaires, ray, vertex.tolerance(), distance);
+    return brought ? Vec3(0) : left;
+}
+
+double DirectLight::unoccluded_luminaires(const Vec3& position) const {
+    const Receiver point{position, Vec3(0), Horizon::none};
+    return std::visit(
+        [&](const auto& strategy) {
+            return strategy.at({point, BsdfLobes{}, nullptr, nullptr}).unoccluded();
+        },
+        world_.lights.sampler);
+}
+
 /// A point of the luminaire, with its shadow ray.
 template <class Density>
 Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, const Key& key,
@@ -185,14 +203,14 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
             return light == pick.light ? weight : Vec3(0);
         });
     }
-    const auto point = sample(luminaire, receiver(layer.bsdf.shading()), place_on_light(key));
+    const auto point = sample(luminaire, receiver(layer.scatterer), place_on_light(key));
     if (!point) return Vec3(0);
     const Vec3 answer = answer_to(layer, point->direction, key);
     if (answer == Vec3(0)) return Vec3(0);
     const Vec3 sent = radiance_of(world_, luminaire, point->position);
     if (sent == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
-    const Vec3 passed = arriving(layer, point->direction, point->distance);
+    const Vec3 passed = light_left(layer, {position, point->direction}, point->distance);
     // Light from one steradian of radiance 1 is light of colour 1/pi in POV-Ray's sense.
     const Vec3 seen = passed == Vec3(0) ? passed
                                         : answer * gathered(layer, sent * passed) /
@@ -212,7 +230,7 @@ Vec3 DirectLight::from_direction(const Vec3& direction, const LightTree* meeting
         return answer / (pi * density(light, of_point));
     };
     if (!meetings) return seen_towards(layer, direction, ledger, weight);
-    meet_along(*meetings, layer.vertex, receiver(layer.bsdf.shading()), direction);
+    meet_along(*meetings, layer.vertex, receiver(layer.scatterer), direction);
     return seen_along(layer, direction, ledger, weight);
 }
 
@@ -241,7 +259,7 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
     const Ray ray{vertex.position(), direction};
     for (const Met& met : met_) {
         ++ledger.shadow;
-        const Vec3 passed = arriving(layer, direction, met.meeting.distance);
+        const Vec3 passed = light_left(layer, ray, met.meeting.distance);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.lights.luminaires[met.light];
         const Vec3 light = passed * radiance_of(world_, luminaire, ray.at(met.meeting.distance));
@@ -268,10 +286,11 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         const bool passes = !world_.material(hit.primitive).stops_light();
         const LightIndex light = world_.lights.luminaire_of[hit.primitive];
         if (light == no_primitive) return passes;
-        const Vec3 clear = unobstructed ? Vec3(1) : arriving(layer, direction, distance);
+        const Vec3 clear =
+            unobstructed && !world_.has_media() ? Vec3(1) : light_left(layer, ray, distance);
         if (clear == Vec3(0)) return false;
         Vec3 weights(0);
-        for_densities(light, layer.bsdf.shading(), direction, {distance, hit.tolerance},
+        for_densities(light, layer, direction, {distance, hit.tolerance},
                       [&](double density) { weights += weight(light, density); });
         const Luminaire& luminaire = world_.lights.luminaires[light];
         const Vec3 seen =
@@ -290,16 +309,16 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
 /// Calls visit with the density of each drawn point of the luminaire that is met there, if it may
 /// be drawn. Of luminaires that are searched that is the first one on the way, which met_ knows.
 template <class Visit>
-void DirectLight::for_densities(LightIndex light, const Shading& s, const Vec3& direction,
+void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const Vec3& direction,
                                 const Distance& there, const Visit& visit) {
     const Luminaire& luminaire = world_.lights.luminaires[light];
     if (const auto searched = SearchedLuminaire::of(luminaire)) {
         if (std::ranges::find(met_, light, &Met::light) == met_.end())
-            visit(searched->density(s.position, direction));
+            visit(searched->density(layer.vertex.position(), direction));
         return;
     }
     meetings_.clear();
-    intersect(luminaire, receiver(s), direction, meetings_);
+    intersect(luminaire, receiver(layer.scatterer), direction, meetings_);
     for (const LightHit& meeting : meetings_)
         if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
             visit(meeting.density);
@@ -313,14 +332,13 @@ Vec3 DirectLight::from_sky(const LitLayer& layer, const Key& key, LightLedger& l
     const double u = uniform(key, Purpose::sky_choice);
     const Vec2 place{uniform(key, Purpose::sky_u), uniform(key, Purpose::sky_v)};
     const auto direction =
-        u < 0.5 ? std::optional(sky.draw(place).direction) : layer.bsdf.sample(place);
+        u < 0.5 ? std::optional(sky.draw(place).direction) : layer.scatterer.sample(place);
     const Vec3 answer = direction ? answer_to(layer, *direction, key) : Vec3(0);
     if (answer == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
-    const Vec3 passed = world_.transmittance({vertex.position(), *direction}, vertex.tolerance(),
-                                             far_away, vertex.around);
+    const Vec3 passed = light_left(layer, {vertex.position(), *direction}, far_away);
     if (passed == Vec3(0)) return Vec3(0);
-    const double density = 0.5 * (sky.density(*direction) + layer.bsdf.pdf(*direction));
+    const double density = 0.5 * (sky.density(*direction) + layer.scatterer.pdf(*direction));
     return answer * gathered(layer, passed * world_.sky_radiance(*direction)) / (pi * density);
 }
 
@@ -355,8 +373,8 @@ Vec3 DirectLight::from_source(std::uint32_t light, double weight, const LitLayer
 Vec3 DirectLight::from_drawn_sources(const SourceSet& set, const LitLayer& layer, const Key& key,
                                      LightLedger& ledger) {
     const Key own = key.branched(Branch::drawn_sources);
-    const Receiver point = set.asked(receiver(layer.bsdf.shading()));
-    const BsdfLobes lobes = layer.bsdf.lobes();
+    const Receiver point = set.asked(receiver(layer.scatterer));
+    const BsdfLobes lobes = layer.scatterer.lobes();
     const auto look = [&](const Ray& ray, double tolerance) {
         return sight_past_clear(ray, tolerance);
     };

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "scattering/bsdf.h"
+#include "scattering/scatterer.h"
 #include "transport/light_ledger.h"
 #include "transport/photon_light.h"
 #include "transport/vertex.h"
@@ -40,10 +40,10 @@ struct HitNoise {
     }
 };
 
-/// What light that arrives at a vertex is asked for: one layer's answer to it.
+/// What light that arrives at a vertex is asked for: the answer to it of one layer, or of media.
 struct LitLayer {
     const Vertex& vertex;
-    const Bsdf& bsdf;
+    Scatterer scatterer;
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
     bool highlights = true;     ///< phong and specular ones count
     bool sources = true;        ///< light sources and their photons count
@@ -53,7 +53,12 @@ struct LitLayer {
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
     /// Whether it shows light that photons bring, instead of what comes straight through targets.
-    bool collects() const { return vertex.material->photons.collects; }
+    /// Photons light no media; these are dark behind a target, as in POV-Ray, unless the scene asks
+    /// for photons in media.
+    bool collects(const World& world) const {
+        return scatterer.in_air() ? !(world.rules.settings.photons.media > 0)
+                                  : vertex.material->photons.collects;
+    }
 };
 
 /// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
@@ -68,6 +73,10 @@ public:
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
     const PhotonLight& photons() const { return photons_; }
+    /// In proportion to what may arrive at a point between surfaces by luminaires, if nothing is
+    /// between; below 0 where that is not known. Precondition: there are some.
+    double unoccluded_luminaires(const Vec3& position) const;
+
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }
 
@@ -99,11 +108,12 @@ private:
 
     std::optional<ProbeHit> sight_past_clear(const Ray&, double tolerance) const;
     template <class Visit>
-    void for_densities(LightIndex, const Shading&, const Vec3& direction, const Distance&,
+    void for_densities(LightIndex, const LitLayer&, const Vec3& direction, const Distance&,
                        const Visit&);
     /// Weight: by the luminaire and the density with which it says the point is drawn.
     template <class Weight>
     Vec3 seen_towards(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&);
+    Vec3 light_left(const LitLayer&, const Ray&, double distance) const;
     void meet_along(const LightTree&, const Vertex&, const Receiver&, const Vec3& direction);
     template <class Weight>
     Vec3 seen_along(const LitLayer&, const Vec3& direction, LightLedger&, const Weight&) const;
@@ -111,7 +121,6 @@ private:
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
     static Vec3 gathered(const LitLayer&, const Vec3& light);
-    Vec3 arriving(const LitLayer&, const Vec3& direction, double distance) const;
     template <LightAnswer Answer>
     double chance_of_asking(const Answer&, const LitLayer&, const Vec3& straight,
                             const Vec3& before) const;
@@ -121,6 +130,7 @@ private:
     const World& world_;
     ShadowRays shadow_rays_;
     PhotonLight photons_;
+    Key medium_key_;         ///< of what media leave of the light that is asked for
     double asked_here_ = 1;  ///< shadow rays that the hit is expected to get
     HitNoise noise_;
     // Kept from hit to hit for their memory.

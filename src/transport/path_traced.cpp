@@ -43,6 +43,7 @@ PathTracedIntegrator::PathTracedIntegrator(const World& world, const Tracing& wa
     : world_(world),
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays),
+      media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)),
       max_bounces_(std::get<PathTraced>(world.rules.settings.integrator).bounces) {}
@@ -55,11 +56,9 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
     while (path.throughput != Vec3(0)) {
         Hit hit;
         const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
-        const Veil veil = veil_along(
-            world_, path,
-            met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity());
-        sum_ += path.throughput * veil.added;
-        path.dim(veil.transmittance);
+        const double distance =
+            met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
+        if (pass_air(path, distance)) continue;
         if (!met) {
             sum_ += path.throughput * ends_.background(path);
             break;
@@ -80,6 +79,29 @@ Vec3 PathTracedIntegrator::radiance(const Ray& ray, const Key& key) {
         path = next;
     }
     return sum_;
+}
+
+/// Adds what comes from between the surfaces along the path's ray, and dims the path. True: the
+/// path has been scattered there, and goes on in another direction.
+bool PathTracedIntegrator::pass_air(PathState& path, double distance) {
+    const Veil fog = veil_along(world_, path, distance);
+    sum_ += path.throughput * fog.added;
+    path.dim(fog.transmittance);
+    if (!world_.has_media()) return false;
+    const Veil veil = media_.along(path, distance, direct_light_, ledger_);
+    sum_ += path.throughput * veil.added;
+    const double scattered = path.bounces < max_bounces_ ? media_.multiple_scattering() : 0;
+    if (scattered > 0) {
+        const double chance = scattered / (scattered + max_component(veil.transmittance));
+        if (uniform(path.key, Purpose::media_event) < chance) {
+            path = media_.scattered_path(path.dimmed(Vec3(1 / chance)));
+            ++ledger_.scattered;
+            return true;
+        }
+        path.dim(Vec3(1 / (1 - chance)));
+    }
+    path.dim(veil.transmittance);
+    return false;
 }
 
 /// Adds what the layers send by themselves and of direct light, and lets the path go on.

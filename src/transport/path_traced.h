@@ -7,6 +7,7 @@
 
 #include "transport/direct_light.h"
 #include "transport/layer_stack.h"
+#include "transport/participating_media.h"
 #include "transport/path_steps.h"
 #include "transport/tracing.h"
 
@@ -35,6 +36,7 @@ private:
     };
     using Ways = ShortList<Way, 4>;
 
+    bool pass_air(PathState&, double distance);
     void at_vertex(PathState&, const Vertex&, std::span<const Layer>);
     void gather(const PathState&, const Vertex&, const Shading&);
     void add_ways(const PathState&, const LayerStack::Seen&, Ways&) const;
@@ -45,6 +47,7 @@ private:
     const World& world_;
     ShadingRules rules_;
     DirectLight direct_light_;
+    ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
     Vec3 sum_ = Vec3(0);  ///< the sample's radiance so far

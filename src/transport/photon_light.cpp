@@ -31,8 +31,8 @@ Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
         const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
         if (cosine < least_cosine) return;
         // What comes to the surface counts by its cosine already.
-        const Vec3 seen =
-            Vec3(photon.power) * (density / cosine) * layer.bsdf.evaluate(to_light, terms, grain);
+        const Vec3 seen = Vec3(photon.power) * (density / cosine) *
+                          layer.scatterer.evaluate(to_light, terms, grain);
         sum += seen;
         if (ledger.lights.empty()) return;
         LightCount& own = ledger.lights[photon.statement];

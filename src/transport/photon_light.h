@@ -18,7 +18,7 @@ public:
     explicit operator bool() const { return photons_ != nullptr; }
 
     /// Radiance towards the viewer, by the generation that serves the key's sample. Precondition:
-    /// there are photons.
+    /// there are photons, and the layer is one of a surface.
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
     /// Makes what samples from `first` to before `last` need.

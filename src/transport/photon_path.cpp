@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/photon_path.h"
 
+#include "medium/transmittance.h"
 #include "scattering/bsdf.h"
 #include "scattering/mirror.h"
 #include "scattering/phong.h"
+#include "transport/light_left.h"
 #include "transport/path_steps.h"
 
 #include <algorithm>
@@ -37,7 +39,9 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
     while (journey.passed < max_surfaces_along) {
         Hit hit;
         if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
-        journey.way += length(hit.position - path.ray.origin);
+        const double distance = length(hit.position - path.ray.origin);
+        journey.way += distance;
+        pass_media(path, distance);
         const Ray came = path.ray;
         const Vertex vertex = vertex_at(world_, came, hit, {path.media.data(), path.media.size()});
         const PhotonSurface& surface = vertex.material->photons;
@@ -54,6 +58,15 @@ void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
             journey.met > 1 && !is_refracted(journey, surface) && !is_reflected(journey, surface);
         if (straight ? !pass(journey, vertex, came) : !scatter(journey, vertex, path.key)) return;
     }
+}
+
+/// What media in solids leave on a stretch of the path. Those outside leave all, as in POV-Ray.
+void PhotonPaths::pass_media(PathState& path, double distance) const {
+    MediaList media;
+    add_media(world_, {path.media.data(), path.media.size()}, media);
+    if (media.empty()) return;
+    path.throughput *= transmittance(view_of(media), path.ray, {0, distance},
+                                     world_.pattern_scene(), path.key.branched(Branch::medium));
 }
 
 /// Goes straight on as light for a shadow does.

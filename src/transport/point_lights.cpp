@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/point_lights.h"
 
+#include "transport/light_left.h"
+
 #include <algorithm>
 #include <array>
 
@@ -22,21 +24,27 @@ public:
           light_(light),
           window_(world.lights.reach[number].window.get()),
           photons_(ways_of_source(world, number)),
+          collects_(!world.photon_targets.empty() && layer.collects(world)),
           vertex_(layer.vertex),
-          // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights,
-          // and one that is not there knows nothing.
-          bsdf_(light.area_illumination && light.size1 == 0 ? layer.bsdf.on_both_sides()
-                                                            : layer.bsdf),
+          scatterer_(layer.scatterer),
           terms_{.highlights = layer.highlights && !light.shadowless},
           grain_(layer.grain(key)),
           key_(key),
-          ledger_(ledger) {}
+          ledger_(ledger) {
+        // As in POV-Ray, where a grid that lights by itself is trusted to know what it lights, and
+        // one that is not there knows nothing.
+        if (light.area_illumination && light.size1 == 0 && !scatterer_.in_air())
+            scatterer_ = both_sides_.emplace(scatterer_.bsdf().on_both_sides());
+    }
+    SourceLight(const SourceLight&) = delete;
 
     Vec3 seen() {
+        if (scatterer_.in_air() && (light_.shadowless || !light_.media_interaction)) return Vec3(0);
         const Incidence central = incidence(light_, light_.location, vertex_.position());
         direction_ = central.direction;
-        const Vec3 answer =
-            light_.is_area() && light_.area_illumination ? grid_answer() : answer_to(central);
+        const Vec3 answer = light_.is_area() && light_.area_illumination && !scatterer_.in_air()
+                                ? grid_answer()
+                                : answer_to(central);
         if (answer == Vec3(0)) return answer;
         if (light_.shadowless) return window_ && !seen_through(central) ? Vec3(0) : answer;
         return answer * (light_.is_area() ? grid_shadow() : passed(central));
@@ -45,9 +53,11 @@ public:
 private:
     Vec3 answer_to(const Incidence& light) const {
         if (light.colour == Vec3(0)) return Vec3(0);
+        if (scatterer_.in_air()) return light.colour * scatterer_.phase().evaluate(direction_);
+        const Bsdf& bsdf = scatterer_.bsdf();
         // Its film shimmers by where the middle of the light is.
-        return light.colour * bsdf_.film(direction_) *
-               bsdf_.evaluate_without_film(light.direction, terms_, grain_);
+        return light.colour * bsdf.film(direction_) *
+               bsdf.evaluate_without_film(light.direction, terms_, grain_);
     }
 
     Vec3 grid_answer() const {
@@ -65,18 +75,23 @@ private:
         if (!until) return Vec3(0);
         ++ledger_.shadow;
         const Ray ray{vertex_.position(), light.direction};
-        const Vec3 left =
-            world_.transmittance(ray, vertex_.tolerance(), *until, vertex_.around, apart_for_light);
-        if (left != Vec3(0) && !world_.photon_targets.empty() && brought(ray, *until))
-            return Vec3(0);
-        if (!light_.media_attenuation || !light_.media_interaction || left == Vec3(0)) return left;
+        const bool air = light_.media_attenuation && light_.media_interaction;
+        const Vec3 left = light_left(world_,
+                                     {.ray = ray,
+                                      .tolerance = vertex_.tolerance(),
+                                      .distance = *until,
+                                      .around = vertex_.around,
+                                      .apart = apart_for_light,
+                                      .in_atmosphere = air},
+                                     key_);
+        if (left != Vec3(0) && brought(ray, *until)) return Vec3(0);
+        if (!air || left == Vec3(0)) return left;
         return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
     }
 
     /// Whether photons bring its light along that way instead.
     bool brought(const Ray& ray, double until) const {
-        return vertex_.material->photons.collects &&
-               target_between(world_, photons_, ray, vertex_.tolerance(), until);
+        return collects_ && target_between(world_, photons_, ray, vertex_.tolerance(), until);
     }
 
     /// The way to the window, which may not be there in this direction.
@@ -144,8 +159,10 @@ private:
     const PointLight& light_;
     const Composite* window_;  ///< null: none
     const PhotonWays photons_;
+    const bool collects_;  ///< shows light that photons bring
     const Vertex& vertex_;
-    const Bsdf bsdf_;
+    Scatterer scatterer_;
+    std::optional<Bsdf> both_sides_;  ///< what scatterer_ refers to, if it is there
     const BsdfTerms terms_;
     const double grain_;
     const Key key_;

@@ -21,6 +21,7 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
       rules_(shading_rules(world)),
       direct_light_(world, wanted.shadow_rays,
                     wanted.photons ? wanted.photons : photons_of(world, 0, 1)),
+      media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)) {}
 
@@ -38,10 +39,13 @@ Vec3 PovRayIntegrator::follow(const PathState& path) {
     Hit hit;
     const bool met = world_.first_hit(path.ray, path.tolerance, path.kind, hit);
     const bool airless = path.kind == RayKind::gathering && !radiosity_.media;
-    if (!world_.has_air() || airless) return met ? surface(path, hit) : ends_.background(path);
+    if (!(world_.has_air() || world_.has_media()) || airless)
+        return met ? surface(path, hit) : ends_.background(path);
     const double distance =
         met ? length(hit.position - path.ray.origin) : std::numeric_limits<double>::infinity();
-    const Veil veil = veil_along(world_, path, distance);
+    const Veil air = veil_along(world_, path, distance);
+    const Veil veil =
+        air.before(media_.along(path.dimmed(air.transmittance), distance, direct_light_, ledger_));
     const PathState behind = path.dimmed(veil.transmittance);
     return veil.through(met ? surface(behind, hit) : ends_.background(behind));
 }
@@ -110,7 +114,7 @@ Vec3 PovRayIntegrator::lit(const PathState& path, const Vertex& vertex, const Sh
             return own + direct_light_({vertex, bsdf, path.throughput}, path.key, ledger_);
         return own +
                direct_light_({.vertex = vertex,
-                              .bsdf = bsdf,
+                              .scatterer = bsdf,
                               .throughput = path.throughput,
                               .highlights = highlights,
                               .luminaires = false},
@@ -139,7 +143,7 @@ Vec3 PovRayIntegrator::gathered(const PathState& path, const Vertex& vertex, con
     one_side.both_sides = false;
     const Bsdf bsdf(one_side, rules_);
     const Vec3 straight = direct_light_({.vertex = vertex,
-                                         .bsdf = bsdf,
+                                         .scatterer = bsdf,
                                          .throughput = path.throughput,
                                          .highlights = path.bounces == 0,
                                          .sources = false,

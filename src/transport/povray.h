@@ -6,6 +6,7 @@
 #pragma once
 
 #include "transport/direct_light.h"
+#include "transport/participating_media.h"
 #include "transport/path_steps.h"
 #include "transport/tracing.h"
 
@@ -52,6 +53,7 @@ private:
     const Radiosity& radiosity_;
     ShadingRules rules_;
     DirectLight direct_light_;
+    ParticipatingMedia media_;
     PathEnds ends_;
     LightLedger ledger_;
 };

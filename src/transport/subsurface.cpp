@@ -30,7 +30,7 @@ public:
         : world_(world),
           lights_(lights),
           layer_(layer),
-          s_(layer.bsdf.shading()),
+          s_(layer.scatterer.bsdf().shading()),
           solid_(world.solid(layer.vertex.hit.primitive)),
           rules_(shading_rules(world)),
           ledger_(ledger),

@@ -39,6 +39,23 @@ Receiver receiver(const Shading& s) {
     return {s.position, s.normal, from_behind ? Horizon::both_sides : Horizon::one_side};
 }
 
+Receiver receiver(const Scatterer& scatterer) {
+    return scatterer.in_air() ? scatterer.phase().receiver() : receiver(scatterer.bsdf().shading());
+}
+
+Vertex vertex_in_air(const World& world, const Ray& ray, double distance,
+                     std::span<const PrimitiveIndex> around) {
+    static const Material air;
+    constexpr double relative_tolerance = 1e-9;
+    Vertex vertex{{}, {}, around.empty() ? &air : &world.material(around.back()), around};
+    vertex.shading.position = ray.at(distance);
+    vertex.shading.view = ray.direction;
+    vertex.hit.position = vertex.shading.position;
+    vertex.hit.tolerance =
+        relative_tolerance * (distance + max_component(glm::abs(vertex.shading.position)));
+    return vertex;
+}
+
 void for_visible_textures(const World& world, const Hit& hit, bool from_inside,
                           FunctionRef<void(double, const Texture&)> use) {
     const Handle<Texture>& inner = world.material(hit.primitive).inner;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The point where a path meets a surface, with what the surface looks like there: the bridge from
-// a hit of the world to the BSDFs of its layers.
+// a hit of the world to the BSDFs of its layers. Also a point between surfaces.
 #pragma once
 
+#include "scattering/scatterer.h"
 #include "scattering/shading.h"
 #include "surface/texture.h"
 #include "world/world.h"
@@ -32,6 +33,11 @@ ShadingRules shading_rules(const World&);
 
 /// Where a luminaire's light arrives.
 Receiver receiver(const Shading&);
+Receiver receiver(const Scatterer&);
+
+/// A point between surfaces, seen along the ray, in the solids that are around it.
+Vertex vertex_in_air(const World&, const Ray&, double distance,
+                     std::span<const PrimitiveIndex> around);
 
 /// Calls use(weight, layers) for the layers of each texture that shows at the vertex, with its
 /// share there: of the inner side when the ray comes from inside. Textures whose share is smaller

@@ -110,6 +110,11 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "one component of a colour, or its brightness"},
     {"all", "image_map { ... filter all 0.5 transmit all 0.2 }",
      "for all colours of a picture, or a number for one of its palette"},
+    {"density", "media { ... density { spherical color_map { ... } } }",
+     "how dense a medium is from place to place: a pattern or a colour, as in a pigment; several "
+     "are multiplied"},
+    {"density_map", "density { gradient y density_map { [0 rgb 0] [1 bozo] } }",
+     "the same as pigment_map, of densities"},
     {"warp", "pigment { ... warp { repeat x } }",
      "moves the places at which a pattern is asked: --help warps"},
     {"texture_list", "mesh2 { ... texture_list { count, texture { ... }, ... } }",
@@ -157,9 +162,8 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
      "without effect: strings are UTF-8"},
     {"hf_gray_16 max_intersections", "global_settings { hf_gray_16 on }", "without effect"},
     // what this version lacks
-    {"media scattering absorption density intervals ratio albedo aa_level aa_threshold anisotropy "
-     "collect density_map eccentricity extinction method",
-     "interior { media { ... } }", "not available in this version, which is an error that says so"},
+    {"albedo anisotropy", "finish { diffuse albedo 0.5 }",
+     "amounts as shares of all light; anisotropy is not available"},
     {"pavement number_of_sides number_of_tiles", "pigment { pavement ... }",
      "not available in this version"},
     {"bokeh", "camera { ... bokeh { ... } }", "not available in this version"},

@@ -100,6 +100,17 @@ void simplify_lights(World& world) {
         std::visit([](auto& l) { l.size1 = l.size2 = 0; }, light);
 }
 
+/// Around the camera and all luminaires, or all that has an end where nothing glows.
+Box near_camera_and_lamps(const World& world) {
+    Box box;
+    if (!world.has_media()) return box;
+    for (const Luminaire& each : world.lights.luminaires) box = join(box, bounds(each).box);
+    if (box.empty())
+        for (std::uint32_t item = 0; item < world.geometry.item_count(); ++item)
+            box = join(box, bounds_in_tree(world.geometry, item));
+    return join(box, world.view.camera.location);
+}
+
 World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
                 Diagnostics& diagnostics) {
     World world;
@@ -116,6 +127,7 @@ World flattened(const Scene& scene, const CompileOptions& options, Flatten what,
     if (world.rules.quality >= quality_full) {
         world.sky.fogs = scene.fogs;
         world.sky.rainbows = scene.rainbows;
+        world.sky.media = scene.media;
     }
     flatten(scene, world, diagnostics, what, options.remembers_objects);
     simplify_lights(world);
@@ -199,7 +211,8 @@ void build_indices(World& world, const CompileOptions& options) {
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
     world.lights.source_sets =
         source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    world.left_to_chance() ? max_asked_among_samples : max_asked_sources);
+                    world.differs_but_for_media() ? max_asked_among_samples : max_asked_sources);
+    world.sky.near = near_camera_and_lamps(world);
 }
 
 /// Gives up the scene's objects.

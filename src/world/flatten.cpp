@@ -172,7 +172,7 @@ private:
         if (has_component_looks(object)) here.inner = nullptr;
         if (object.interior) {
             const auto* group = std::get_if<Union>(&object.form);
-            here.interior = &object.interior;
+            here.interior = &materials_.world_interior(object.interior, outer.transform);
             const bool shared = outer.of_several || (group && group->csg == Csg::together);
             here.shared_interior = shared ? ++shared_interiors_ : 0;
         }

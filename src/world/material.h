@@ -2,7 +2,7 @@
 // How the surfaces of a world look, and what they do to rays. Filled by flatten().
 #pragma once
 
-#include "surface/interior.h"
+#include "medium/interior.h"
 #include "surface/texture.h"
 #include "world/geometry.h"
 #include "world/photon_targets.h"
@@ -52,6 +52,8 @@ struct Appearance {
     bool any_transparent = false;  ///< rays must know what they are inside of
     bool any_left_out = false;     ///< some objects are not there for some rays
     bool any_scattering = false;   ///< a finish has facets
+    bool any_media = false;        ///< there are media in a solid
+    bool any_drawn_media = false;  ///< and samples of them differ
     bool any_clear = false;        ///< shadow rays may pass through something
 };
 

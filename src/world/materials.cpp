@@ -3,6 +3,8 @@
 
 #include "surface/quality.h"
 
+#include <algorithm>
+
 namespace candelabra {
 
 namespace {
@@ -48,6 +50,18 @@ const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
     return known;
 }
 
+const Handle<Interior>& Materials::world_interior(const Handle<Interior>& interior,
+                                                  const Handle<Transform>& transform) {
+    if (!transform || !moves(*interior)) return interior;
+    auto& known = interiors_[std::pair(interior.get(), transform.get())];
+    if (!known) {
+        known = make_handle<Interior>(transformed(*interior, *transform));
+        kept_interiors_.push_back(interior);
+        kept_transforms_.push_back(transform);
+    }
+    return known;
+}
+
 std::uint32_t Materials::index(const Inherited& look) {
     const Key key{look.texture->get(),
                   look.inner ? look.inner->get() : nullptr,
@@ -87,6 +101,12 @@ void Materials::add(const Inherited& look) {
     const Texture& texture = *material.texture;
     if (look.inner) material.inner = simplified(*look.inner, world_.rules.quality);
     material.interior = settled(look.interior ? *look.interior : nullptr, texture);
+    if (material.interior && !material.interior->media.empty()) {
+        if (world_.rules.quality < quality_full) material.interior.edit().media.clear();
+        world_.appearance.any_media |= !material.interior->media.empty();
+        world_.appearance.any_drawn_media |=
+            std::ranges::any_of(material.interior->media, &Media::drawn);
+    }
     material.transparent = transparent(texture) || (material.inner && transparent(*material.inner));
     material.light_group = look.light_group;
     material.shared_interior = look.shared_interior;

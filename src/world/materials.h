@@ -60,6 +60,10 @@ public:
     const Handle<Texture>& world_texture(const Handle<Texture>& texture,
                                          const Handle<Transform>& transform, bool uv);
 
+    /// The same for the media in an interior.
+    const Handle<Interior>& world_interior(const Handle<Interior>&,
+                                           const Handle<Transform>& transform);
+
     /// The material of primitives that look so.
     std::uint32_t index(const Inherited& look);
     /// A copy of a material that nothing else has: it tells a mesh from other solids.
@@ -105,9 +109,11 @@ private:
     std::optional<Key> last_key_;
     std::uint32_t last_ = 0;  ///< of that key
     std::map<TextureKey, Handle<Texture>> textures_;
-    // Kept so that no address in textures_ is used twice.
+    std::map<std::pair<const Interior*, const Transform*>, Handle<Interior>> interiors_;
+    // Kept so that no address in textures_ and interiors_ is used twice.
     std::vector<Handle<Transform>> kept_transforms_;
     std::vector<Handle<Texture>> kept_textures_;
+    std::vector<Handle<Interior>> kept_interiors_;
     std::map<std::pair<std::uint32_t, Face>, std::uint32_t> blended_;  ///< by mesh
 };
 

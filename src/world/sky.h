@@ -6,6 +6,7 @@
 #include "backdrop/sky_light.h"
 #include "backdrop/sky_sphere.h"
 #include "medium/fog.h"
+#include "medium/media.h"
 
 #include <optional>
 #include <vector>
@@ -18,7 +19,9 @@ struct Sky {
     std::optional<SkySphere> sphere;
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
-    SkyLight light;  ///< empty unless the sky is a luminaire
+    std::vector<Media> media;  ///< outside of solids
+    Box near;                  ///< where media are worth most effort; empty where there are none
+    SkyLight light;            ///< empty unless the sky is a luminaire
 };
 
 }  // namespace candelabra

@@ -260,8 +260,33 @@ Vec3 World::dimmed(const Passages& passages, std::span<const PrimitiveIndex> sol
     return left;
 }
 
+/// The parts of a light's way between the surfaces that it passes.
+void World::for_stretches(const Passages& passages, std::span<const PrimitiveIndex> around,
+                          double distance, const UseStretch& use) const {
+    EnteredSolids inside;
+    for (const PrimitiveIndex each : around)
+        if (!material(each).no_shadow) inside.push_back(each);
+    double before = 0;
+    for (const Passage& each : passages) {
+        use(Interval{before, each.t}, {inside.data(), inside.size()});
+        before = each.t;
+        const auto left = std::ranges::find(inside, solid(each.primitive),
+                                            [&](PrimitiveIndex p) { return solid(p); });
+        if (left != inside.end())
+            inside.erase(left);
+        else
+            inside.push_back(each.primitive);
+    }
+    use(Interval{before, distance}, {inside.data(), inside.size()});
+}
+
 Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
                           std::span<const PrimitiveIndex> around, double apart) const {
+    return transmittance(ray, tolerance, distance, Shade{around, apart});
+}
+
+Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
+                          const Shade& shade) const {
     // The far end lies on the luminaire itself, whose own surface must not count.
     const Interval range{tolerance, distance * (1 - 1e-7) - tolerance};
     RayConstants constants(ray);
@@ -296,9 +321,13 @@ Vec3 World::transmittance(const Ray& ray, double tolerance, double distance,
     Passages found;
     for (const std::uint32_t item : clear) collect(item, ray, range, found);
     std::ranges::sort(found, {}, [](const Passage& p) { return std::pair(p.t, p.primitive); });
-    if (apart > 0) keep_apart(found, ray, distance, apart);
+    const Passages all = shade.stretches ? found : Passages();
+    if (shade.apart > 0) keep_apart(found, ray, distance, shade.apart);
     for (const Passage& each : found) left *= passed(each, ray);
-    return left * dimmed(found, around);
+    left *= dimmed(found, shade.around);
+    if (shade.stretches && left != Vec3(0))
+        for_stretches(all, shade.around, distance, *shade.stretches);
+    return left;
 }
 
 bool World::contains_point(PrimitiveIndex primitive, const Vec3& point) const {

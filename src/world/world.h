@@ -64,9 +64,21 @@ public:
     /// The share of light that gets from a hit to a point at that distance along the ray, per
     /// channel: 0 when something opaque is between. What lies within the tolerance of either end
     /// does not count, nor do clear surfaces that are `apart` or less behind another or from an
-    /// end. Light that starts in solids, which are `around` it, leaves these first.
+    /// end. Light that starts in solids, which are `around` it, leaves these first. Media do not
+    /// count.
     Vec3 transmittance(const Ray&, double tolerance, double distance,
                        std::span<const PrimitiveIndex> around = {}, double apart = 0) const;
+
+    /// A part of a light's way between two surfaces, and the solids that it lies in.
+    using UseStretch = FunctionRef<void(const Interval&, std::span<const PrimitiveIndex>)>;
+    struct Shade {
+        std::span<const PrimitiveIndex> around = {};
+        double apart = 0;
+        const UseStretch* stretches = nullptr;  ///< null: nobody asks
+    };
+    /// The same, and calls `stretches` for each part of the way if light passes. What casts no
+    /// shadow is not there.
+    Vec3 transmittance(const Ray&, double tolerance, double distance, const Shade&) const;
 
     /// What the surface that a ray hits leaves of the light from behind it, per channel.
     Vec3 passed(const Hit&, const Ray&) const;
@@ -75,11 +87,17 @@ public:
     /// or keeps out the fog that there is.
     bool is_noted_solid(std::uint32_t item) const;
     /// Whether there may be such solids.
-    bool notes_solids() const { return appearance.any_transparent || has_air(); }
+    bool notes_solids() const {
+        return appearance.any_transparent || appearance.any_media || has_air();
+    }
     /// Whether rays begin in places of which it must be found out fast what they are in.
     bool indexes_solids() const { return view.camera.parallel || !photon_targets.empty(); }
-    /// Whether there is fog or a rainbow.
-    bool has_air() const { return !sky.fogs.empty() || !sky.rainbows.empty(); }
+    /// Whether there is fog, a rainbow or a medium outside of solids.
+    bool has_air() const {
+        return !sky.fogs.empty() || !sky.rainbows.empty() || !sky.media.empty();
+    }
+    /// Whether there are participating media anywhere.
+    bool has_media() const { return appearance.any_media || !sky.media.empty(); }
 
     /// Whether the point is inside a primitive, or inside the composite that it is a leaf of.
     bool contains_point(PrimitiveIndex, const Vec3&) const;
@@ -157,6 +175,11 @@ public:
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
+        return differs_but_for_media() || appearance.any_drawn_media ||
+               std::ranges::any_of(sky.media, &Media::drawn);
+    }
+    /// The same where media are not asked.
+    bool differs_but_for_media() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
                !shutter.empty() || has_indirect_light() || !photon_targets.empty();
     }
@@ -199,6 +222,8 @@ private:
     Vec3 passed(const Passage&, const Ray&) const;
     void keep_apart(Passages&, const Ray&, double distance, double apart) const;
     Vec3 dimmed(const Passages&, std::span<const PrimitiveIndex> around) const;
+    void for_stretches(const Passages&, std::span<const PrimitiveIndex> around, double distance,
+                       const UseStretch&) const;
     bool opaque_between(std::uint32_t item, RayConstants&, const Interval&) const;
     bool may_pass(std::uint32_t item) const;
 };

@@ -30,6 +30,9 @@ const std::map<std::string_view, std::string> samples = {
     {"sky_sphere", "pigment { rgb 1 }"},
     {"fog", "distance 10 rgb 1"},
     {"rainbow", "direction z angle 40 width 5 distance 100 color_map { [0 rgb 0] [1 rgb 1] }"},
+    {"media", "emission 1 density { bozo } scattering { 1, 0.5 }"},
+    {"density", "rgb 0.5"},
+    {"density_map", "[0 rgb 0] [1 rgb 1]"},
     {"global_settings", "max_trace_level 7"},
     {"texture", "pigment { rgb 1 }"},
     {"material", "texture { pigment { rgb 1 } }"},
@@ -121,6 +124,8 @@ TEST_CASE("what is a value can be declared, and is called by its name", "[bind]"
         REQUIRE(done.said.size() == 1);
         std::string name = row.makes_object() && row.word != "light_source" ? "object"
                            : row.word == "color_map"                        ? "colour map"
+                           : row.word == "density"                          ? "pigment"
+                           : row.word == "density_map"                      ? "pigment map"
                                                                             : std::string(row.word);
         std::ranges::replace(name, '_', ' ');
         CHECK(done.said[0].message.find(' ' + name) != std::string::npos);

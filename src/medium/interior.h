@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is inside a solid.
+// What is inside a solid: how it bends light, and how light fades and scatters there.
 #pragma once
 
+#include "medium/media.h"
 #include "vocabulary/item_info.h"
 
 namespace candelabra {
@@ -14,9 +15,15 @@ struct Interior {
     double caustics = 0;    ///< strength of bright spots in shadows; 0: none
     double dispersion = 1;  ///< index of refraction at violet over that at red
     int dispersion_samples = 7;
+    std::vector<Media> media = {};  ///< all of them fill it
 
     static const ItemInfo vocabulary;
 };
+
+/// The interior after a transformation of the solid: only densities of media move.
+Interior transformed(Interior, const Transform&);
+/// Whether that makes a difference.
+bool moves(const Interior&);
 
 /// How fast bright spots fade with the angle, where caustics are 1. As in POV-Ray, where one of its
 /// tables counts so.

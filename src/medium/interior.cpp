@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/interior.h"
+#include "medium/interior.h"
 
 #include "vocabulary/schema.h"
+
+#include <algorithm>
 
 namespace candelabra {
 
@@ -23,6 +25,15 @@ const ItemInfo Interior::vocabulary = described<Interior>([] {
         F{"dispersion_samples", &Interior::dispersion_samples, item,
           "rays that white light is split into", between(2, 100)});
 });
+
+Interior transformed(Interior interior, const Transform& transform) {
+    for (Media& each : interior.media) each = transformed(std::move(each), transform);
+    return interior;
+}
+
+bool moves(const Interior& interior) {
+    return std::ranges::any_of(interior.media, [](const Media& m) { return !m.homogeneous(); });
+}
 
 Vec3 attenuation(const Interior& interior, double distance) {
     if (std::abs(interior.fade_distance) < 1e-10) return Vec3(1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "surface/interior.h"
+#include "medium/interior.h"
 
 #include "vocabulary/written.h"
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bind/media.h"
+
+#include "bind/bind.h"
+#include "bind/textures.h"
+#include "bind/transforms.h"
+
+namespace candelabra {
+
+namespace {
+
+/// scattering { type, colour ... }: the last one counts.
+class ScatteringReader : public SimpleReader {
+public:
+    ScatteringReader(OpenBlock& block, Scattering& scattering)
+        : block_(block), scattering_(scattering) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "scattering"_word) return false;
+        OpenBlock inner(block_.binder, "scattering", element.word_span);
+        inner.item = &Scattering::vocabulary;
+        Scattering made;
+        ItemReader fields(inner, *inner.item, &made);
+        inner.read(element.body, fields);
+        if (fields.given("eccentricity") &&
+            made.type != static_cast<int>(PhaseKind::henyey_greenstein))
+            inner.report(error(Fault::misplaced, element.word_span,
+                               "`eccentricity` belongs to scattering of type 5")
+                             .with_help("scattering { 5, rgb 0.1 eccentricity 0.4 }"));
+        block_.broken |= inner.broken;
+        scattering_ = made;
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("scattering"); }
+
+private:
+    OpenBlock& block_;
+    Scattering& scattering_;
+};
+
+/// density { ... } blocks, and what is declared as one.
+class DensityReader : public SimpleReader {
+public:
+    DensityReader(OpenBlock& block, Media& media) : block_(block), media_(media) {}
+
+    bool take(const Element& element) {
+        if (element.kind != Element::Kind::block || element.word != "density"_word) return false;
+        Pigment density;
+        density.colour.rgb = Vec3(1);
+        block_.broken |= !read_density(block_.binder, element, density);
+        media_.densities.push_back(std::move(density));
+        return true;
+    }
+
+    void add_words(WordList& words) const { words.push_back("density"); }
+
+private:
+    OpenBlock& block_;
+    Media& media_;
+};
+
+}  // namespace
+
+bool read_media(Binder& binder, const Element& element, Media& media) {
+    OpenBlock block(binder, "media", element.word_span);
+    block.item = &Media::vocabulary;
+    auto declared = named<Media>(block, [&](const Handle<Media>& other) { media = *other; });
+    ItemReader fields(block, *block.item, &media);
+    fields.repeatable();
+    fields.alone("collect", 1);
+    ScatteringReader scattering(block, media.scattering);
+    DensityReader densities(block, media);
+    // As in POV-Ray, what is written later stays where it is.
+    const auto apply = [&](const Transform& transform) {
+        media = transformed(std::move(media), transform);
+    };
+    TransformReader moves(block, apply);
+    block.read(element.body, declared, fields, scattering, densities, moves);
+    return !block.broken;
+}
+
+bool MediaReader::take(const Element& element) {
+    if (element.kind != Element::Kind::block || element.word != "media"_word) return false;
+    Media media;
+    block_.broken |= !read_media(block_.binder, element, media);
+    media_.push_back(std::move(media));
+    return true;
+}
+
+}  // namespace candelabra

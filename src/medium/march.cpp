@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medium/march.h"
+
+#include "medium/transmittance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace candelabra {
+
+namespace {
+
+/// Share of the points that are far away, where a ray has such a part.
+constexpr double far_share = 0.25;
+/// A way that is longer than so many times what is near has a far part.
+constexpr double far_from = 4;
+
+/// Distances of one part of a ray, spread by one random number: in equal steps, denser where
+/// the light is that comes through, or by equal ratios.
+class Spread {
+public:
+    enum class Kind { even, exponential, ratios };
+
+    /// `rate` of exponential spreads: mean extinction, above 0. Of ratios `from` is above 0.
+    Spread(Kind kind, double from, double to, double rate)
+        : kind_(kind), from_(from), to_(to), rate_(rate) {}
+
+    /// For u in [0, 1].
+    double distance(double u) const {
+        switch (kind_) {
+            case Kind::exponential:
+                return std::min(to_, from_ - std::log1p(u * std::expm1(-rate_ * length())) / rate_);
+            case Kind::ratios:
+                return from_ * std::pow(to_ / from_, u);
+            case Kind::even:
+                break;
+        }
+        return from_ + u * length();
+    }
+    /// One over the density there.
+    double per_density(double distance) const {
+        switch (kind_) {
+            case Kind::exponential:
+                return -std::expm1(-rate_ * length()) / rate_ *
+                       std::exp(rate_ * (distance - from_));
+            case Kind::ratios:
+                return distance * std::log(to_ / from_);
+            case Kind::even:
+                break;
+        }
+        return length();
+    }
+
+private:
+    double length() const { return to_ - from_; }
+
+    Kind kind_;
+    double from_, to_, rate_;
+};
+
+/// A density over [0, 1) that is the same in each of several cells.
+class MarchCells {
+public:
+    static constexpr std::size_t count = 16;
+
+    static double middle(std::size_t cell) { return (static_cast<double>(cell) + 0.5) / count; }
+
+    /// Even where the worth is 0 everywhere.
+    explicit MarchCells(const std::array<double, count>& worth) {
+        double total = 0;
+        for (const double each : worth) total += each;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double share = total > 0 ? count * worth[i] / total : 1;
+            density_[i] = even_share + (1 - even_share) * share;
+        }
+    }
+
+    /// Where the integral of the density is v, which is in [0, 1); never moves backwards.
+    double place(double v) {
+        while (cell_ + 1 < count && below_ + density_[cell_] / count <= v)
+            below_ += density_[cell_++] / count;
+        const double within = (v - below_) / density_[cell_];
+        return std::min(static_cast<double>(cell_) / count + within, 1.0);
+    }
+    /// At the last place.
+    double density() const { return density_[cell_]; }
+
+private:
+    /// Share of the points that are spread evenly.
+    static constexpr double even_share = 0.3;
+
+    std::array<double, count> density_;
+    std::size_t cell_ = 0;
+    double below_ = 0;  ///< the integral before the cell
+};
+
+/// One channel of emission along a way, where it is the same everywhere.
+double emitted(double emission, double extinction, double way) {
+    const double depth = extinction * way;
+    return std::abs(depth) < 1e-12 ? emission * way : -emission * std::expm1(-depth) / extinction;
+}
+
+class Marcher {
+public:
+    Marcher(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
+            MediaMarch& result)
+        : media_(media),
+          stretch_(stretch),
+          ray_(stretch.ray),
+          scene_(scene),
+          first_(coefficients(media, ray_.origin, scene)),
+          even_(homogeneous(media)),
+          random_(key, Purpose::media_transmittance),
+          shift_(uniform(key, Purpose::media_distance)),
+          result_(result) {}
+
+    void go() {
+        const double distance = stretch_.distance;
+        const int count = stretch_.count;
+        double near = stretch_.near;
+        const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+        if (even_) {
+            result_.veil = whole(distance);
+            if (!scatters) return;
+        } else {
+            greatest_ = max_extinction(media_);
+        }
+        if (!(near > 0)) near = distance;
+        const bool far = distance > far_from * near;
+        const int far_count = far ? std::max(1, static_cast<int>(far_share * count)) : 0;
+        add_places(0, far ? near : distance, count - far_count, false);
+        if (far) add_places(near, distance, far_count, true);
+        if (!even_) {
+            if (!opaque_) pass_to(distance);
+            result_.veil = {left_, emitted_};
+        }
+        if (!scatters) result_.places.clear();
+    }
+
+private:
+    Veil whole(double way) const {
+        const Vec3& e = first_.emission;
+        const Vec3& x = first_.extinction;
+        return {glm::exp(-way * x),
+                Vec3(emitted(e.x, x.x, way), emitted(e.y, x.y, way), emitted(e.z, x.z, way))};
+    }
+
+    void add_places(double from, double to, int count, bool far) {
+        const double rate = (first_.extinction.x + first_.extinction.y + first_.extinction.z) / 3;
+        const bool thins = even_ && rate * (to - from) > 1e-6;
+        const Spread spread(thins ? Spread::Kind::exponential
+                            : far ? Spread::Kind::ratios
+                                  : Spread::Kind::even,
+                            from, to, rate);
+        MarchCells cells = cells_of(spread);
+        for (int i = 0; i < count && !opaque_; ++i) {
+            const double distance = spread.distance(cells.place((i + shift_) / count));
+            add(distance, spread.per_density(distance) / (count * cells.density()));
+        }
+    }
+
+    MarchCells cells_of(const Spread& spread) const {
+        std::array<double, MarchCells::count> worth{};
+        if (!stretch_.worth) return MarchCells(worth);
+        std::array<Vec3, MarchCells::count> places;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i] = ray_.at(spread.distance(MarchCells::middle(i)));
+        (*stretch_.worth)(places, worth);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const double distance = spread.distance(MarchCells::middle(i));
+            worth[i] *= spread.per_density(distance);
+            if (even_) worth[i] *= max_component(glm::exp(-distance * first_.extinction));
+        }
+        return MarchCells(worth);
+    }
+
+    void add(double distance, double way) {
+        if (even_) {
+            const Vec3 left = glm::exp(-distance * first_.extinction);
+            result_.places.push_back({distance, way * left, first_.scattering});
+            return;
+        }
+        const MediumPoint here = pass_to(distance);
+        emitted_ += way * left_ * here.emission;
+        if (here.scattering != Vec3(0))
+            result_.places.push_back({distance, way * left_, here.scattering});
+    }
+
+    /// Goes on to there, and says what the media are like.
+    MediumPoint pass_to(double distance) {
+        const MediumPoint here = coefficients(media_, ray_.at(distance), scene_);
+        left_ *= segment_transmittance(media_, {ray_, passed_, distance, before_, here.extinction},
+                                       greatest_, scene_, random_);
+        opaque_ = !survives(left_, random_);
+        if (opaque_) left_ = Vec3(0);
+        passed_ = distance;
+        before_ = here.extinction;
+        return here;
+    }
+
+    MediaView media_;
+    const MediaStretch& stretch_;
+    const Ray& ray_;
+    const PatternScene& scene_;
+    MediumPoint first_;  ///< at the ray's origin
+    bool even_;
+    RandomStream random_;
+    double shift_, greatest_ = 0;
+    MediaMarch& result_;
+    double passed_ = 0;
+    bool opaque_ = false;  ///< nothing comes from further on
+    Vec3 before_ = first_.extinction, left_ = Vec3(1), emitted_ = Vec3(0);
+};
+
+}  // namespace
+
+void march(MediaView media, const MediaStretch& stretch, const PatternScene& scene, const Key& key,
+           MediaMarch& result) {
+    result.veil = {};
+    result.places.clear();
+    if (media.empty() || !(stretch.distance > 0)) return;
+    Marcher(media, stretch, scene, key, result).go();
+}
+
+}  // namespace candelabra

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "medium/media.h"
+
+#include "surface/pigment_map.h"
+#include "vocabulary/schema.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candelabra {
+
+const ItemInfo Scattering::vocabulary = described<Scattering>([] {
+    using F = Field<Scattering>;
+    return schema<Scattering>(
+        "scattering", "How much light a medium scatters, and where to.",
+        F{"type", &Scattering::type, positional,
+          "1: to all sides, 2: haze, 3: murky air, 4: as the sky does (Rayleigh), 5: by its "
+          "eccentricity (Henyey and Greenstein)"},
+        as_colour(F{"colour", &Scattering::colour, positional,
+                    "light that is scattered along one unit of length"}),
+        F{"extinction", &Scattering::extinction, item,
+          "how much of what is scattered is missing behind; 0: nothing"},
+        F{"eccentricity", &Scattering::eccentricity, item,
+          "of type 5: above 0 forward, below 0 back, 0 to all sides", between(-1, 1)},
+        F{"multiple", &Scattering::multiple, flag,
+          "where paths are traced, what is scattered is scattered again"});
+});
+
+const ItemInfo Media::vocabulary = described<Media>([] {
+    using F = Field<Media>;
+    return schema<Media>(
+        "media", "What absorbs, emits and scatters light between surfaces.",
+        as_colour(F{"absorption", &Media::absorption, item,
+                    "light that is lost along one unit of length"}),
+        as_colour(
+            F{"emission", &Media::emission, item, "light that is added along one unit of length"}),
+        F{"method", &Media::method, item, "POV-Ray's way of sampling; the picture is the same",
+          between(1, 3)},
+        F{"intervals", &Media::intervals, item, "effort: as POV-Ray divides a ray", at_least(1)},
+        F{"samples", &Media::samples, item, "effort: points along a ray for each interval",
+          at_least(1)},
+        maybe(F{"max_samples", &Media::max_samples, following, "effort: at most so many",
+                at_least(0)}),
+        F{"aa_level", &Media::aa_level, item, "of POV-Ray's sampling; without effect", at_least(1)},
+        F{"aa_threshold", &Media::aa_threshold, item, "of POV-Ray's sampling; without effect",
+          above(0)},
+        F{"confidence", &Media::confidence, item, "of POV-Ray's sampling; without effect",
+          between(0, 1)},
+        F{"variance", &Media::variance, item, "of POV-Ray's sampling; without effect", at_least(0)},
+        F{"ratio", &Media::ratio, item, "of POV-Ray's sampling; without effect", at_least(0)},
+        F{"jitter", &Media::jitter, item, "of POV-Ray's sampling; without effect"},
+        F{"collect", &Media::collect, flag, "whether photons light it"});
+});
+
+namespace {
+
+double powered(double base, int squarings) {
+    for (int i = 0; i < squarings; ++i) base *= base;
+    return base;
+}
+
+}  // namespace
+
+double phase(const Scattering& scattering, double cosine) {
+    const double forward = (1 + cosine) / 2;
+    switch (static_cast<PhaseKind>(scattering.type)) {
+        case PhaseKind::mie_haze:
+            return 0.576655 * (1 + 9 * powered(forward, 3));
+        case PhaseKind::mie_murky:
+            return 0.495715 * (1 + 50 * powered(forward, 5));
+        case PhaseKind::rayleigh:
+            return 0.799372 * (1 + cosine * cosine);
+        case PhaseKind::henyey_greenstein: {
+            const double g = scattering.eccentricity;
+            const double below = 1 + g * g - 2 * g * cosine;
+            return below > 0 ? (1 - g * g) / (below * std::sqrt(below)) : 0;
+        }
+        case PhaseKind::isotropic:
+            break;
+    }
+    return 1;
+}
+
+bool Media::homogeneous() const {
+    return std::ranges::none_of(densities, [](const Pigment& d) { return d.pattern != nullptr; });
+}
+
+Media transformed(Media media, const Transform& transform) {
+    for (Pigment& each : media.densities) each.transform = each.transform.then(transform);
+    return media;
+}
+
+Vec3 density(const Media& media, const Vec3& point, const PatternScene& scene) {
+    Vec3 product(1);
+    for (const Pigment& each : media.densities) product *= evaluate(each, point, scene).rgb;
+    return product;
+}
+
+Vec3 max_density(const Media& media) {
+    Vec3 product(1);
+    for (const Pigment& each : media.densities) product *= glm::max(brightest(each), Vec3(0));
+    return product;
+}
+
+MediumPoint coefficients(MediaView media, const Vec3& point, const PatternScene& scene) {
+    MediumPoint sum;
+    for (const Media* each : media) {
+        const Vec3 here = density(*each, point, scene);
+        sum.extinction += here * each->extinction();
+        sum.emission += here * each->emission;
+        sum.scattering += here * each->scattering.colour;
+    }
+    return sum;
+}
+
+Vec3 scattered(MediaView media, const Vec3& point, const PatternScene& scene, double cosine) {
+    Vec3 sum(0);
+    for (const Media* each : media)
+        if (each->scatters())
+            sum += density(*each, point, scene) * each->scattering.colour *
+                   phase(each->scattering, cosine);
+    return sum;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scattering/phase_function.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+/// The mean of phase() over the sphere.
+double mean_phase(const Scattering& s) {
+    switch (static_cast<PhaseKind>(s.type)) {
+        case PhaseKind::mie_haze:
+            return 0.576655 * 2;
+        case PhaseKind::mie_murky:
+            return 0.495715 * (1 + 50.0 / 33);
+        case PhaseKind::rayleigh:
+            return 0.799372 * 4 / 3;
+        case PhaseKind::henyey_greenstein:
+            return std::abs(s.eccentricity) < 1 ? 1 : 0;
+        case PhaseKind::isotropic:
+            break;
+    }
+    return 1;
+}
+
+/// The cosine of a lobe that falls like a power of (1 + cosine) / 2, or of an even one beside it
+/// with that share.
+double even_or_power(double u, double even, double power) {
+    if (u < even) return 2 * (u / even) - 1;
+    return 2 * std::pow((u - even) / (1 - even), 1 / (power + 1)) - 1;
+}
+
+/// The cosine to the view of a direction that is drawn in proportion to phase().
+double drawn_cosine(const Scattering& s, double u) {
+    switch (static_cast<PhaseKind>(s.type)) {
+        case PhaseKind::mie_haze:
+            return even_or_power(u, 0.5, 8);
+        case PhaseKind::mie_murky:
+            return even_or_power(u, 33.0 / 83, 32);
+        case PhaseKind::rayleigh:
+            return u < 0.75 ? 2 * (u / 0.75) - 1 : std::cbrt(2 * (u - 0.75) / 0.25 - 1);
+        case PhaseKind::henyey_greenstein: {
+            const double g = s.eccentricity;
+            if (std::abs(g) < 1e-4) break;
+            const double root = (1 - g * g) / (1 - g + 2 * g * u);
+            return std::clamp((1 + g * g - root * root) / (2 * g), -1.0, 1.0);
+        }
+        case PhaseKind::isotropic:
+            break;
+    }
+    return 2 * u - 1;
+}
+
+}  // namespace
+
+PhaseFunction::PhaseFunction(MediaView media, const Vec3& position, const Vec3& view,
+                             const PatternScene& scene, const Vec3& weight)
+    : position_(position), view_(view) {
+    for (const Media* each : media) {
+        if (!each->scatters()) continue;
+        const Vec3 coefficient = weight * density(*each, position, scene) * each->scattering.colour;
+        const double share = max_component(glm::abs(coefficient)) * mean_phase(each->scattering);
+        if (!(share > 0)) continue;
+        parts_.push_back({coefficient, &each->scattering, share});
+        total_ += share;
+        multiple_ |= each->scattering.multiple;
+    }
+    for (Part& part : parts_) part.share /= total_;
+}
+
+Vec3 PhaseFunction::evaluate(const Vec3& to_light) const {
+    const double cosine = dot(view_, to_light);
+    Vec3 sum(0);
+    for (const Part& part : parts_) sum += part.coefficient * phase(*part.scattering, cosine);
+    return sum;
+}
+
+Vec3 PhaseFunction::sample(Vec2 u) const {
+    std::size_t number = 0;
+    while (number + 1 < parts_.size() && u.x >= parts_[number].share) u.x -= parts_[number++].share;
+    const Part* chosen = &parts_[number];
+    u.x = std::fmin(u.x / chosen->share, 1 - 0x1p-53);
+    const double cosine = drawn_cosine(*chosen->scattering, u.x);
+    const double sine = std::sqrt(std::fmax(0, 1 - cosine * cosine)), angle = 2 * pi * u.y;
+    const auto [x, y] = perpendiculars(view_);
+    return cosine * view_ + sine * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+double PhaseFunction::pdf(const Vec3& direction) const {
+    const double cosine = dot(view_, direction);
+    double sum = 0;
+    for (const Part& part : parts_)
+        sum += part.share * phase(*part.scattering, cosine) / mean_phase(*part.scattering);
+    return sum / (4 * pi);
+}
+
+}  // namespace candelabra

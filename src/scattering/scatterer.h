@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What answers light at a point of a path: a layer of a surface, or the media between surfaces.
+#pragma once
+
+#include "scattering/bsdf.h"
+#include "scattering/phase_function.h"
+
+namespace candelabra {
+
+/// Refers to one of the two, which outlives it. Throughout, light of colour 1 is that of a
+/// perpendicular irradiance of pi; of media the answer is radiance per unit of length.
+class Scatterer {
+public:
+    // NOLINTNEXTLINE(google-explicit-constructor): it stands for what it refers to
+    Scatterer(const Bsdf& bsdf) : bsdf_(&bsdf) {}
+    // NOLINTNEXTLINE(google-explicit-constructor)
+    Scatterer(const PhaseFunction& phase) : phase_(&phase) {}
+
+    bool in_air() const { return phase_ != nullptr; }
+    /// Precondition: not in the air.
+    const Bsdf& bsdf() const { return *bsdf_; }
+    /// Precondition: in the air.
+    const PhaseFunction& phase() const { return *phase_; }
+
+    /// Whether light from anywhere would change what is seen.
+    bool answers_light() const { return bsdf_ ? bsdf_->answers_light() : phase_->answers_light(); }
+    /// Radiance towards the viewer by light of colour 1 from a unit direction. `grain` is the
+    /// random number of `crand`.
+    Vec3 evaluate(const Vec3& to_light, const BsdfTerms& terms, double grain) const {
+        return bsdf_ ? bsdf_->evaluate(to_light, terms, grain) : phase_->evaluate(to_light);
+    }
+    /// A unit direction, drawn about as light from everywhere is scattered; u is in [0, 1)^2.
+    std::optional<Vec3> sample(Vec2 u) const {
+        return bsdf_ ? bsdf_->sample(u) : phase_->sample(u);
+    }
+    /// Probability per steradian of that direction.
+    double pdf(const Vec3& direction) const {
+        return bsdf_ ? bsdf_->pdf(direction) : phase_->pdf(direction);
+    }
+    /// Share of the directions that are drawn from highlights.
+    double gloss() const { return bsdf_ ? bsdf_->gloss() : 0; }
+    /// The same as the choice of luminaires knows it.
+    BsdfLobes lobes() const { return bsdf_ ? bsdf_->lobes() : BsdfLobes{}; }
+
+private:
+    const Bsdf* bsdf_ = nullptr;
+    const PhaseFunction* phase_ = nullptr;
+};
+
+}  // namespace candelabra

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/participating_media.h"
+
+#include "medium/transmittance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+/// Points along a stretch at which media are looked at; scenes may ask for more or fewer.
+constexpr int min_places = 8, max_places = 64;
+/// Light sources are asked at one of so many of them, if samples differ in any case.
+constexpr int places_for_lit = 4;
+/// Luminaires are asked at so many on a camera's ray.
+constexpr int luminaire_places = 4;
+/// Light sources that tell at each point how bright it is there; more of them tell nothing.
+constexpr std::size_t max_telling = 16;
+/// Around what is near media count as well, so many of its diameters away.
+constexpr double wide = 2;
+/// Share of the choices that take any place: luminaires that seem to be bright may be hidden.
+constexpr double any_place = 0.1;
+
+int effort(const MediaList& media) {
+    double most = 0;
+    for (const Media* each : media)
+        most = std::fmax(most, static_cast<double>(each->intervals) *
+                                   std::max(each->samples, each->max_samples));
+    return static_cast<int>(std::clamp<double>(most, min_places, max_places));
+}
+
+double brightness_of(const MediaPlace& place) {
+    return max_component(glm::abs(place.weight * place.scattering));
+}
+
+}  // namespace
+
+ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
+    if (!world.has_media()) return;
+    lights_all_ = !world.differs_but_for_media();
+    for (const SourceSet& set : world.lights.source_sets)
+        if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
+    if (sources_.size() > max_telling) sources_.clear();
+}
+
+/// How far most of what is lit lies from there.
+double ParticipatingMedia::near(const Vec3& from) const {
+    const Box& box = world_.sky.near;
+    return box.empty() ? 0 : length(from - box.centre()) + wide * length(box.size());
+}
+
+void ParticipatingMedia::fill(const PathState& path, double distance) {
+    media_.clear();
+    const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
+    if (std::isfinite(distance)) add_media(world_, solids, media_);
+    if (in_atmosphere(world_, path.media)) add_atmosphere(world_, media_);
+}
+
+Veil ParticipatingMedia::along(const PathState& path, double distance, DirectLight& direct_light,
+                               LightLedger& ledger) {
+    march_.veil = {};
+    march_.places.clear();
+    if (!world_.has_media()) return {};
+    fill(path, distance);
+    if (media_.empty()) return {};
+    places_ = path.depth + path.bounces > 0 ? min_places : effort(media_);
+    // Where nothing but the light differs, more places cost little.
+    const int count = homogeneous(view_of(media_)) ? 2 * places_ : places_;
+    const auto worth = [&](std::span<const Vec3> places, std::span<double> values) {
+        expect_light(direct_light, places, values);
+    };
+    const MediaStretch::Worth expected(worth);
+    const bool scatters = std::ranges::any_of(media_, &Media::scatters);
+    march(view_of(media_),
+          {path.ray, std::min(distance, end_of_air), near(path.ray.origin), count,
+           scatters ? &expected : nullptr},
+          world_.pattern_scene(), path.key, march_);
+    Veil veil = march_.veil;
+    if (!march_.places.empty()) veil.added += scattered(path, direct_light, ledger);
+    return veil;
+}
+
+template <class Expected, class Use>
+void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Use use) {
+    sums_.clear();
+    double total = 0;
+    for (std::size_t i = 0; i < march_.places.size(); ++i) sums_.push_back(total += expected(i));
+    if (!(total > 0)) return;
+    const double shift = uniform(key, Purpose::media_choice);
+    for (int i = 0; i < count; ++i) {
+        const double target = (i + shift) / count * total;
+        const auto found = static_cast<std::size_t>(
+            std::ranges::upper_bound(sums_, std::min(target, std::nextafter(total, 0.0))) -
+            sums_.begin());
+        const double own = sums_[found] - (found == 0 ? 0 : sums_[found - 1]);
+        use(march_.places[found], i, total / (count * own));
+    }
+}
+
+/// What sources that are few give at a point if nothing is between.
+double ParticipatingMedia::unshadowed(const Vec3& position) const {
+    if (sources_.empty()) return 1;
+    double sum = 0;
+    for (const std::uint32_t number : sources_)
+        std::visit(
+            [&](const auto& light) {
+                sum += std::abs(grey(incidence(light, light.location, position).colour));
+            },
+            world_.lights.sources[number]);
+    return sum;
+}
+
+/// In proportion to what luminaires give at a point if nothing is between.
+double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
+                                         const Vec3& position) const {
+    if (world_.lights.luminaires.empty()) return 1;
+    const double known = direct_light.unoccluded_luminaires(position);
+    if (known >= 0) return known;
+    const Box& box = world_.sky.near;
+    const Vec3 away = position - box.centre(), half = 0.5 * box.size();
+    return 1 / (dot(away, away) + dot(half, half));
+}
+
+/// What places are worth by the light that is expected there: of sources and of luminaires in
+/// equal parts, as their scales differ.
+void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span<const Vec3> places,
+                                      std::span<double> worth) const {
+    const auto add = [&](auto light) {
+        ShortList<double, 16> found;
+        double total = 0;
+        for (const Vec3& place : places) found.push_back(light(place)), total += found.back();
+        for (std::size_t i = 0; i < found.size() && total > 0; ++i) worth[i] += found[i] / total;
+    };
+    if (!sources_.empty()) add([&](const Vec3& place) { return unshadowed(place); });
+    if (!world_.lights.luminaires.empty())
+        add([&](const Vec3& place) { return luminaires_at(direct_light, place); });
+}
+
+/// Radiance that comes to the viewer of lamps' light, by the places of the march.
+Vec3 ParticipatingMedia::scattered(const PathState& path, DirectLight& direct_light,
+                                   LightLedger& ledger) {
+    const PatternScene scene = world_.pattern_scene();
+    const std::span<const PrimitiveIndex> solids(path.media.data(), path.media.size());
+    Vec3 sum(0);
+    const auto light = [&](const MediaPlace& place, const Key& key, double per_chance,
+                           bool sources) {
+        const Vertex vertex = vertex_in_air(world_, path.ray, place.distance, solids);
+        const PhaseFunction phase(view_of(media_), vertex.position(), path.ray.direction, scene,
+                                  per_chance * place.weight);
+        sum += direct_light({.vertex = vertex,
+                             .scatterer = phase,
+                             .throughput = path.throughput,
+                             .sources = sources,
+                             .luminaires = !sources},
+                            key, ledger);
+    };
+    if (!world_.lights.sources.empty()) {
+        const Key key = path.key.branched(Branch::medium, 0);
+        const int count = lights_all_ ? places_ : std::max(1, places_ / places_for_lit);
+        choose(
+            key, count,
+            [&](std::size_t i) {
+                const MediaPlace& place = march_.places[i];
+                return brightness_of(place) * unshadowed(path.ray.at(place.distance));
+            },
+            [&](const MediaPlace& place, int number, double per_chance) {
+                light(place, key.part(count, number), per_chance, true);
+            });
+    }
+    if (world_.lights.luminaires.empty() && world_.sky.light.empty()) return sum;
+    // Of the sky nothing is known: it is asked where luminaires are, or anywhere.
+    ShortList<double, 64> given;
+    double mean = 0;
+    for (const MediaPlace& place : march_.places) {
+        given.push_back(brightness_of(place) *
+                        luminaires_at(direct_light, path.ray.at(place.distance)));
+        mean += given.back() / static_cast<double>(march_.places.size());
+    }
+    const Key key = path.key.branched(Branch::medium, 1);
+    const int count = path.depth + path.bounces > 0 ? 1 : luminaire_places;
+    choose(
+        key, count,
+        [&](std::size_t i) {
+            return brightness_of(march_.places[i]) > 0 ? given[i] + any_place * mean : 0;
+        },
+        [&](const MediaPlace& place, int number, double per_chance) {
+            light(place, key.part(count, number), per_chance, false);
+        });
+    return sum;
+}
+
+double ParticipatingMedia::multiple_scattering() const {
+    if (std::ranges::none_of(media_, [](const Media* m) { return m->scattering.multiple; }))
+        return 0;
+    double sum = 0;
+    for (const MediaPlace& place : march_.places) sum += brightness_of(place);
+    return sum;
+}
+
+PathState ParticipatingMedia::scattered_path(const PathState& path) const {
+    const double total = multiple_scattering();
+    double target = uniform(path.key, Purpose::media_lobe) * total;
+    const MediaPlace* place = &march_.places.back();
+    for (const MediaPlace& each : march_.places) {
+        place = &each;
+        target -= brightness_of(each);
+        if (target < 0) break;
+    }
+    PathState next = path;
+    const Vec3 position = path.ray.at(place->distance);
+    const PhaseFunction phase(view_of(media_), position, path.ray.direction,
+                              world_.pattern_scene());
+    if (!phase.answers_light()) return next.dimmed(Vec3(0));
+    const Vec3 direction = phase.sample({uniform(path.key, Purpose::media_direction_u),
+                                         uniform(path.key, Purpose::media_direction_v)});
+    next.dim(place->weight * (total / brightness_of(*place)) * phase.evaluate(direction) /
+             (4 * std::numbers::pi * phase.pdf(direction)));
+    next.go_on({position, direction}, 0, Branch::medium_scattering);
+    next.depth = path.depth;
+    ++next.bounces;
+    next.kind = RayKind::gathering;
+    next.counted = true;
+    return next;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scattering/phase_function.h"
+
+#include "base/random.h"
+#include "scattering/scatterer.h"
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+Media scattering_medium(int type, double colour, double eccentricity = 0) {
+    Media media;
+    media.scattering.type = type;
+    media.scattering.colour = Vec3(colour);
+    media.scattering.eccentricity = eccentricity;
+    return media;
+}
+
+}  // namespace
+
+TEST_CASE("directions are drawn as media scatter light", "[render]") {
+    const Media hazy = scattering_medium(2, 0.3), murky = scattering_medium(3, 0.1),
+                blue = scattering_medium(4, 0.5), forward = scattering_medium(5, 0.2, 0.6),
+                back = scattering_medium(5, 0.2, -0.3), even = scattering_medium(1, 1);
+    const std::vector<std::vector<const Media*>> mixtures = {
+        {&hazy}, {&murky}, {&blue}, {&forward}, {&back}, {&even}, {&hazy, &back, &even}};
+    const Vec3 view = unit(Vec3(1, -2, 3));
+    for (const auto& mixture : mixtures) {
+        const PhaseFunction phase(mixture, Vec3(0), view, {});
+        CAPTURE(mixture.size(), mixture.front()->scattering.type);
+        // The density is that of the directions, and the answer over it is the same everywhere.
+        constexpr std::uint32_t count = 20000;
+        double weight = 0, towards = 0, expected = 0;
+        Key key;
+        for (key.sample = 0; key.sample < count; ++key.sample) {
+            const Vec2 u{uniform(key, Purpose::bounce_u), uniform(key, Purpose::bounce_v)};
+            const Vec3 direction = phase.sample(u);
+            CHECK(length(direction) == Approx(1));
+            weight += phase.evaluate(direction).x / phase.pdf(direction) / count;
+            towards += dot(direction, view) / count;
+            // The same mean with directions from everywhere.
+            const double cosine = 2 * u.x - 1;
+            const auto [x, y] = perpendiculars(view);
+            const Vec3 any = cosine * view + std::sqrt(1 - cosine * cosine) * x;
+            expected += cosine * phase.pdf(any) * 4 * std::numbers::pi / count;
+        }
+        const PhaseFunction again(mixture, Vec3(0), view, {});
+        CHECK(weight == Approx(again.evaluate(Vec3(view)).x / again.pdf(view)).epsilon(0.02));
+        CHECK(towards == Approx(expected).margin(0.01));
+    }
+}
+
+TEST_CASE("what scatters nothing answers no light", "[render]") {
+    Media clear;
+    clear.emission = Vec3(1);
+    const std::array<const Media*, 1> view = {&clear};
+    const PhaseFunction phase(view, Vec3(1, 2, 3), Vec3(0, 0, 1), {});
+    CHECK_FALSE(phase.answers_light());
+    CHECK(phase.evaluate(Vec3(0, 0, 1)) == Vec3(0));
+    const Scatterer scatterer(phase);
+    CHECK(scatterer.in_air());
+    CHECK(scatterer.phase().receiver().horizon == Horizon::none);
+    CHECK(scatterer.phase().receiver().position == Vec3(1, 2, 3));
+}
+
+}  // namespace candelabra
