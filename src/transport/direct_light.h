@@ -72,6 +72,8 @@ public:
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
+    /// Of the sample that is followed from now on.
+    void begin(std::uint32_t sample) { photons_.begin(sample); }
     const PhotonLight& photons() const { return photons_; }
     /// In proportion to what may arrive at a point between surfaces by luminaires, if nothing is
     /// between; below 0 where that is not known. Precondition: there are some.

@@ -13,10 +13,9 @@ constexpr double least_cosine = 1e-6;
 }  // namespace
 
 Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
-    const std::uint32_t generation = Photons::generation_of(key.sample);
-    if (!map_ || generation != generation_) {
-        map_ = photons_->generation(generation);
-        generation_ = generation;
+    if (!map_ || generation_ != wanted_) {
+        map_ = photons_->generation(wanted_);
+        generation_ = wanted_;
     }
     const Vec3& point = layer.vertex.position();
     const Vec3& normal = layer.vertex.hit.normal;

@@ -17,7 +17,10 @@ public:
 
     explicit operator bool() const { return photons_ != nullptr; }
 
-    /// Radiance towards the viewer, by the generation that serves the key's sample. Precondition:
+    /// From now on light is of that sample of a pixel, whose generation serves it.
+    void begin(std::uint32_t sample) { wanted_ = Photons::generation_of(sample); }
+
+    /// Radiance towards the viewer, by the generation that serves the sample. Precondition:
     /// there are photons, and the layer is one of a surface.
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
@@ -29,7 +32,7 @@ public:
 private:
     std::shared_ptr<Photons> photons_;
     std::shared_ptr<const PhotonMap> map_;
-    std::uint32_t generation_ = 0;
+    std::uint32_t wanted_ = 0, generation_ = 0;  ///< that is to serve, and that map_ is
 };
 
 }  // namespace candelabra

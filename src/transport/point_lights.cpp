@@ -23,7 +23,7 @@ public:
         : world_(world),
           light_(light),
           window_(world.lights.reach[number].window.get()),
-          photons_(ways_of_source(world, number)),
+          photons_(world.photon_targets.empty() ? PhotonWays() : ways_of_source(world, number)),
           collects_(!world.photon_targets.empty() && layer.collects(world)),
           vertex_(layer.vertex),
           scatterer_(layer.scatterer),

@@ -27,6 +27,7 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
+    direct_light_.begin(key.sample);
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
     return follow(path);
