@@ -51,7 +51,7 @@ constexpr auto words_of_cache = std::to_array<std::string_view>(
 
 /// Words of photons that are about POV-Ray's map.
 constexpr auto words_of_map = std::to_array<std::string_view>(
-    {"media", "jitter", "autostop", "expand_thresholds", "save_file", "load_file"});
+    {"jitter", "autostop", "expand_thresholds", "save_file", "load_file"});
 
 ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler) {
     return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
@@ -196,7 +196,7 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
                         "importance");
     radiosity.without_effect(words_of_cache, "light is gathered without a cache");
     ItemBlock photons(block, PhotonSettings::vocabulary, &settings.photons, &settings.photons.on);
-    photons.without_effect(words_of_map, "photons are shot anew again and again, at surfaces only");
+    photons.without_effect(words_of_map, "photons are shot anew again and again");
     block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity,
                photons);
     check_photons(block, settings.photons, element.word_span);

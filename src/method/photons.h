@@ -18,11 +18,11 @@ struct PhotonSettings {
     double gather = 20;        ///< has no effect
     double gather_most = 100;  ///< photons within the first radius, about
     double radius = 0;         ///< the first radius; 0 and less: by `gather`
-    std::optional<double> radius_more = {}, media_radius = {}, media_radius_more = {};
+    double radius_more = 0, media_radius = 0, media_radius_more = 0;
     /// Surfaces that a photon may meet, and the least share that it is worth; unset: as of rays.
     std::optional<double> max_trace_level = {}, adc_bailout = {};
     double media = 0;
-    std::optional<double> media_factor = {};
+    double media_factor = 1;
     double jitter = 0.4, autostop = 0;
     double expand_thresholds = 0.2, expand_most = 40;
     std::string save_file = {}, load_file = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/settings.h"
 
+#include "scene/dump.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
@@ -89,14 +90,27 @@ TEST_CASE("photons have all of POV-Ray's words", "[bind]") {
         max_trace_level 7 adc_bailout 0.1 autostop 0 expand_thresholds 0.2, 40 } })");
     REQUIRE(done.said.size() == 1);
     CHECK(done.said.front().message ==
-          "`media`, `jitter`, `autostop`, `expand_thresholds` of `photons` have no effect: photons "
-          "are shot anew again and again, at surfaces only");
+          "`jitter`, `autostop`, `expand_thresholds` of `photons` have no effect: photons are shot "
+          "anew again and again");
     const PhotonSettings& found = done.scene.settings.photons;
     CHECK(found.shoots());
     CHECK(found.count == 500);
     CHECK(found.gather_most == 20);
     CHECK(found.max_trace_level == 7);
     CHECK(run("#version 3.7; global_settings { photons { } }").text.empty());
+}
+
+TEST_CASE("what is said of photons is written where it was said", "[bind]") {
+    const std::string text = dump(run(R"(#version 3.7;
+        global_settings { photons { count 9 radius 0.2, 2 } }
+        light_source { 9*y, rgb 1 photons { reflection off area_light } }
+        sphere { 0, 1 photons { target refraction on collect off } })")
+                                      .scene);
+    for (const char* part :
+         {"global_settings { photons { count 9 radius 0.2, 2 } }",
+          "photons { reflection 0 area_light }", "photons { target 1 refraction 1 collect off }"})
+        CHECK(text.find(part) != std::string::npos);
+    CHECK(dump(run(text).scene) == text);
 }
 
 TEST_CASE("each integrator can be chosen", "[bind]") {
