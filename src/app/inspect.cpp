@@ -116,9 +116,10 @@ std::string vector_text(const Vec3& v) {
 
 /// Of the light that comes to the pixel, what each statement gives, by many samples of it.
 std::string lights_of(const Exhibit& shown, const PicturePoint& at) {
-    constexpr std::uint32_t tries = 256;
     const World& world = shown.world;
-    Integrator integrator(world, {pilot(world, shown.settings).shadow_rays, true, false});
+    // Photons of many samples are many.
+    const std::uint32_t tries = world.photon_targets.empty() ? 256 : 16;
+    Integrator integrator(world, {pilot(world, shown.settings).shadow_rays, true});
     Key key;
     key.pixel = mix(static_cast<std::uint64_t>(shown.settings.seed)) + shown.film.index(at.x, at.y);
     double all = 0;

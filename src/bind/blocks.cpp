@@ -166,6 +166,7 @@ constexpr auto table_of_blocks = std::to_array<BlockRow>({
     {"interior_texture", "object", BlockForm::block},
     {"material", "object", BlockForm::block, nullptr, part<DeclaredMaterial, read_material>},
     {"interior", "object", BlockForm::block, nullptr, part<Interior, read_interior>},
+    {"photons", "object light_source global_settings", BlockForm::block},
     {"scattering", "media", BlockForm::block},
     {"density", "media", BlockForm::block, nullptr, density_value},
     {"density_map", "density", BlockForm::word, nullptr, part<PigmentMap, read_pigment_map>},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/lights.h"
 
+#include "bind/item_block.h"
 #include "bind/objects.h"
 #include "bind/transforms.h"
 #include "interpret/array_data.h"
@@ -88,7 +89,6 @@ bool is_lamp(const Binder& binder, const Element& element) {
 
 std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     OpenBlock block(binder, "light_source", element.word_span);
-    block.ignored = "photons";
     PlacedLight placed{Kinds<Light>::make(0), element.span};
     block.item = Kinds<Light>::infos[0];
     ItemReader fields(block, *block.item, Kinds<Light>::address(placed.light));
@@ -105,7 +105,8 @@ std::optional<PlacedLight> read_light(Binder& binder, const Element& element) {
     TransformReader moves(block, apply);
     LightObjects look(block, placed);
     LastBeam last;
-    block.read(element.body, declared, last, fields, look, moves);
+    ItemBlock photons(block, LightPhotons::vocabulary, &placed.photons);
+    block.read(element.body, declared, last, fields, look, moves, photons);
     if (block.broken) return std::nullopt;
     if (last.has_shadows()) {
         std::visit([](auto& light) { light.shadowless = false; }, placed.light);

@@ -10,6 +10,7 @@
 #include "bind/model_reader.h"
 #include "bind/models.h"
 #include "bind/object_draft.h"
+#include "bind/photons.h"
 #include "bind/texture_list.h"
 #include "bind/transforms.h"
 #include "csg/solid.h"
@@ -34,7 +35,7 @@ namespace candelabra {
 namespace {
 
 constexpr std::string_view ignored_words =
-    "sturm hierarchy photons radiosity split_union dtag color colour";
+    "sturm hierarchy radiosity split_union dtag color colour";
 
 /// Objects and lights in a union; the one object in `object`; a declared object in the place of a
 /// shape's values. Objects lie inside each other by the thousand, so what is rare has functions of
@@ -213,7 +214,8 @@ private:
         ItemReader switches(block_, Switches::vocabulary, &draft_.switches);
         switches.repeatable();
         InversionReader inversion(draft_);
-        block_.read(body, fields..., content, look, clipping, moves, inversion, switches);
+        PhotonsReader photons(block_, draft_);
+        block_.read(body, fields..., content, look, clipping, moves, inversion, switches, photons);
     }
 
     void read_shape(std::size_t kind) {

@@ -49,6 +49,10 @@ constexpr auto words_of_cache = std::to_array<std::string_view>(
      "pretrace_start", "pretrace_end", "adc_bailout", "always_sample", "subsurface", "save_file",
      "load_file"});
 
+/// Words of photons that are about POV-Ray's map.
+constexpr auto words_of_map = std::to_array<std::string_view>(
+    {"jitter", "autostop", "expand_thresholds", "save_file", "load_file"});
+
 ChoiceBlock<LightSampler> sampler_block(OpenBlock& block, LightSampler& sampler) {
     return {block, {"light_sampler", "strategy", sampler_form()}, warn_of_idle, sampler};
 }
@@ -164,13 +168,20 @@ private:
     State state_ = State::none;
 };
 
+void check_photons(OpenBlock& block, const PhotonSettings& photons, Span span) {
+    if (photons.gather > photons.gather_most)
+        block.report(error(Fault::out_of_range, span,
+                           "the second number of `gather` in `photons` must not be below the first")
+                         .with_help("global_settings { photons { count 20000 gather 20, 100 } }"));
+}
+
 }  // namespace
 
 void read_global_settings(Binder& binder, const Element& element, GlobalSettings& settings,
                           GivenSettings& before) {
     OpenBlock block(binder, "global_settings", element.word_span);
     block.item = &GlobalSettings::vocabulary;
-    block.ignored = "charset utf8 ascii sys hf_gray_16 max_intersections photons";
+    block.ignored = "charset utf8 ascii sys hf_gray_16 max_intersections";
     // Strings are read as UTF-8, and ASCII is the same in any coding.
     if (!binder.evaluator.has_foreign_strings()) binder.warned.emplace("charset");
     const double gamma = settings.assumed_gamma;
@@ -184,7 +195,11 @@ void read_global_settings(Binder& binder, const Element& element, GlobalSettings
     ItemBlock radiosity(block, Radiosity::vocabulary, &settings.radiosity, &settings.radiosity.on,
                         "importance");
     radiosity.without_effect(words_of_cache, "light is gathered without a cache");
-    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity);
+    ItemBlock photons(block, PhotonSettings::vocabulary, &settings.photons, &settings.photons.on);
+    photons.without_effect(words_of_map, "photons are shot anew again and again");
+    block.read(element.body, luminaires, fields, sampler, index, integrator, subsurface, radiosity,
+               photons);
+    check_photons(block, settings.photons, element.word_span);
     settings.max_trace_level = std::max(settings.max_trace_level, 1);
     if (fields.given("noise_generator"))
         binder.evaluator.noise()->given = noise_generator(settings.noise_generator);

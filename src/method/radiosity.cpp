@@ -45,6 +45,10 @@ Vec3 gathered_light(const Radiosity& r, const Vec3& radiance) {
     Vec3 light = radiance;
     const double brightest = max_component(light);
     if (r.max_sample > 0 && brightest > r.max_sample) light *= r.max_sample / brightest;
+    return reflected_light(r, light);
+}
+
+Vec3 reflected_light(const Radiosity& r, const Vec3& light) {
     return r.brightness * glm::mix(light, Vec3(grey(light)), r.gray_threshold);
 }
 

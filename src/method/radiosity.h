@@ -37,5 +37,7 @@ struct Radiosity {
 /// What of the radiance from one direction is gathered: with the bound, the brightness and the loss
 /// of colour that the block says.
 Vec3 gathered_light(const Radiosity&, const Vec3& radiance);
+/// The same without the bound: of light that is not known direction by direction.
+Vec3 reflected_light(const Radiosity&, const Vec3& light);
 
 }  // namespace candelabra

@@ -97,7 +97,8 @@ public:
           film_(plan.world.view.film),
           filter_(film_.filter()),
           exposure_(film_.exposure_factor()),
-          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, hooks.aovs.alpha},
+          tracing_{plan.shadow_rays, hooks.counts_lights || hooks.aovs.lights, plan.photons,
+                   hooks.aovs.alpha},
           fresh_integrators_(integrators_of_moments()) {}
 
     /// The rounds up to the end; false when they were stopped.
@@ -119,11 +120,27 @@ private:
         done_ = all.samples - all.missing;
         if (all.missing == 0) return;
         constexpr std::uint32_t growth = 4;
+        std::uint32_t before = 0;
         for (std::uint32_t level = 1; !stopped_;) {
+            prepare(before, level);
             over_tiles(level, level >= all.most);
             if (level >= all.most) return;
+            before = level;
             level = level > all.most / growth ? all.most : level * growth;
+            if (plan_.photons) level = std::min(level, before + Photons::samples_at_once);
         }
+    }
+
+    /// For samples of each pixel from the number `from` to before `to`, if any are wanted.
+    void prepare(std::uint32_t from, std::uint32_t to) {
+        if (!plan_.photons) return;
+        const std::uint32_t first = state_.share.first_sample;
+        std::uint32_t least = to;
+        for_pixels({0, 0, state_.film.width(), state_.film.height()}, [&](const PixelSum& pixel) {
+            if (pixel.samples < pixel.target) least = std::min(least, pixel.samples);
+        });
+        for (const Integrator& each : fresh_integrators_)
+            each.prepare(first + std::max(from, least), first + to);
     }
 
     /// On one tile.
@@ -160,7 +177,11 @@ private:
     std::vector<Integrator> integrators_of_moments() const {
         std::vector<Integrator> integrators;
         integrators.emplace_back(world_, tracing_);
-        for (const World& moment : world_.shutter) integrators.emplace_back(moment, tracing_);
+        for (const World& moment : world_.shutter) {
+            Tracing there = tracing_;
+            there.photons = photons_of(moment, settings_.seed, settings_.threads);
+            integrators.emplace_back(moment, there);
+        }
         return integrators;
     }
 
@@ -371,12 +392,13 @@ private:
 }  // namespace
 
 RenderPlan plan_of(const World& world, const RenderSettings& settings) {
-    const Pilot tried = pilot(world, settings);
+    const std::shared_ptr<Photons> photons = photons_of(world, settings.seed, settings.threads);
+    const Pilot tried = pilot(world, settings, photons);
     const int shared = follows_shadow_rays(world, settings) ? tried.shadow_rays.usual : 1;
     const SampleRule rule = sample_rule(
         world, settings, tried.quiet && !world.lights.sources.empty() && world.sky.light.empty());
     const int samples = first_samples(world, settings, rule, shared);
-    return {world, settings, tried.shadow_rays, static_cast<std::uint32_t>(samples), rule};
+    return {world, settings, tried.shadow_rays, photons, static_cast<std::uint32_t>(samples), rule};
 }
 
 bool advance(const RenderPlan& plan, RenderState& state, LightLedger& rays,

@@ -21,7 +21,9 @@ constexpr auto parts_of_cameras = std::array{&MeshRays::vocabulary};
 constexpr auto films = std::array{&FilmSettings::vocabulary, &Glare::vocabulary};
 constexpr auto modifiers = std::array{&PatternModifiers::vocabulary};
 constexpr auto settings = std::array{&GlobalSettings::vocabulary, &SubsurfaceSettings::vocabulary,
-                                     &Radiosity::vocabulary};
+                                     &Radiosity::vocabulary, &PhotonSettings::vocabulary};
+constexpr auto photons_of_objects = std::array{&ObjectPhotons::vocabulary};
+constexpr auto photons_of_lights = std::array{&LightPhotons::vocabulary};
 
 constexpr auto groups = std::array{
     ItemGroup{"Shapes", "What objects are made of.", Kinds<Shape>::infos},
@@ -48,6 +50,8 @@ constexpr auto groups = std::array{
     ItemGroup{"Surfaces", "How objects answer light, and what is inside of them.", surface},
     ItemGroup{"Surroundings", "What lies around the objects, and between them.", surroundings},
     ItemGroup{"Settings", "What holds for the whole scene.", settings},
+    ItemGroup{"Photons of objects", "What photons { } has in an object.", photons_of_objects},
+    ItemGroup{"Photons of lights", "What photons { } has in a light_source.", photons_of_lights},
     ItemGroup{"Light samplers",
               "How luminaires are chosen at each point: global_settings { light_sampler { name ... "
               "} }, or --light-sampler.",

@@ -70,6 +70,11 @@ std::string settings_text(const Scene& scene) {
         text += message(text.empty() ? "" : " ", "radiosity {", fields.empty() ? "" : " ", fields,
                         " }");
     }
+    if (settings.photons.on) {
+        const std::string fields = written_fields(PhotonSettings::vocabulary, &settings.photons);
+        text += message(text.empty() ? "" : " ", "photons {", fields.empty() ? "" : " ", fields,
+                        " }");
+    }
     const std::string sampler = item_text(settings.light_sampler);
     if (sampler != item_text(GlobalSettings().light_sampler))
         text += message(text.empty() ? "" : " ", "light_sampler { ", sampler, " }");
@@ -106,6 +111,8 @@ std::string light_text(PlacedLight placed) {
         message(info.name, " { ", written_fields(info, Kinds<Light>::address(placed.light)));
     if (placed.projected_through)
         text += message(" projected_through { ", in_one_line(*placed.projected_through), " }");
+    const std::string photons = written_fields(LightPhotons::vocabulary, &placed.photons);
+    if (!photons.empty()) text += message(" photons { ", photons, " }");
     return text + " }\n";
 }
 
@@ -190,6 +197,7 @@ std::vector<std::string> modifiers_of(const Object& object) {
     for (std::size_t i = 0; i < Switches::vocabulary.fields.size(); ++i)
         if (std::get<double>(Switches::vocabulary.get(&object.switches(), i)) != 0)
             result.emplace_back(Switches::vocabulary.fields[i].name);
+    if (object.photons) result.push_back(block_text(*object.photons));
     if (object.part_textures && !object.part_textures->list.empty() && is_mesh(object))
         result.push_back(list_text(object.part_textures->list));
     if (object.part_textures && object.part_textures->interior)

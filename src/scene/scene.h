@@ -14,6 +14,7 @@
 #include "medium/fog.h"
 #include "medium/interior.h"
 #include "medium/media.h"
+#include "method/photons.h"
 #include "scene/settings.h"
 #include "shape/shape.h"
 #include "surface/texture.h"
@@ -40,6 +41,7 @@ struct PlacedLight {
     ObjectHandle looks_like = {};  ///< stands at the light, casts no shadow; null: none
     /// It lights what is seen through this, which is not there otherwise; null: all.
     ObjectHandle projected_through = {};
+    LightPhotons photons = {};
 };
 
 /// How several objects make one.
@@ -94,6 +96,7 @@ struct Switches {
     bool inverse = false;
     bool double_illuminate = false;
     bool uv_mapping = false;  ///< textures are on u and v
+    Handle<ObjectPhotons> photons = nullptr;  ///< null: the parent's, or nothing is said
 
     static const ItemInfo vocabulary;
     friend bool operator==(const Switches&, const Switches&) = default;

@@ -5,6 +5,7 @@
 #include "camera/film_settings.h"
 #include "index/settings.h"
 #include "lighting/settings.h"
+#include "method/photons.h"
 #include "method/radiosity.h"
 #include "method/settings.h"
 #include "surface/subsurface.h"
@@ -31,6 +32,7 @@ struct GlobalSettings {
     double mm_per_unit = 10;        ///< millimetres; for translucency
     SubsurfaceSettings subsurface;  ///< from the block of that name
     Radiosity radiosity;            ///< the same
+    PhotonSettings photons;         ///< the same
     /// From the block of that name, which the evaluator reads.
     LightSampler light_sampler = LightOctree{};
     RayIndex index;                 ///< the same

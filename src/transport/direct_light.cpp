@@ -5,6 +5,7 @@
 #include "lighting/draw.h"
 #include "transport/light_left.h"
 #include "transport/point_lights.h"
+#include "transport/sight.h"
 
 #include <algorithm>
 #include <numbers>
@@ -52,6 +53,8 @@ Vec3 DirectLight::operator()(const LitLayer& layer, const Key& key, LightLedger&
     Vec3 sum(0);
     if (!layer.scatterer.answers_light()) return sum;
     if (layer.sources) sum = from_sources(layer, key, ledger);
+    if (photons_ && !layer.scatterer.in_air() && layer.collects(world_))
+        sum += photons_(layer, key, ledger);
     if (!layer.luminaires) return sum;
     if (!world_.lights.luminaires.empty()) sum += from_luminaires(layer, key, sum, ledger);
     if (world_.sky.light.empty()) return sum;
@@ -79,10 +82,6 @@ Vec3 DirectLight::gathered(const LitLayer& layer, const Vec3& light) {
     return layer.radiosity ? gathered_light(*layer.radiosity, light) : light;
 }
 
-Vec3 DirectLight::radiance(const Luminaire& luminaire, const Vec3& position) const {
-    return luminaire.varying ? world_.emission(luminaire.primitive, position) : luminaire.radiance;
-}
-
 Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const Vec3& before,
                                   LightLedger& ledger) {
     const Scatterer& scatterer = layer.scatterer;
@@ -91,7 +90,9 @@ Vec3 DirectLight::from_luminaires(const LitLayer& layer, const Key& key, const V
     const auto draw = [&](Vec2 u) { return scatterer.sample(u); };
     const auto pdf = [&](const Vec3& direction) { return scatterer.pdf(direction); };
     const BsdfSampler sampler{scatterer.gloss(), draw, pdf};
-    const auto look = [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); };
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
     const LightProbe scene(look);
     return std::visit(
         [&](const auto& strategy) {
@@ -166,16 +167,23 @@ int DirectLight::rays_at(const Answer& answer, const LitLayer& layer, const Vec3
     return 1 << static_cast<int>(exponent);
 }
 
-/// What surfaces and media leave of a luminaire's light on the way from there.
+/// What surfaces and media leave of a luminaire's light on the way from there. What photons bring
+/// does not come straight.
 Vec3 DirectLight::light_left(const LitLayer& layer, const Ray& ray, double distance) const {
     const Vertex& vertex = layer.vertex;
-    return candelabra::light_left(world_, {ray, vertex.tolerance(), distance, vertex.around},
-                                  medium_key_);
+    const Vec3 left = candelabra::light_left(
+        world_, {ray, vertex.tolerance(), distance, vertex.around}, medium_key_);
+    const bool brought =
+        photons_ && left != Vec3(0) && layer.collects(world_) &&
+        target_between(world_, ways_of_luminaires, ray, vertex.tolerance(), distance);
+    return brought ? Vec3(0) : left;
 }
 
 double DirectLight::expected_luminaires(const Vec3& position) const {
     const Receiver point{position, Vec3(0), Horizon::none};
-    const auto look = [&](const Ray& ray, double tolerance) { return sight(ray, tolerance); };
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
     const LightProbe scene(look);
     const BsdfLobes lobes;
     return std::visit(
@@ -204,7 +212,7 @@ Vec3 DirectLight::from_luminaire(const LightPick& pick, const LitLayer& layer, c
     if (!point) return Vec3(0);
     const Vec3 answer = answer_to(layer, point->direction, key);
     if (answer == Vec3(0)) return Vec3(0);
-    const Vec3 sent = radiance(luminaire, point->position);
+    const Vec3 sent = radiance_of(world_, luminaire, point->position);
     if (sent == Vec3(0)) return Vec3(0);
     ++ledger.shadow;
     const Vec3 passed = light_left(layer, {position, point->direction}, point->distance);
@@ -259,7 +267,7 @@ Vec3 DirectLight::seen_along(const LitLayer& layer, const Vec3& direction, Light
         const Vec3 passed = light_left(layer, ray, met.meeting.distance);
         if (passed == Vec3(0)) break;
         const Luminaire& luminaire = world_.lights.luminaires[met.light];
-        const Vec3 light = passed * radiance(luminaire, ray.at(met.meeting.distance));
+        const Vec3 light = passed * radiance_of(world_, luminaire, ray.at(met.meeting.distance));
         const Vec3 seen = weight(met.light, met.meeting.density) * gathered(layer, light);
         record(ledger, met.light, seen, layer.throughput, 1);
         sum += seen;
@@ -293,7 +301,7 @@ Vec3 DirectLight::seen_towards(const LitLayer& layer, const Vec3& direction, Lig
         const Vec3 seen =
             weights == Vec3(0)
                 ? weights
-                : weights * gathered(layer, clear * radiance(luminaire, hit.position));
+                : weights * gathered(layer, clear * radiance_of(world_, luminaire, hit.position));
         record(ledger, light, seen, layer.throughput, met_.empty() ? 1 : 0);
         met_.push_back({{distance, 0}, light});
         sum += seen;
@@ -319,21 +327,6 @@ void DirectLight::for_densities(LightIndex light, const LitLayer& layer, const V
     for (const LightHit& meeting : meetings_)
         if (std::abs(meeting.distance - there.distance) <= 1e-6 * there.distance + there.tolerance)
             visit(meeting.density);
-}
-
-/// What a ray that is tried meets first.
-std::optional<ProbeHit> DirectLight::sight(const Ray& ray, double tolerance) const {
-    Hit hit;
-    if (!world_.first_hit(ray, tolerance, RayKind::light, hit)) return {};
-    ProbeHit result{
-        dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
-    const LightIndex light = world_.lights.luminaire_of[hit.primitive];
-    if (light != no_primitive) {
-        result.light = light;
-        result.luminance = luminance(radiance(world_.lights.luminaires[light], hit.position));
-    }
-    result.passes = luminance(world_.passed(hit, ray));
-    return result;
 }
 
 /// A direction from where the sky is bright or the surface answers, weighed by the density that

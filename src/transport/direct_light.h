@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "scattering/scatterer.h"
 #include "transport/light_ledger.h"
+#include "transport/photon_light.h"
 #include "transport/vertex.h"
 
 #include <optional>
@@ -45,25 +46,38 @@ struct LitLayer {
     Scatterer scatterer;
     Vec3 throughput = Vec3(1);  ///< of the radiance that the layer sends, in the sample
     bool highlights = true;     ///< phong and specular ones count
-    bool sources = true;        ///< light sources count
-    bool luminaires = true;     ///< they and the sky count
+    bool sources = true;        ///< light sources and their photons count
+    bool luminaires = true;     ///< they, their photons and the sky count
     /// Light of luminaires is part of what this gathers; null: nothing is.
     const Radiosity* radiosity = nullptr;
 
     double grain(const Key&) const;  ///< the random number of the finish's `crand`
+    /// Whether it shows light that photons bring, instead of what comes straight through targets.
+    /// Photons light no media; these are dark behind a target, as in POV-Ray, unless the scene asks
+    /// for photons in media.
+    bool collects(const World& world) const {
+        return scatterer.in_air() ? !(world.rules.settings.photons.media > 0)
+                                  : vertex.material->photons.collects;
+    }
 };
 
 /// Radiance towards the viewer by light that comes straight from lights and luminaires; an unbiased
 /// estimate. One for each job: it keeps scratch memory.
 class DirectLight {
 public:
-    DirectLight(const World& world, const ShadowRays& rays) : world_(world), shadow_rays_(rays) {}
+    /// `photons`: null where there are none.
+    DirectLight(const World& world, const ShadowRays& rays,
+                std::shared_ptr<Photons> photons = nullptr)
+        : world_(world), shadow_rays_(rays), photons_(std::move(photons)) {}
 
     Vec3 operator()(const LitLayer&, const Key&, LightLedger&);
 
     /// In proportion to what is expected to arrive of luminaires at a point between surfaces; below
     /// 0 where that is not known. Precondition: there are some.
     double expected_luminaires(const Vec3& position) const;
+    /// Of the sample that is followed from now on.
+    void begin(std::uint32_t sample) { photons_.begin(sample); }
+    const PhotonLight& photons() const { return photons_; }
 
     /// Of all hits so far at which it was known.
     const HitNoise& noise() const { return noise_; }
@@ -94,7 +108,6 @@ private:
     Vec3 from_direction(const Vec3&, const LightTree* meetings, const LitLayer&, const Key&,
                         LightLedger&, const Density&);
 
-    std::optional<ProbeHit> sight(const Ray&, double tolerance) const;
     std::optional<ProbeHit> sight_past_clear(const Ray&, double tolerance) const;
     template <class Visit>
     void for_densities(LightIndex, const LitLayer&, const Vec3& direction, const Distance&,
@@ -110,7 +123,6 @@ private:
     void record(LightLedger&, LightIndex, const Vec3& seen, const Vec3& throughput,
                 std::uint64_t rays) const;
     static Vec3 gathered(const LitLayer&, const Vec3& light);
-    Vec3 radiance(const Luminaire&, const Vec3& position) const;
     template <LightAnswer Answer>
     double chance_of_asking(const Answer&, const LitLayer&, const Vec3& straight,
                             const Vec3& before) const;
@@ -119,6 +131,7 @@ private:
 
     const World& world_;
     ShadowRays shadow_rays_;
+    PhotonLight photons_;
     Key medium_key_;         ///< of what media leave of the light that is asked for
     double asked_here_ = 1;  ///< shadow rays that the hit is expected to get
     HitNoise noise_;

@@ -22,6 +22,8 @@ concept IntegratorKind = std::constructible_from<T, const World&, const Tracing&
     { asked.ledger() } -> std::same_as<const LightLedger&>;
     { asked.noise() } -> std::convertible_to<HitNoise>;  // expected of shadow rays so far
     { asked.clear() } -> std::same_as<double>;           // share of the last sample that is clear
+    // Makes what samples from the first number to before the second need, by several threads.
+    asked.prepare(std::uint32_t{}, std::uint32_t{});
 };
 
 class Integrator {
@@ -43,6 +45,9 @@ public:
     }
     double clear() const {
         return std::visit([](const auto& built) { return built.clear(); }, built_);
+    }
+    void prepare(std::uint32_t first, std::uint32_t last) const {
+        std::visit([&](const auto& built) { built.prepare(first, last); }, built_);
     }
 
 private:

@@ -31,6 +31,8 @@ struct PathState {
     Key key;
     MediaStack media;
     std::optional<SpectralBand> band;  ///< when it is one colour of split white light
+    bool collects = false;             ///< photons bring light to the surface that it comes from
+    bool brought = false;              ///< and that of the luminaires that it meets
     bool counted = false;  ///< the light of luminaires that it meets has been counted already
 
     /// The same path where only a share of the radiance comes on to the sample.

@@ -34,7 +34,7 @@ Vec3 PathEnds::background(const PathState& path) {
 }
 
 bool shows_emission(const World& world, const PathState& path, PrimitiveIndex primitive) {
-    return !path.counted || world.lights.luminaires.empty() ||
+    return (!path.counted && !path.brought) || world.lights.luminaires.empty() ||
            world.lights.luminaire_of[primitive] == no_primitive;
 }
 
@@ -43,6 +43,9 @@ PathState mirrored_path(const PathState& path, const Vertex& vertex, const Shadi
     next.go_on({vertex.position(), reflected_direction(s)}, vertex.tolerance(), Branch::reflection);
     next.kind = RayKind::reflected;
     next.counted = false;
+    const PhotonSurface& photons = vertex.material->photons;
+    next.brought |= path.collects && photons.target != 0 &&
+                    is_open(ways_of_luminaires.reflection, photons.ways.reflection);
     return next;
 }
 
@@ -55,6 +58,8 @@ std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex,
     next.go_on({vertex.position(), drawn->direction}, vertex.tolerance(), Branch::scattering);
     next.kind = RayKind::reflected;
     next.counted = !drawn->narrow;
+    next.collects = next.counted && vertex.material->photons.collects;
+    next.brought = false;
     return FacetPath{next, drawn->weight};
 }
 
@@ -66,6 +71,8 @@ PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3
     ++next.bounces;
     next.kind = RayKind::gathering;
     next.counted = true;
+    next.collects = vertex.material->photons.collects;
+    next.brought = false;
     return next;
 }
 

@@ -23,6 +23,7 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
     double clear() const { return ends_.clear(); }
+    void prepare(std::uint32_t, std::uint32_t) const {}
 
 private:
     /// A way in which a path may go on from a vertex.

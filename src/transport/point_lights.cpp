@@ -18,11 +18,13 @@ constexpr double apart_for_light = 1e-3;
 /// Light of one source at a point, with what it needs.
 class SourceLight {
 public:
-    SourceLight(const World& world, const PointLight& light, const Composite* window,
+    SourceLight(const World& world, const PointLight& light, std::uint32_t number,
                 const LitLayer& layer, const Key& key, LightLedger& ledger)
         : world_(world),
           light_(light),
-          window_(window),
+          window_(world.lights.reach[number].window.get()),
+          photons_(world.photon_targets.empty() ? PhotonWays() : ways_of_source(world, number)),
+          collects_(!world.photon_targets.empty() && layer.collects(world)),
           vertex_(layer.vertex),
           scatterer_(layer.scatterer),
           terms_{.highlights = layer.highlights && !light.shadowless},
@@ -82,8 +84,14 @@ private:
                                       .apart = apart_for_light,
                                       .in_atmosphere = air},
                                      key_);
+        if (left != Vec3(0) && brought(ray, *until)) return Vec3(0);
         if (!air || left == Vec3(0)) return left;
         return left * left_by(world_.sky.fogs, ray, *until, world_.pattern_scene().noise_generator);
+    }
+
+    /// Whether photons bring its light along that way instead.
+    bool brought(const Ray& ray, double until) const {
+        return collects_ && target_between(world_, photons_, ray, vertex_.tolerance(), until);
     }
 
     /// The way to the window, which may not be there in this direction.
@@ -150,6 +158,8 @@ private:
     const World& world_;
     const PointLight& light_;
     const Composite* window_;  ///< null: none
+    const PhotonWays photons_;
+    const bool collects_;  ///< shows light that photons bring
     const Vertex& vertex_;
     Scatterer scatterer_;
     std::optional<Bsdf> both_sides_;  ///< what scatterer_ refers to, if it is there
@@ -166,9 +176,8 @@ private:
 Vec3 source_light(const World& world, std::uint32_t light, const LitLayer& layer, const Key& key,
                   LightLedger& ledger) {
     const Key own = key.branched(Branch::source, light);
-    const Composite* window = world.lights.reach[light].window.get();
     return std::visit(
-        [&](const auto& l) { return SourceLight(world, l, window, layer, own, ledger).seen(); },
+        [&](const auto& l) { return SourceLight(world, l, light, layer, own, ledger).seen(); },
         world.lights.sources[light]);
 }
 

@@ -19,13 +19,15 @@ PovRayIntegrator::PovRayIntegrator(const World& world, const Tracing& wanted)
     : world_(world),
       radiosity_(world.rules.settings.radiosity),
       rules_(shading_rules(world)),
-      direct_light_(world, wanted.shadow_rays),
+      direct_light_(world, wanted.shadow_rays,
+                    wanted.photons ? wanted.photons : photons_of(world, 0, 1)),
       media_(world),
       ends_(world, wanted.clear_sky),
       ledger_(empty_ledger(world, wanted.counts_lights)) {}
 
 Vec3 PovRayIntegrator::radiance(const Ray& ray, const Key& key) {
     const PathState path = ends_.begin(ray, key);
+    direct_light_.begin(key.sample);
     if (ray.direction == Vec3(0)) return Vec3(0);
     ++ledger_.camera;
     return follow(path);

@@ -24,6 +24,11 @@ public:
     const LightLedger& ledger() const { return ledger_; }
     const HitNoise& noise() const { return direct_light_.noise(); }
 
+    /// Makes the photons that samples from `first` to before `last` need.
+    void prepare(std::uint32_t first, std::uint32_t last) const {
+        direct_light_.photons().prepare(first, last);
+    }
+
     /// How much of the last sample is what is behind everything and clear: 0 to 1.
     double clear() const { return ends_.clear(); }
 

@@ -170,8 +170,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"iff pot", "image_map { iff \"x.iff\" }", "kinds of pictures that are not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},
     {"dtag", "object { ... dtag }", "without effect"},
-    {"photons gather pass_through autostop spacing expand_thresholds target steps",
-     "photons { ... }", "without effect in this version; `caustics` in an interior has one"},
+    {"steps", "photons { ... }", "a word of old versions, which photons do not have any more"},
     {"importance", "radiosity { ... }", "without effect in this version"},
 });
 

@@ -202,7 +202,7 @@ void build_indices(World& world, const CompileOptions& options) {
     if (options.light_sampler) world.rules.settings.light_sampler = *options.light_sampler;
     divide(world.geometry, world.geometry.infinite);
     build_index(world.geometry, world.rules.settings.index, options.threads);
-    if (world.notes_solids() && world.view.camera.parallel)
+    if (world.notes_solids() && world.indexes_solids())
         world.geometry.clear_solids = find_clear_solids(world);
     note_luminaires(world);
     map_brightness(world);

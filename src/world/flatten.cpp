@@ -121,6 +121,8 @@ public:
         if (group == 0) statements_.begin(placed.span);
         world_.provenance.statement_of_light.push_back(statements_.number());
         world_.lights.sources.push_back(std::move(placed.light));
+        reach.photons = placed.photons.ways();
+        reach.photons_of_grid = placed.photons.area_light;
         world_.lights.reach.push_back(std::move(reach));
     }
 
@@ -144,6 +146,7 @@ public:
             world_.appearance.part_textures[geometry_.primitive(each.kind, each.index)] =
                 std::move(each.textures);
         add_luminaires(world_, glowing_, all_, diagnostics_);
+        if (all_) place_photon_targets(world_, diagnostics_);
     }
 
 private:
@@ -179,6 +182,7 @@ private:
         here.no_luminaire |= object.no_luminaire;
         here.double_illuminate |= object.double_illuminate;
         here.hollow |= object.hollow;
+        if (object.photons) here.photons = photon_surface(world_, *object.photons, object.span);
         return here;
     }
 

@@ -66,7 +66,7 @@ struct PlacedComposite {
     Box around;  ///< out of this no ray begins inside of it, as of what is inverse in POV-Ray
 };
 
-/// Solids that rays must know of by where they are, for cameras whose rays begin anywhere.
+/// Solids that rays must know of by where they are, for rays that begin anywhere.
 struct ClearSolids {
     std::vector<std::uint32_t> infinite;
     std::vector<std::uint32_t> finite;  ///< in the order of the index's parts
@@ -173,7 +173,7 @@ struct Geometry {
     std::vector<std::uint32_t> uvs_of;
     InfiniteItems infinite;
     WideTree tree;             ///< of the other items
-    ClearSolids clear_solids;  ///< empty unless the camera is parallel
+    ClearSolids clear_solids;  ///< empty unless World::indexes_solids()
 };
 
 }  // namespace candelabra

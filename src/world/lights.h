@@ -2,6 +2,7 @@
 // What gives light in a world, except for its sky. Filled by flatten() and compile().
 #pragma once
 
+#include "method/photons.h"
 #include "world/sources.h"
 
 #include <cstdint>
@@ -19,6 +20,8 @@ struct LightGroup {
 struct LightReach {
     std::uint32_t group = 0;             ///< it lights the objects of this group only; 0: all
     Handle<Composite> window = nullptr;  ///< it lights what is seen through this; null: all
+    PhotonWays photons = {};             ///< what it says of them
+    bool photons_of_grid = false;        ///< they start from all of its grid
 };
 
 /// What gives light, except for the sky.

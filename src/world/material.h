@@ -5,6 +5,7 @@
 #include "medium/interior.h"
 #include "surface/texture.h"
 #include "world/geometry.h"
+#include "world/photon_targets.h"
 
 #include <cstdint>
 #include <unordered_map>
@@ -32,6 +33,7 @@ struct Material {
     /// Number of the union that gave its interior to all of its parts: rays take them for one solid
     /// that they enter and leave in turn, as in POV-Ray. 0: the interior is its own.
     std::uint32_t shared_interior = 0;
+    PhotonSurface photons = {};
     std::uint32_t solid = 0;  ///< tells faces of one mesh from those of others; see World::solid()
 
     /// Nothing behind it is lit.

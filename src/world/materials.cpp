@@ -32,7 +32,8 @@ std::size_t Materials::Hash::operator()(const Key& key) const {
                          key.double_illuminate << 3 | key.hollow << 4 | key.no_luminaire << 5 |
                          key.no_radiosity << 6;
     return of(key.texture) * 31 + of(key.interior) * 16 + of(key.inner) * 7 + key.light_group * 64 +
-           std::size_t{key.shared_interior} * 4096 + static_cast<std::size_t>(switches);
+           std::size_t{key.shared_interior} * 4096 + std::size_t{key.photons.target} * 8192 +
+           static_cast<std::size_t>(switches);
 }
 
 const Handle<Texture>& Materials::world_texture(const Handle<Texture>& texture,
@@ -73,7 +74,8 @@ std::uint32_t Materials::index(const Inherited& look) {
                   look.no_radiosity,
                   look.no_luminaire,
                   look.double_illuminate,
-                  look.hollow};
+                  look.hollow,
+                  look.photons};
     if (last_key_ != key) {
         last_key_ = key;
         const auto next = static_cast<std::uint32_t>(world_.appearance.materials.size());
@@ -114,6 +116,7 @@ void Materials::add(const Inherited& look) {
     material.no_radiosity = look.no_radiosity;
     material.double_illuminate = look.double_illuminate;
     material.hollow = look.hollow;
+    material.photons = look.photons;
     material.uv = nesting(texture).uv || (material.inner && nesting(*material.inner).uv);
     material.solid = static_cast<std::uint32_t>(world_.appearance.materials.size());
     world_.appearance.any_transparent |= material.transparent;

@@ -44,6 +44,7 @@ struct Inherited : Hidden {
     bool named_group = false;           ///< a light group here comes by a declared name
     std::uint32_t shared_interior = 0;  ///< see Material
     bool no_luminaire = false, double_illuminate = false, hollow = false, uv = false;
+    PhotonSurface photons = {};
     /// One of the parts of a composite. As in POV-Ray, a part with an interior of its own is a
     /// solid of its own: who enters it does not leave it through the others.
     bool of_several = false;
@@ -89,6 +90,7 @@ private:
         std::uint32_t light_group, shared_interior;
         bool no_shadow, no_image, no_reflection, no_radiosity, no_luminaire, double_illuminate,
             hollow;
+        PhotonSurface photons;
 
         friend bool operator==(const Key&, const Key&) = default;
     };

@@ -150,7 +150,16 @@ void review(const Scene& scene, const World& world, Diagnostics& diagnostics) {
                                 "`subsurface` of finishes has no effect: the scene does not ask "
                                 "for it")
                             .with_help("global_settings { subsurface { } }"));
+    const PhotonSettings& photons = world.rules.settings.photons;
+    if (photons.on && !photons.shoots())
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`photons` has no effect without a number of them above 0")
+                            .with_help("global_settings { photons { count 20000 } }"));
     if (!std::holds_alternative<PathTraced>(world.rules.settings.integrator)) return;
+    if (photons.on)
+        diagnostics.add(warning(Fault::no_effect, {},
+                                "`photons` has no effect with path_traced, which follows light "
+                                "from the camera"));
     if (world.rules.settings.radiosity.on)
         diagnostics.add(warning(Fault::no_effect, {},
                                 "`radiosity` has no effect with path_traced, which follows all "

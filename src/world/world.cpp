@@ -366,7 +366,7 @@ void World::add_if_inside(std::uint32_t item, const Vec3& point, EnteredSolids& 
 
 EnteredSolids World::containing(const Vec3& point) const {
     EnteredSolids found;
-    if (view.camera.parallel) {
+    if (indexes_solids()) {
         for (const std::uint32_t item : geometry.clear_solids.infinite)
             add_if_inside(item, point, found);
         geometry.clear_solids.index.around(point, [&](std::uint32_t part) {

@@ -9,6 +9,7 @@
 #include "world/hit.h"
 #include "world/lights.h"
 #include "world/material.h"
+#include "world/photon_targets.h"
 #include "world/provenance.h"
 #include "world/sky.h"
 
@@ -90,6 +91,8 @@ public:
     bool notes_solids() const {
         return appearance.any_transparent || appearance.any_media || has_air();
     }
+    /// Whether rays begin in places of which it must be found out fast what they are in.
+    bool indexes_solids() const { return view.camera.parallel || !photon_targets.empty(); }
     /// Whether there is fog, a rainbow or a medium outside of solids.
     bool has_air() const {
         return !sky.fogs.empty() || !sky.rainbows.empty() || !sky.media.empty();
@@ -179,7 +182,7 @@ public:
     /// The same where media are not asked.
     bool differs_but_for_media() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || has_indirect_light();
+               !shutter.empty() || has_indirect_light() || !photon_targets.empty();
     }
 
     Geometry geometry;
@@ -188,6 +191,7 @@ public:
     Sky sky;
     WorldView view;
     Rules rules;
+    std::vector<PhotonTarget> photon_targets;  ///< empty: there are no photons
     Provenance provenance;
     std::vector<World> shutter;  ///< the scene at later times while the camera's shutter is open
 

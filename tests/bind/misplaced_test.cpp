@@ -45,7 +45,7 @@ TEST_CASE("what has no place in a block is reported once", "[bind]") {
 TEST_CASE("words of blocks are known, those of what is not available are not", "[bind]") {
     for (const std::string_view word : {"sphere", "union", "warp", "ior", "fog", "tile2"})
         CHECK(known_in_blocks(word));
-    for (const std::string_view word : {"spacing", "photons", "nothing"})
+    for (const std::string_view word : {"bokeh", "importance", "nothing"})
         CHECK_FALSE(known_in_blocks(word));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bind/settings.h"
 
+#include "scene/dump.h"
 #include "support/script.h"
 
 #include <catch2/catch.hpp>
@@ -83,6 +84,35 @@ TEST_CASE("radiosity has all of POV-Ray's words", "[bind]") {
     CHECK(complaint("global_settings { radiosity { brightness 2 normal on } }") == "nothing");
 }
 
+TEST_CASE("photons have all of POV-Ray's words", "[bind]") {
+    const Script done = run(R"(#version 3.7; global_settings { photons {
+        spacing 0.1 count 500 gather 10, 20 radius 0.1, 2, 0.2, 2 media 100, 2 jitter 0.4
+        max_trace_level 7 adc_bailout 0.1 autostop 0 expand_thresholds 0.2, 40 } })");
+    REQUIRE(done.said.size() == 1);
+    CHECK(done.said.front().message ==
+          "`jitter`, `autostop`, `expand_thresholds` of `photons` have no effect: photons are shot "
+          "anew again and again");
+    const PhotonSettings& found = done.scene.settings.photons;
+    CHECK(found.shoots());
+    CHECK(found.count == 500);
+    CHECK(found.gather_most == 20);
+    CHECK(found.max_trace_level == 7);
+    CHECK(run("#version 3.7; global_settings { photons { } }").text.empty());
+}
+
+TEST_CASE("what is said of photons is written where it was said", "[bind]") {
+    const std::string text = dump(run(R"(#version 3.7;
+        global_settings { photons { count 9 radius 0.2, 2 } }
+        light_source { 9*y, rgb 1 photons { reflection off area_light } }
+        sphere { 0, 1 photons { target refraction on collect off } })")
+                                      .scene);
+    for (const char* part :
+         {"global_settings { photons { count 9 radius 0.2, 2 } }",
+          "photons { reflection 0 area_light }", "photons { target 1 refraction 1 collect off }"})
+        CHECK(text.find(part) != std::string::npos);
+    CHECK(dump(run(text).scene) == text);
+}
+
 TEST_CASE("each integrator can be chosen", "[bind]") {
     for (std::size_t kind = 0; kind < Kinds<IntegratorSettings>::count; ++kind) {
         const std::string name(Kinds<IntegratorSettings>::infos[kind]->name);
@@ -106,8 +136,11 @@ TEST_CASE("wrong settings are told of once", "[bind]") {
     CHECK(complaint("global_settings { charset utf8 } #declare A = \"plain\";") == "nothing");
     CHECK(complaint("global_settings { charset utf8 } #declare A = \"\xC3\xA9\";") ==
           "warning no-effect: `charset` has no effect in this version");
-    CHECK(complaint("global_settings { photons { count 100 } }") ==
-          "warning no-effect: `photons` has no effect in this version");
+    CHECK(complaint("global_settings { photons { count 100 gather 30, 20 } }") ==
+          "error out-of-range: the second number of `gather` in `photons` must not be below the "
+          "first");
+    CHECK(complaint("global_settings { photons { count 100 target } }") ==
+          "error misplaced: `target` has no place in `photons`");
     CHECK(complaint("global_settings { radiosity { importance 1 } }") ==
           "warning no-effect: `importance` has no effect in this version");
     CHECK(complaint("global_settings { subsurface { samples 9, 9 radiosity on } }") ==

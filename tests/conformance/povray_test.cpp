@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels that POV-Ray 3.7 computes (scene text and values), for the part of its vocabulary that this
-// version has: povray.json as it prints them, radiosity.json and media.json as its radiosity and its
-// media have them when they converge. (POV-Ray overlooks surfaces within fixed distances of a ray's
-// start; we do not, so scenes that show that are not among them.)
+// version has: povray.json as it prints them, radiosity.json, media.json and photons.json as its
+// radiosity, its media and its photons have them when they converge. (POV-Ray overlooks surfaces
+// within fixed distances of a ray's start; we do not, so scenes that show that are not among them.)
 #include "render/render.h"
 
 #include "support/scripts.h"
@@ -72,6 +72,12 @@ TEST_CASE("media agree with POV-Ray 3.7's where its sampling converges", "[rende
     const nlohmann::json cases = cases_of("media.json");
     REQUIRE(cases.size() > 100);
     for (const auto& c : cases) check_pixels(c, 256);
+}
+
+TEST_CASE("photons agree with POV-Ray 3.7's where these converge", "[render][photons]") {
+    const nlohmann::json cases = cases_of("photons.json");
+    REQUIRE(cases.size() == 38);
+    for (const auto& c : cases) check_pixels(c, c.value("samples", 16));
 }
 
 }  // namespace candelabra

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words of POV-Ray that this version has not
 #version 3.7;
-photons { spacing 1 }
 sphere { 0, 1 interior { bokeh { 1 } } }
 light_source { 0, 1 spotlight point_at z radius 10 falloff 20 }
 sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgbt 0.5 } } }

@@ -213,6 +213,43 @@ TEST_CASE("samples of one picture can be taken in parts and added", "[render]") 
     CHECK(sum.image().pixels == whole.film.image().pixels);
 }
 
+TEST_CASE("a picture with photons has the same bytes however it is made", "[render]") {
+    const World world = world_of(R"(
+        #version 3.7;
+        global_settings { photons { count 1500 } radiosity { } }
+        camera { location <0, 3, -8> look_at <0, 1, 0> right x up y angle 50 }
+        light_source { <5, 9, 1>, rgb 0.5 photons { refraction on } }
+        plane { y, 0 pigment { rgb 0.9 } }
+        sphere { <0, 1, 0>, 1 pigment { rgbt 1 } interior { ior 1.5 } photons { target refraction on } }
+        #for (I, 0, 11)
+            sphere { <2, 2.4, 0>, 0.2 rotate 30*I*y pigment { rgb <1, 0.8, 0.5> } finish { emission 6 } }
+        #end)");
+    RenderSettings settings = small(1);
+    settings.samples = 20;
+    LightLedger rays;
+    RenderState whole = begin_picture(settings), broken = whole;
+    advance(plan_of(world, settings), whole, rays, {});
+    settings.threads = 3;
+    std::atomic<int> asked = 0;
+    RenderHooks hooks;
+    hooks.cancelled = [&] { return ++asked > 200; };
+    for (int stops = 0; !advance(plan_of(world, settings), broken, rays, hooks); ++stops) {
+        asked = 0;
+        REQUIRE(stops < 1000);
+    }
+    CHECK(broken == whole);
+    Film sum(settings.width, settings.height);
+    for (const auto& [first, count] : {std::pair{18u, 2}, std::pair{0u, 5}, std::pair{5u, 13}}) {
+        settings.samples = count;
+        RenderState part = begin_picture(settings);
+        part.share.first_sample = first;
+        advance(plan_of(world, settings), part, rays, {});
+        for (std::size_t i = 0; i < sum.pixels().size(); ++i)
+            sum.pixels()[i].add(part.film.pixels()[i]);
+    }
+    CHECK(sum.image().pixels == whole.film.image().pixels);
+}
+
 TEST_CASE("lights are counted by statement when that is asked for, the same by any threads",
           "[render]") {
     const World world = world_of(four_lamps + std::string("light_source { 5*y, 0.1 }"));

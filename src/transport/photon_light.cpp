@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/photon_light.h"
+
+#include "transport/direct_light.h"
+
+namespace candelabra {
+
+namespace {
+
+/// Photons that come along the surface bring no light that could be seen, and no number either.
+constexpr double least_cosine = 1e-6;
+
+}  // namespace
+
+Vec3 PhotonLight::operator()(const LitLayer& layer, const Key& key, LightLedger& ledger) {
+    if (!map_ || generation_ != wanted_) {
+        map_ = photons_->generation(wanted_);
+        generation_ = wanted_;
+    }
+    const Vec3& point = layer.vertex.position();
+    const Vec3& normal = layer.vertex.hit.normal;
+    const BsdfTerms terms{layer.highlights, !layer.radiosity, FacetLobes::wide};
+    const double grain = layer.grain(key);
+    Vec3 sum(0);
+    map_->around(point, [&](const Photon& photon) {
+        if (!(photon.glows ? layer.luminaires : layer.sources)) return;
+        const double density = photon_density(photon, point, normal);
+        if (density == 0) return;
+        const Vec3 to_light = -Vec3(photon.direction);
+        const double cosine = std::abs(dot(to_light, Vec3(photon.normal)));
+        if (cosine < least_cosine) return;
+        // What comes to the surface counts by its cosine already.
+        const Vec3 seen = Vec3(photon.power) * (density / cosine) *
+                          layer.scatterer.evaluate(to_light, terms, grain);
+        sum += seen;
+        if (ledger.lights.empty()) return;
+        LightCount& own = ledger.lights[photon.statement];
+        own.light.add(grey(seen));
+        own.seen += layer.throughput * seen;
+    });
+    return sum;
+}
+
+}  // namespace candelabra

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/photon_path.h"
+
+#include "medium/transmittance.h"
+#include "scattering/bsdf.h"
+#include "scattering/mirror.h"
+#include "scattering/phong.h"
+#include "transport/light_left.h"
+#include "transport/path_steps.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+struct PhotonPaths::Journey {
+    const PhotonShot& shot;
+    double share;
+    PathState path = {};
+    double way = 0;  ///< so far, from the lamp
+    int met = 0;     ///< surfaces from the target's first one on
+    int passed = 0;  ///< others, in a straight line
+};
+
+PhotonPaths::PhotonPaths(const World& world) : world_(world), rules_(shading_rules(world)) {
+    const GlobalSettings& settings = world.rules.settings;
+    most_surfaces_ =
+        static_cast<int>(settings.photons.max_trace_level.value_or(settings.max_trace_level));
+    least_weight_ = settings.photons.adc_bailout.value_or(settings.adc_bailout);
+}
+
+void PhotonPaths::follow(const PhotonShot& shot, const Key& key, double share,
+                         std::vector<Photon>& found) const {
+    Journey journey{shot, share};
+    PathState& path = journey.path;
+    path.ray = shot.ray;
+    path.tolerance = shot.tolerance;
+    path.key = key;
+    if (world_.notes_solids()) path.media = world_.containing(shot.ray.origin);
+    while (journey.passed < max_surfaces_along) {
+        Hit hit;
+        if (!world_.first_hit(path.ray, path.tolerance, path.kind, hit)) return;
+        const double distance = length(hit.position - path.ray.origin);
+        journey.way += distance;
+        pass_media(path, distance);
+        const Ray came = path.ray;
+        const Vertex vertex = vertex_at(world_, came, hit, {path.media.data(), path.media.size()});
+        const PhotonSurface& surface = vertex.material->photons;
+        if (journey.met == 0 && surface.target != shot.target) {
+            // Photons of another target are shot at that one.
+            const bool other =
+                surface.target != 0 && is_open(shot.lamp.refraction, surface.ways.refraction);
+            if (other || !pass(journey, vertex, came)) return;
+            continue;
+        }
+        if (++journey.met > most_surfaces_) return;
+        if (journey.met > 1) deposit(journey, vertex, found);
+        const bool straight =
+            journey.met > 1 && !is_refracted(journey, surface) && !is_reflected(journey, surface);
+        if (straight ? !pass(journey, vertex, came) : !scatter(journey, vertex, path.key)) return;
+    }
+}
+
+/// What media in solids leave on a stretch of the path. Those outside leave all, as in POV-Ray.
+void PhotonPaths::pass_media(PathState& path, double distance) const {
+    MediaList media;
+    add_media(world_, {path.media.data(), path.media.size()}, media);
+    if (media.empty()) return;
+    path.throughput *= transmittance(view_of(media), path.ray, {0, distance},
+                                     world_.pattern_scene(), path.key.branched(Branch::medium));
+}
+
+/// Goes straight on as light for a shadow does.
+bool PhotonPaths::pass(Journey& journey, const Vertex& vertex, const Ray& came) const {
+    const Vec3 left = world_.passed(vertex.hit, came);
+    if (left == Vec3(0)) return false;
+    PathState& path = journey.path;
+    ++journey.passed;
+    path.throughput *= left * left_inside(world_, path, vertex.hit);
+    path.media = interface_at(world_, path.media, vertex.hit.primitive, path.band).behind;
+    path.ray.origin = vertex.position();
+    path.tolerance = vertex.tolerance();
+    return true;
+}
+
+/// Whether it is bent where it goes on behind the surface.
+bool PhotonPaths::is_refracted(const Journey& journey, const PhotonSurface& surface) const {
+    const bool straight = surface.target == 0 && surface.passed;
+    return !straight && is_open(journey.shot.lamp.refraction, surface.ways.refraction);
+}
+
+/// What luminaires send to a mirror that is no target is found from the camera.
+bool PhotonPaths::is_reflected(const Journey& journey, const PhotonSurface& surface) const {
+    return (surface.target != 0 || !journey.shot.glows) &&
+           is_open(journey.shot.lamp.reflection, surface.ways.reflection);
+}
+
+/// Goes on from a surface in one of its ways, by chance.
+bool PhotonPaths::scatter(Journey& journey, const Vertex& vertex, const Key& key) const {
+    double u = uniform(key, Purpose::texture_choice);
+    bool goes_on = false;
+    for_visible_layers(world_, vertex, 0, [&](double weight, std::span<const Layer> layers) {
+        if (u >= 0 && u < weight) goes_on = choose(journey, vertex, layers);
+        u -= weight;
+    });
+    return goes_on;
+}
+
+bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
+                         std::span<const Layer> layers) const {
+    PathState& path = journey.path;
+    const PhotonSurface& surface = vertex.material->photons;
+    const LayerStack stack(world_, path, vertex, layers);
+    const Vec3 inside = left_inside(world_, path, vertex.hit);
+    Ways ways;
+    const auto add = [&](const Vec3& share, const Shading& shading, bool mirrors) {
+        if (share != Vec3(0)) ways.push_back({inside * share, shading, mirrors});
+    };
+    if (is_reflected(journey, surface))
+        stack.visit([&](const LayerStack::Seen& layer) {
+            const Vec3 direction = reflected_direction(layer.shading);
+            add(layer.reflected * iridescence(layer.shading, rules_, direction), layer.shading,
+                true);
+        });
+    // Through the first surface only as photons; further on also as other light.
+    const bool bent = is_refracted(journey, surface);
+    if (stack.is_clear() && (bent || journey.met > 1)) {
+        const bool total = bent && stack.reflects_totally();
+        add(stack.top().finish->refraction * (total ? Vec3(1) : stack.behind()), stack.top(),
+            total);
+    }
+    double all = 0;
+    for (const Way& way : ways) all += max_component(glm::abs(way.share));
+    double u = uniform(path.key, Purpose::way_choice) * all;
+    for (const Way& way : ways) {
+        const double own = max_component(glm::abs(way.share));
+        if (u >= own) {
+            u -= own;
+            continue;
+        }
+        path.throughput *= way.share * (all / own);
+        path.weight *= own;
+        if (path.weight < least_weight_) return false;
+        if (way.mirrors) {
+            path = mirrored_path(path, vertex, way.shading);
+            return true;
+        }
+        if (bent) return go_behind(path, vertex, stack);
+        path.media = stack.interface().behind;
+        path.go_on({vertex.position(), path.ray.direction}, vertex.tolerance(), Branch::refraction);
+        return true;
+    }
+    return false;
+}
+
+bool PhotonPaths::go_behind(PathState& path, const Vertex& vertex, const LayerStack& stack) const {
+    const Interface& surface = stack.interface();
+    const Shading& s = stack.top();
+    double ratio = surface.ratio;
+    if (surface.bands > 0) {
+        const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
+                                             static_cast<double>(surface.bands));
+        path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
+        path.throughput *= hue(*path.band);
+        ratio *= std::pow(surface.dispersion, path.band->power());
+        if (reflects_totally(s, ratio)) {
+            path = mirrored_path(path, vertex, s);
+            return true;
+        }
+    }
+    const bool straight = std::abs(ratio - 1) < 1e-10;
+    path.media = surface.behind;
+    path.go_on({vertex.position(), straight ? path.ray.direction : refracted_direction(s, ratio)},
+               vertex.tolerance(), Branch::refraction);
+    return true;
+}
+
+/// Whether any layer shows light that comes to it.
+bool PhotonPaths::answers(const Vertex& vertex) const {
+    bool any = false;
+    for_visible_layers(world_, vertex, 0, [&](double, std::span<const Layer> layers) {
+        for (const Layer& layer : layers)
+            any = any || Bsdf(with_layer(world_, vertex, layer), rules_).answers_light();
+    });
+    return any;
+}
+
+void PhotonPaths::deposit(const Journey& journey, const Vertex& vertex,
+                          std::vector<Photon>& found) const {
+    if (!vertex.material->photons.collects || !answers(vertex)) return;
+    const Vec3 power =
+        journey.shot.power_after(journey.way) * journey.path.throughput * journey.share;
+    if (power == Vec3(0)) return;
+    found.push_back({vertex.position(), glm::vec3(journey.path.ray.direction),
+                     glm::vec3(vertex.hit.normal), glm::vec3(power), 0, journey.shot.statement,
+                     journey.shot.glows});
+}
+
+}  // namespace candelabra

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/photon_shooter.h"
+
+#include "base/degrees.h"
+#include "lighting/draw.h"
+#include "transport/sight.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace candelabra {
+
+namespace {
+
+using std::numbers::pi;
+
+/// More at a time take more memory than they are worth.
+constexpr double most_photons = 1 << 18;
+/// Share of a shaped light's strength that a target gets at least that its shape touches.
+constexpr double least_share = 0.05;
+/// Pairs of luminaires and targets that are looked at to find what targets get.
+constexpr std::size_t most_pairs = std::size_t{1} << 24;
+/// By what share of the distance photons of luminaires start away from them.
+constexpr double away_from_lamp = 1e-7;
+
+Vec3 axis_of_light(const PointLight& light) { return unit(light.point_at - light.location); }
+
+/// A unit direction in a cone, uniform per steradian.
+Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
+    const double along = 1 - u.x * (1 - cosine),
+                 across = std::sqrt(std::fmax(1 - along * along, 0));
+    const auto [x, y] = perpendiculars(axis);
+    const double angle = 2 * pi * u.y;
+    return unit(along * axis + across * (std::cos(angle) * x + std::sin(angle) * y));
+}
+
+/// A point of a disc around 0.
+Vec3 point_in_disc(const Vec3& axis, double radius, const Vec2& u) {
+    const auto [x, y] = perpendiculars(axis);
+    const double away = radius * std::sqrt(u.x), angle = 2 * pi * u.y;
+    return away * (std::cos(angle) * x + std::sin(angle) * y);
+}
+
+bool meets_ball(const Ray& ray, const Vec3& centre, double radius) {
+    const Vec3 offset = centre - ray.origin;
+    const double along = dot(offset, ray.direction), away2 = dot(offset, offset);
+    return away2 <= radius * radius ||
+           (along > 0 && away2 - along * along <= radius * radius * (1 + 1e-9));
+}
+
+/// A cone by its axis.
+struct LightCone {
+    Vec3 axis;
+    double cosine;  ///< of its half angle
+
+    double steradians() const { return 2 * pi * (1 - cosine); }
+};
+
+/// All directions from a point to a ball; all there are from inside.
+LightCone cone_to(const Vec3& from, const PhotonTarget& target) {
+    const Vec3 offset = target.centre - from;
+    const double away2 = dot(offset, offset), radius2 = target.radius * target.radius;
+    if (away2 <= radius2) return {Vec3(0, 0, 1), -1};
+    return {offset / std::sqrt(away2), std::sqrt(1 - radius2 / away2)};
+}
+
+/// What a light source gives a target, roughly.
+double light_at(const PointLight& light, const PhotonTarget& target) {
+    const Vec3 there = target.centre;
+    PointLight plain = light;
+    plain.beam = all_around;
+    plain.parallel = light.along_axis();
+    const double most = std::abs(grey(incidence(plain, light.location, there).colour));
+    const Vec3 offset = there - light.location, axis = axis_of_light(light);
+    const double away = length(offset);
+    bool touches = true;
+    if (light.kept_to() == parallel_beam) {
+        const double aside = length(offset - dot(offset, axis) * axis);
+        touches = aside < light.falloff.value_or(1) + target.radius;
+    } else if (light.kept_to() == cone && !light.parallel && away > target.radius) {
+        const double angle = std::acos(std::clamp(dot(offset, axis) / away, -1.0, 1.0));
+        touches = angle - std::asin(target.radius / away) <
+                  light.falloff.value_or(45) * radians_per_degree;
+    }
+    if (!touches) return 0;
+    return std::clamp(std::abs(grey(incidence(light, light.location, there).colour)),
+                      least_share * most, most);
+}
+
+bool shoots_at(const PhotonWays& lamp, const PhotonTarget& target) {
+    return target.shot_at && (is_open(lamp.reflection, target.ways.reflection) ||
+                              is_open(lamp.refraction, target.ways.refraction));
+}
+
+double shadow_of(const PhotonTarget& target) { return pi * target.radius * target.radius; }
+
+/// The part of the ball around a target, seen from its middle, from where a luminaire may be seen:
+/// its bounds are a ball, too.
+LightCone cap_towards(const LightBounds& luminaire, const PhotonTarget& target) {
+    const Vec3 offset = luminaire.centre - target.centre;
+    const double away = length(offset), above = target.radius - luminaire.radius;
+    if (away <= std::abs(above)) return {Vec3(0, 0, 1), -1};
+    return {offset / away, above / away};
+}
+
+/// A point of the ball by its normal, and its density per steradian from the middle.
+struct Entry {
+    Vec3 normal;
+    double density;
+};
+
+/// In the cap; as it is seen along its axis, if all of it is seen so.
+Entry draw_entry(const LightCone& cap, const Vec2& u) {
+    if (cap.cosine < 0) return {direction_in_cone(cap.axis, cap.cosine, u), 1 / cap.steradians()};
+    const double seen = 1 - cap.cosine * cap.cosine;
+    const Vec3 aside = point_in_disc(cap.axis, std::sqrt(seen), u);
+    const double height = std::sqrt(std::fmax(1 - dot(aside, aside), 0));
+    return {unit(aside + height * cap.axis), height / (pi * seen)};
+}
+
+/// How much of a luminaire, about, lies in the ball around a target; 0: nothing.
+double share_inside(const Luminaire& luminaire, const PhotonTarget& target) {
+    const LightBounds around = bounds(luminaire);
+    const double away = length(around.centre - target.centre);
+    const bool is_ball = std::holds_alternative<SphereEmitter>(luminaire.emitter);
+    if (away >= around.radius + target.radius) return 0;
+    // All of the surface of a large ball may be outside.
+    if (is_ball && around.radius - away >= target.radius) return 0;
+    const double outside = (away + around.radius - target.radius) / (2 * around.radius);
+    return std::clamp(1 - outside, least_share, 1.0);
+}
+
+}  // namespace
+
+Vec3 PhotonShot::power_after(double way) const {
+    if (!source) return power;
+    const Vec3 colour = incidence(*source, place, ray.at(way)).colour;
+    return colour * (source->along_axis() ? extent : extent * way * way);
+}
+
+PhotonShooter::PhotonShooter(const World& world) : world_(world) {
+    for (std::uint32_t target = 0; target < world.photon_targets.size(); ++target) {
+        aim_sources(target);
+        aim_luminaires(target);
+    }
+}
+
+void PhotonShooter::add(Aim aim) {
+    const PhotonTarget& target = world_.photon_targets[aim.target];
+    aim.weight /= target.spacing * target.spacing;
+    if (!(aim.weight > 0) || !std::isfinite(aim.weight)) return;
+    aim.until = weight() + aim.weight;
+    aims_.push_back(aim);
+}
+
+void PhotonShooter::aim_sources(std::uint32_t number) {
+    const PhotonTarget& target = world_.photon_targets[number];
+    for (std::uint32_t i = 0; i < world_.lights.sources.size(); ++i) {
+        if (!shoots_at(ways_of_source(world_, i), target)) continue;
+        const double light = std::visit([&](const auto& l) { return light_at(l, target); },
+                                        world_.lights.sources[i]);
+        add({Aim::source, i, number, light * shadow_of(target)});
+    }
+}
+
+void PhotonShooter::aim_luminaires(std::uint32_t number) {
+    const PhotonTarget& target = world_.photon_targets[number];
+    if (!shoots_at(ways_of_luminaires, target)) return;
+    const auto& all = world_.lights.luminaires;
+    const std::size_t step = 1 + all.size() * world_.photon_targets.size() / most_pairs;
+    const Receiver middle{target.centre, Vec3(0), Horizon::none};
+    double light = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const double inside = share_inside(all[i], target);
+        const double brightness = luminance(all[i].radiance);
+        if (inside > 0)
+            add({Aim::inner, static_cast<std::uint32_t>(i), number,
+                 inside * brightness * emitting_area(all[i].emitter)});
+        if (i % step != 0) continue;
+        // Close to a luminaire the estimate has no bound.
+        const double here = std::fmin(unoccluded(all[i], middle) / pi, 4 * brightness);
+        light += static_cast<double>(step) * std::fmax(1 - inside, least_share) * here;
+    }
+    add({Aim::luminaires, 0, number, light * shadow_of(target)});
+}
+
+std::uint32_t PhotonShooter::count() const {
+    const PhotonSettings& settings = world_.rules.settings.photons;
+    double count = settings.count;
+    if (!(count > 0)) {
+        count = 0;
+        for (const Aim& aim : aims_) {
+            const PhotonTarget& target = world_.photon_targets[aim.target];
+            const double spacing = settings.spacing * target.spacing;
+            count += shadow_of(target) / (spacing * spacing);
+        }
+    }
+    return static_cast<std::uint32_t>(std::clamp(count, 1.0, most_photons));
+}
+
+std::optional<PhotonShot> PhotonShooter::shoot(const Aim& aim, const Key& key) const {
+    const PhotonTarget& target = world_.photon_targets[aim.target];
+    PhotonShot shot;
+    shot.target = aim.target + 1;
+    if (aim.kind != Aim::source) {
+        shot.glows = true;
+        shot.lamp = ways_of_luminaires;
+        return aim.kind == Aim::inner ? from_inside(aim.lamp, target, shot, key)
+                                      : from_luminaires(target, shot, key);
+    }
+    shot.lamp = ways_of_source(world_, aim.lamp);
+    shot.statement = world_.provenance.statement_of_light[aim.lamp];
+    return std::visit(
+        [&](const auto& light) {
+            shot.source = &light;
+            shot.place = light.location;
+            if (light.is_area() && world_.lights.reach[aim.lamp].photons_of_grid) {
+                const auto place = [&](double u, int size) {
+                    return std::floor(u * static_cast<double>(size));
+                };
+                shot.place = grid_point(light, place(uniform(key, Purpose::jitter_u), light.size1),
+                                        place(uniform(key, Purpose::jitter_v), light.size2),
+                                        unit(light.location - target.centre));
+            }
+            return light.along_axis() ? from_plane(light, target, shot, key)
+                                      : from_point(light, target, shot, key);
+        },
+        world_.lights.sources[aim.lamp]);
+}
+
+/// In the narrower one of two cones: that to the ball, and the light's own.
+std::optional<PhotonShot> PhotonShooter::from_point(const PointLight& light,
+                                                    const PhotonTarget& target, PhotonShot shot,
+                                                    const Key& key) const {
+    LightCone drawn = cone_to(shot.place, target);
+    bool own = false;
+    if (light.kept_to() == cone) {
+        const double dark = std::clamp(light.falloff.value_or(45), 0.0, 90.0);
+        const LightCone shape{axis_of_light(light), std::cos(dark * radians_per_degree)};
+        own = shape.cosine > drawn.cosine;
+        if (own) drawn = shape;
+    }
+    shot.extent = drawn.steradians();
+    shot.ray = {shot.place, direction_in_cone(drawn.axis, drawn.cosine, place_on_light(key))};
+    if (own && !meets_ball(shot.ray, target.centre, target.radius)) return std::nullopt;
+    return shot;
+}
+
+/// All light is parallel, and comes from the plane through the light.
+std::optional<PhotonShot> PhotonShooter::from_plane(const PointLight& light,
+                                                    const PhotonTarget& target, PhotonShot shot,
+                                                    const Key& key) const {
+    const Vec3 along = unit(light.point_at - shot.place);
+    double radius = target.radius;
+    Vec3 middle = target.centre;
+    bool own = false;
+    if (light.kept_to() == parallel_beam) {
+        const double beam = std::fmax(light.falloff.value_or(1), 0);
+        own = beam < radius;
+        if (own) {
+            radius = beam;
+            middle = light.location;
+        }
+    }
+    const Vec3 point = middle + point_in_disc(along, radius, place_on_light(key));
+    shot.extent = pi * radius * radius;
+    shot.ray = {point - dot(point - shot.place, along) * along, along};
+    if (own && !meets_ball(shot.ray, target.centre, target.radius)) return std::nullopt;
+    return shot;
+}
+
+/// Rays through the ball, by the point where they enter it: one that faces the luminaire, which is
+/// chosen for the middle of the ball.
+std::optional<PhotonShot> PhotonShooter::from_luminaires(const PhotonTarget& target,
+                                                         PhotonShot shot, const Key& key) const {
+    const Receiver middle{target.centre, Vec3(0), Horizon::none};
+    const auto look = [&](const Ray& ray, double tolerance) {
+        return first_sight(world_, ray, tolerance);
+    };
+    const LightProbe scene(look);
+    const BsdfLobes lobes;
+    LightSamples samples;
+    std::visit(
+        [&](const auto& strategy) {
+            strategy.at({middle, lobes, nullptr, &scene}).sample(key, samples);
+        },
+        world_.lights.sampler);
+    if (samples.picks.empty()) return std::nullopt;
+    // Strategies that ask several lamps are asked for one of them.
+    const auto picks = static_cast<double>(samples.picks.size());
+    const LightPick pick =
+        samples.picks[static_cast<std::size_t>(uniform(key, Purpose::light_roulette) * picks)];
+    const Luminaire& luminaire = world_.lights.luminaires[pick.light];
+    const Entry drawn =
+        draw_entry(cap_towards(bounds(luminaire), target),
+                   {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
+    const Vec3& normal = drawn.normal;
+    const Receiver entry{target.centre + target.radius * normal, normal, Horizon::one_side};
+    Vec3 start, direction;
+    double density = drawn.density * pick.expected / picks;
+    if (const auto searched = SearchedLuminaire::of(luminaire)) {
+        const auto drawn = searched->draw(entry.position, place_on_light(key));
+        if (!drawn) return std::nullopt;
+        direction = drawn->direction;
+        density *= drawn->density;
+        bool found = false;
+        world_.along({entry.position, direction}, 0, RayKind::light, [&](const Hit& hit, double) {
+            found = world_.lights.luminaire_of[hit.primitive] == pick.light;
+            start = hit.position;
+            return !found;
+        });
+        if (!found) return std::nullopt;
+    } else {
+        const auto point = sample(luminaire, entry, place_on_light(key));
+        if (!point) return std::nullopt;
+        start = point->position;
+        direction = point->direction;
+        density *= point->density;
+    }
+    const double cosine = dot(direction, normal);
+    const bool outside = length(start - target.centre) > target.radius;
+    if (!(cosine > 0 && density > 0 && outside)) return std::nullopt;
+    shot.statement = world_.provenance.statement_of_luminaire[pick.light];
+    shot.power = radiance_of(world_, luminaire, start) *
+                 (target.radius * target.radius * cosine / (pi * density));
+    shot.ray = {start, -direction};
+    shot.tolerance = away_from_lamp * length(start - entry.position);
+    return shot;
+}
+
+/// What starts outside of the ball is drawn by the point where it enters instead.
+std::optional<PhotonShot> PhotonShooter::from_inside(LightIndex light, const PhotonTarget& target,
+                                                     PhotonShot shot, const Key& key) const {
+    const Luminaire& luminaire = world_.lights.luminaires[light];
+    const auto emitted = emit(luminaire, place_on_light(key),
+                              {uniform(key, Purpose::pixel_x), uniform(key, Purpose::pixel_y)});
+    if (!emitted || length(emitted->ray.origin - target.centre) > target.radius)
+        return std::nullopt;
+    shot.statement = world_.provenance.statement_of_luminaire[light];
+    shot.power = radiance_of(world_, luminaire, emitted->ray.origin) *
+                 (dot(emitted->normal, emitted->ray.direction) / (pi * emitted->density));
+    shot.ray = emitted->ray;
+    shot.tolerance = away_from_lamp * target.radius;
+    return shot;
+}
+
+}  // namespace candelabra

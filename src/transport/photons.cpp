@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/photons.h"
+
+#include "base/parallel.h"
+
+#include <algorithm>
+
+namespace candelabra {
+
+namespace {
+
+/// The first samples have a generation each; later ones share it, so that shooting takes a small
+/// part of the time.
+constexpr std::uint32_t single_samples = 16, samples_of_generation = 4;
+/// Exponent of the squared radius by the generation's number, less 1: the error of the mean falls
+/// fastest so.
+constexpr double alpha = 2.0 / 3;
+/// Kept in memory; others are made again when they are asked for.
+constexpr std::size_t most_generations = single_samples + Photons::samples_at_once / 4 + 4;
+/// Photons that one thread follows at a time.
+constexpr std::uint32_t batch = 2048;
+/// Of the radius of a target: that of discs where next to nothing comes.
+constexpr double disc_of_target = 0.1;
+
+}  // namespace
+
+std::shared_ptr<Photons> photons_of(const World& world, int seed, int threads) {
+    return world.photon_targets.empty() ? nullptr : std::make_shared<Photons>(world, seed, threads);
+}
+
+Photons::Photons(const World& world, int seed, int threads)
+    : world_(world),
+      shooter_(world),
+      paths_(world),
+      count_(shooter_.count()),
+      seed_(mix(static_cast<std::uint64_t>(seed))),
+      threads_(threads) {}
+
+std::uint32_t Photons::generation_of(std::uint32_t sample) {
+    return sample < single_samples
+               ? sample
+               : single_samples + (sample - single_samples) / samples_of_generation;
+}
+
+/// All photons of a stream, in the order in which they are shot.
+std::vector<Photon> Photons::shot(std::uint32_t count, std::uint64_t stream) const {
+    std::vector<std::vector<Photon>> parts((count + batch - 1) / batch);
+    run_parallel(parts.size(), threads_, [&](std::size_t i) {
+        const auto first = static_cast<std::uint32_t>(i) * batch;
+        shoot(first, std::min(first + batch, count), count, stream, parts[i]);
+    });
+    std::vector<Photon> all;
+    for (const std::vector<Photon>& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+/// Some of `count`. Aims get their shares of these one after the other, so that the photons of one
+/// aim are well spread points.
+void Photons::shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count,
+                    std::uint64_t stream, std::vector<Photon>& found) const {
+    const auto& aims = shooter_.aims();
+    if (aims.empty()) return;
+    const double step = shooter_.weight() / count;
+    const double offset = uniform({stream, 0, 0, 0}, Purpose::pixel_x);
+    const auto first_of = [&](double weight) {
+        return static_cast<std::uint32_t>(
+            std::clamp<double>(std::ceil(weight / step - offset), 0, count));
+    };
+    auto aim =
+        std::ranges::upper_bound(aims, (first + offset) * step, {}, &PhotonShooter::Aim::until);
+    for (std::uint32_t i = first; i < last; ++i) {
+        const double place = (i + offset) * step;
+        while (aim != aims.end() && aim->until <= place) ++aim;
+        if (aim == aims.end()) return;
+        const auto number = static_cast<std::uint32_t>(aim - aims.begin());
+        const Key key{stream, i - first_of(aim->until - aim->weight), number, 0};
+        const auto shot = shooter_.shoot(*aim, key);
+        // Of all photons so many are expected to be of this aim.
+        if (shot) paths_.follow(*shot, key, step / aim->weight, found);
+    }
+}
+
+PhotonMap Photons::made(std::uint32_t number) const {
+    const PhotonSettings& settings = world_.rules.settings.photons;
+    const DiscRule rule{std::fmax(settings.gather_most, 1),
+                        std::pow(number + 1.0, 0.5 * (alpha - 1)), settings.radius,
+                        disc_of_target * world_.photon_targets.front().radius};
+    return {shot(count_, mix(seed_ ^ mix(number + 1))), rule};
+}
+
+std::shared_ptr<const PhotonMap> Photons::generation(std::uint32_t number) {
+    std::shared_ptr<Entry> entry;
+    {
+        const std::lock_guard lock(mutex_);
+        std::shared_ptr<Entry>& place = generations_[number];
+        if (!place) place = std::make_shared<Entry>();
+        entry = place;
+        // Those that were asked for long ago have the lowest numbers.
+        if (generations_.size() > most_generations)
+            generations_.erase(generations_.begin()->first == number
+                                   ? std::next(generations_.begin())
+                                   : generations_.begin());
+    }
+    const std::lock_guard lock(entry->making);
+    if (!entry->map) entry->map = std::make_shared<const PhotonMap>(made(number));
+    return entry->map;
+}
+
+void Photons::prepare(std::uint32_t first, std::uint32_t last) {
+    if (first >= last) return;
+    for (std::uint32_t number = generation_of(first); number <= generation_of(last - 1); ++number)
+        generation(number);
+}
+
+}  // namespace candelabra

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Light that photons bring, of all generations: each of these is a map of photons that are shot
+// anew, and serves some samples of all pixels. Their radii shrink by a fixed law (Knaus and
+// Zwicker, "Progressive Photon Mapping: A Probabilistic Approach", 2011), so that the mean over
+// ever more generations has neither noise nor blur. A generation is a function of world, seed and
+// number, and is made when it is first asked for; any number of threads may ask.
+#pragma once
+
+#include "transport/photon_map.h"
+#include "transport/photon_path.h"
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace candelabra {
+
+class Photons {
+public:
+    /// The world outlives this, and has targets. `threads`: 0: one per core; nothing depends on it.
+    Photons(const World&, int seed, int threads);
+
+    /// Which generation serves a sample.
+    static std::uint32_t generation_of(std::uint32_t sample);
+    /// So many samples from a first one on are served from memory.
+    static constexpr std::uint32_t samples_at_once = 128;
+
+    std::shared_ptr<const PhotonMap> generation(std::uint32_t number);
+    /// Makes what samples from `first` to before `last` need, by all threads.
+    void prepare(std::uint32_t first, std::uint32_t last);
+
+private:
+    struct Entry {
+        std::mutex making;
+        std::shared_ptr<const PhotonMap> map;
+    };
+
+    std::vector<Photon> shot(std::uint32_t count, std::uint64_t stream) const;
+    void shoot(std::uint32_t first, std::uint32_t last, std::uint32_t count, std::uint64_t stream,
+               std::vector<Photon>&) const;
+    PhotonMap made(std::uint32_t number) const;
+
+    const World& world_;
+    PhotonShooter shooter_;
+    PhotonPaths paths_;
+    std::uint32_t count_;
+    std::uint64_t seed_;
+    int threads_;
+    std::mutex mutex_;
+    std::map<std::uint32_t, std::shared_ptr<Entry>> generations_;
+};
+
+/// Null where the world has no targets.
+std::shared_ptr<Photons> photons_of(const World&, int seed, int threads);
+
+}  // namespace candelabra

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/sight.h"
+
+namespace candelabra {
+
+Vec3 radiance_of(const World& world, const Luminaire& luminaire, const Vec3& position) {
+    return luminaire.varying ? world.emission(luminaire.primitive, position) : luminaire.radiance;
+}
+
+std::optional<ProbeHit> first_sight(const World& world, const Ray& ray, double tolerance) {
+    Hit hit;
+    if (!world.first_hit(ray, tolerance, RayKind::light, hit)) return {};
+    ProbeHit result{
+        dot(hit.position - ray.origin, ray.direction), hit.normal, hit.tolerance, {}, 0};
+    const LightIndex light = world.lights.luminaire_of[hit.primitive];
+    if (light != no_primitive) {
+        const Luminaire& luminaire = world.lights.luminaires[light];
+        result.light = light;
+        result.luminance = luminance(radiance_of(world, luminaire, hit.position));
+    }
+    result.passes = luminance(world.passed(hit, ray));
+    return result;
+}
+
+}  // namespace candelabra

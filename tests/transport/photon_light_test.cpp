@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/photon_light.h"
+
+#include "support/ball_lens.h"
+#include "support/scripts.h"
+#include "transport/integrator.h"
+#include "world/compile.h"
+
+#include <catch2/catch.hpp>
+
+namespace candelabra {
+
+namespace {
+
+/// Mean radiance of points of a floor, at a distance from the axis, over some samples.
+double seen_on_floor(Integrator& integrator, double from, double to, int samples,
+                     const Vec3& above = Vec3(0, 0.5, 0)) {
+    double sum = 0;
+    constexpr int places = 64;
+    for (int i = 0; i < places; ++i)
+        for (int sample = 0; sample < samples; ++sample) {
+            const double share = (i + 0.5) / places, angle = 2.4 * i;
+            // Evenly in the ring.
+            const double away = std::sqrt(from * from + share * (to * to - from * from));
+            Key key;
+            key.pixel = static_cast<std::uint64_t>(i);
+            key.sample = static_cast<std::uint32_t>(sample);
+            sum += integrator
+                       .radiance({above + away * Vec3(std::cos(angle), 0, std::sin(angle)),
+                                  Vec3(0, -1, 0)},
+                                 key)
+                       .x;
+        }
+    return sum / (places * samples);
+}
+
+std::string lens_over_floor(const std::string& photons, const std::string& lamp) {
+    return "#version 3.7; #default { pigment { rgb 1 } } global_settings { photons { " + photons +
+           " } } " + lamp +
+           R"( sphere { 5*y, 1 pigment { rgbt 1 } finish { diffuse 0 } interior { ior 1.5 }
+                        photons { target refraction on } }
+               plane { y, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } })";
+}
+
+}  // namespace
+
+TEST_CASE("a caustic is as bright as exact geometry says", "[transport][statistics]") {
+    const BallLens lens;
+    const World world = world_of(
+        lens_over_floor("count 20000", "light_source { 90*y, rgb 1 parallel point_at 0 }"));
+    Integrator integrator(world, {});
+    // The ball's shadow ends at 1; beyond it the light comes straight as well.
+    for (const auto& [from, to, straight] :
+         {std::tuple(0.2, 0.4, 0.0), std::tuple(0.5, 0.8, 0.0), std::tuple(1.2, 1.5, 1.0),
+          std::tuple(1.6, 2.0, 1.0)}) {
+        INFO("between " << from << " and " << to);
+        CHECK(seen_on_floor(integrator, from, to, 16) - straight ==
+              Approx(lens.density(from, to)).epsilon(0.02).margin(0.002));
+    }
+}
+
+TEST_CASE("a caustic of 300 lamps is that of their sum", "[transport][statistics]") {
+    // Far lamps in a bundle, whose light is nearly parallel.
+    const World world = world_of(lens_over_floor("count 20000", R"(
+        #for (I, 0, 299)
+            sphere { <mod(I, 20) - 9.5, 2000, floor(I/20) - 7>, 0.4 hollow pigment { rgb 1 }
+                     finish { emission 2000*2000/(0.16*300) } }
+        #end)"));
+    const BallLens lens;
+    Integrator integrator(world, {});
+    CHECK(seen_on_floor(integrator, 0.5, 0.8, 32) == Approx(lens.density(0.5, 0.8)).epsilon(0.03));
+}
+
+TEST_CASE("a disc of glass that bends nothing changes nothing", "[transport][statistics]") {
+    const auto light = [](const std::string& lamp, const std::string& photons) {
+        const World world =
+            world_of("#version 3.7; #default { pigment { rgb 1 } } global_settings { " + photons +
+                     " } " + lamp +
+                     R"( box { <-2, 1, -2>, <2, 1.2, 2> pigment { rgbt 1 }
+                                         finish { diffuse 0 } photons { target refraction on } }
+                                         plane { y, 0 pigment { rgb 1 } finish { ambient 0 } })");
+        Integrator integrator(world, {});
+        return seen_on_floor(integrator, 0, 1.2, photons.empty() ? 64 : 16);
+    };
+    for (const char* lamp :
+         {"light_source { 6*y, rgb 1 }", "light_source { 6*y, rgb 1 fade_distance 3 fade_power 2 }",
+          "light_source { 2*y, rgb 1 }", "sphere { 6*y, 0.5 finish { emission 9 } }",
+          "sphere { <0.3, 2, 0>, 0.2 finish { emission 9 } }",
+          "sphere { <0.3, 3.2, 0>, 0.4 finish { emission 9 } }",
+          "box { <-0.5, 6, -0.5>, <0.5, 6.1, 0.5> finish { emission 9 } }",
+          "triangle { <-1, 6, -1>, <1, 6, -1>, <0, 6, 1> finish { emission 9 } }",
+          "difference { sphere { 6*y, 1 } box { <-2, 5.4, -2>, <2, 5.5, 2> } finish { emission 9 "
+          "} }"}) {
+        INFO(lamp);
+        CHECK(light(lamp, "photons { count 20000 }") == Approx(light(lamp, "")).epsilon(0.03));
+    }
+}
+
+TEST_CASE("light that photons bring is counted for its lamp", "[transport]") {
+    const World world = world_of(
+        lens_over_floor("count 4000",
+                        "light_source { 90*y, rgb 1 parallel point_at 0 } light_source { <0, 90, "
+                        "1>, rgb 1 parallel point_at z shadowless }"));
+    Tracing wanted;
+    wanted.counts_lights = true;
+    Integrator integrator(world, wanted);
+    const double seen = grey(integrator.radiance({Vec3(0.5, 1, 0), Vec3(0, -1, 0)}, Key())) - 1;
+    CHECK(seen > 0);
+    CHECK(integrator.ledger().lights[0].light.value() == Approx(seen));
+    CHECK(integrator.ledger().lights[1].light.value() == Approx(1));
+}
+
+TEST_CASE("what reflects light of lamps to targets shows them once", "[transport][statistics]") {
+    // Radiosity gathers a lamp by way of a mirror; photons bring its light that way, too.
+    const auto light = [](const std::string& photons) {
+        const World world =
+            world_of(R"(#version 3.7; #default { pigment { rgb 1 } } global_settings { radiosity {
+            recursion_limit 1 } )" +
+                     photons +
+                     R"( } sphere { <-2, 2.5, 0>, 1.5 finish { emission 5 } }
+            box { <2, 0, -3>, <2.1, 4, 3> pigment { rgb 0 } finish { diffuse 0 reflection 1 }
+                  photons { target reflection on } }
+            plane { y, 0 pigment { rgb 1 } finish { ambient 0 } })");
+        Integrator integrator(world, {});
+        return seen_on_floor(integrator, 0, 0.5, 400, Vec3(0.5, 0.5, 0));
+    };
+    CHECK(light("photons { count 8000 }") == Approx(light("")).epsilon(0.03));
+}
+
+}  // namespace candelabra
