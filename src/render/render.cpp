@@ -65,7 +65,8 @@ int usual_samples(const World& world, const RenderSettings& settings, int rays) 
     constexpr int least = 4, to_middle = 16, least_in_media = 2;
     if (!settings.antialias) {
         if (!world.left_to_chance()) return 1;
-        return world.differs_but_for_media() ? std::max(least, to_middle / rays) : least_in_media;
+        if (world.differs_by_light()) return std::max(least, to_middle / rays);
+        return world.photon_targets.empty() ? least_in_media : least;
     }
     const int first = std::max(2, (1 << (2 * settings.antialias_depth)) / 8);
     return rays == 1 ? first : std::min(first, std::max(least, first / rays));

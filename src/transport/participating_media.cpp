@@ -41,7 +41,7 @@ double brightness_of(const MediaPlace& place) {
 
 ParticipatingMedia::ParticipatingMedia(const World& world) : world_(world) {
     if (!world.has_media()) return;
-    lights_all_ = !world.differs_but_for_media();
+    lights_all_ = !world.differs_by_light();
     for (const SourceSet& set : world.lights.source_sets)
         if (!set.drawn()) sources_.insert(sources_.end(), set.lights.begin(), set.lights.end());
     if (sources_.size() > max_telling) sources_.clear();

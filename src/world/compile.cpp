@@ -224,7 +224,7 @@ void build_indices(World& world, const CompileOptions& options) {
     for (const LightReach& reach : world.lights.reach) group_of.push_back(reach.group);
     world.lights.source_sets =
         source_sets(world.lights.sources, group_of, world.rules.settings.light_sampler, lit,
-                    world.differs_but_for_media() ? max_asked_among_samples : max_asked_sources);
+                    world.differs_by_light() ? max_asked_among_samples : max_asked_sources);
     world.sky.near = near_camera_and_lamps(world);
 }
 

@@ -176,13 +176,13 @@ public:
 
     /// Whether two samples of one point of the picture may differ.
     bool left_to_chance() const {
-        return differs_but_for_media() || appearance.any_drawn_media ||
+        return differs_by_light() || !photon_targets.empty() || appearance.any_drawn_media ||
                std::ranges::any_of(sky.media, &Media::drawn);
     }
-    /// The same where media are not asked.
-    bool differs_but_for_media() const {
+    /// The same where media are not asked and no photons fly: these differ less.
+    bool differs_by_light() const {
         return light_is_drawn() || !sky.light.empty() || appearance.any_scattering ||
-               !shutter.empty() || has_indirect_light() || !photon_targets.empty();
+               !shutter.empty() || has_indirect_light();
     }
 
     Geometry geometry;
