@@ -89,7 +89,7 @@ void ParticipatingMedia::choose(const Key& key, int count, Expected expected, Us
     sums_.clear();
     double total = 0;
     for (std::size_t i = 0; i < march_.places.size(); ++i) sums_.push_back(total += expected(i));
-    if (!(total > 0)) return;
+    if (!(total > 0) || !std::isfinite(total)) return;
     const double shift = uniform(key, Purpose::media_choice);
     for (int i = 0; i < count; ++i) {
         const double target = (i + shift) / count * total;
@@ -114,7 +114,7 @@ double ParticipatingMedia::unshadowed(const Vec3& position) const {
     return sum;
 }
 
-/// In proportion to what luminaires give at a point if nothing is between.
+/// In proportion to what luminaires are expected to give at a point.
 double ParticipatingMedia::luminaires_at(const DirectLight& direct_light,
                                          const Vec3& position) const {
     if (world_.lights.luminaires.empty()) return 1;
@@ -132,7 +132,10 @@ void ParticipatingMedia::expect_light(const DirectLight& direct_light, std::span
     const auto add = [&](auto light) {
         ShortList<double, 16> found;
         double total = 0;
-        for (const Vec3& place : places) found.push_back(light(place)), total += found.back();
+        for (const Vec3& place : places) {
+            found.push_back(light(place));
+            total += found.back();
+        }
         for (std::size_t i = 0; i < found.size() && total > 0; ++i) worth[i] += found[i] / total;
     };
     if (!sources_.empty()) add([&](const Vec3& place) { return unshadowed(place); });

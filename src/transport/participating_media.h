@@ -21,8 +21,8 @@ public:
     /// media in solids do not show on a part of a path without an end.
     Veil along(const PathState&, double distance, DirectLight&, LightLedger&);
 
-    /// Whether light of the last stretch is scattered again and again; about as large a part of
-    /// the radiance as that of what is behind it when it is that number. 0: it is not.
+    /// What scatters light again and again along the last stretch, on the scale of transmittance:
+    /// the chance that a path is scattered there is weighed by it. 0: nothing does.
     double multiple_scattering() const;
     /// The path that goes on from a point of the last stretch, as media scatter light to the
     /// viewer, with that in its throughput. Each order after the first sends on a quarter of what
