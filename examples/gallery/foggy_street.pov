@@ -12,6 +12,12 @@ camera {
     up y
     angle 58
     look_at <0, 2.9, 8>
+    film {
+        response agx
+        exposure 0.2
+        vignette 0.2
+        glare { veil 0.06 halo 0.003 }
+    }
 }
 
 // The fog: it scatters forward, and is densest above the ground.
