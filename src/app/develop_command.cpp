@@ -83,6 +83,13 @@ DevelopRequest read_develop_request(std::span<const std::string_view> arguments,
     return request;
 }
 
+/// Whether `--output` is a file's name, and no folder.
+bool names_one_file(const DevelopRequest& request) {
+    const std::string& said = request.options.output;
+    std::error_code none;
+    return !said.empty() && !said.ends_with('/') && !std::filesystem::is_directory(said, none);
+}
+
 /// The planes of a file by their names.
 class Planes {
 public:
@@ -227,8 +234,7 @@ private:
     std::string output_for(const std::string& path) const {
         namespace fs = std::filesystem;
         const std::string& said = request_.options.output;
-        std::error_code none;
-        if (!said.empty() && !said.ends_with('/') && !fs::is_directory(said, none)) return said;
+        if (names_one_file(request_)) return said;
         fs::path made(path);
         if (!said.empty()) made = fs::path(said) / made.filename();
         const PictureType type = request_.options.type.value_or(PictureType::png);
@@ -239,13 +245,6 @@ private:
     Diagnostics& diagnostics_;
 };
 
-/// Two files must not become one.
-bool names_one_file(const DevelopRequest& request) {
-    const std::string& said = request.options.output;
-    std::error_code none;
-    return !said.empty() && !said.ends_with('/') && !std::filesystem::is_directory(said, none);
-}
-
 }  // namespace
 
 int run_develop(std::span<const std::string_view> arguments, const Console& console) {
@@ -255,6 +254,7 @@ int run_develop(std::span<const std::string_view> arguments, const Console& cons
         say_errors(console, request.options, diagnostics);
         return status;
     };
+    // Two files must not become one.
     if (!diagnostics.failed() && request.files.size() > 1 && names_one_file(request))
         diagnostics.add(error(Fault::option, {}, "several pictures cannot go to one file")
                             .with_help("-o a folder, with a / at its end"));

@@ -5,19 +5,32 @@
 
 #include "app/option_store.h"
 
+#include <array>
+#include <string>
+
 namespace candelabra {
+
+/// The name of a field of FilmSettings, or `film` itself, as an argument of a template.
+struct FilmField {
+    std::array<char, 16> text = {};
+
+    consteval FilmField(const char* name) {  // NOLINT(google-explicit-constructor)
+        for (char& c : text)
+            if (*name != 0) c = *name++;
+    }
+};
+
+/// Keeps the change of a field of the film, if a film can have it.
+void keep_film_change(std::string field, std::string value, Options&, const Given&, Diagnostics&);
 
 namespace store {
 
-void film(Options&, const Given&, Diagnostics&);
-void exposure(Options&, const Given&, Diagnostics&);
-void white_balance(Options&, const Given&, Diagnostics&);
-void response(Options&, const Given&, Diagnostics&);
-void pixel_filter(Options&, const Given&, Diagnostics&);
-void smooth_edges(Options&, const Given&, Diagnostics&);
+template <FilmField field>
+void film(Options& options, const Given& given, Diagnostics& diagnostics) {
+    keep_film_change(field.text.data(), *given.value, options, given, diagnostics);
+}
+/// `on`, `off`, or fields with their values.
 void glare(Options&, const Given&, Diagnostics&);
-void vignette(Options&, const Given&, Diagnostics&);
-void grain(Options&, const Given&, Diagnostics&);
 
 }  // namespace store
 

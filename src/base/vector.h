@@ -44,4 +44,12 @@ inline std::pair<Vec3, Vec3> perpendiculars(const Vec3& n) {
             Vec3(b, sign + n.y * n.y * a, -n.y)};
 }
 
+/// The unit vector that makes an angle of that cosine with a unit axis, turned about it by so many
+/// radians.
+inline Vec3 turned_from(const Vec3& axis, double cosine, double turn) {
+    const double sine = std::sqrt(std::fmax(1 - cosine * cosine, 0));
+    const auto [x, y] = perpendiculars(axis);
+    return cosine * axis + sine * (std::cos(turn) * x + std::sin(turn) * y);
+}
+
 }  // namespace candelabra

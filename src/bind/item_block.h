@@ -11,6 +11,28 @@
 
 namespace candelabra {
 
+/// Fields that may be given and change nothing.
+struct IdleFields {
+    std::span<const std::string_view> names = {};
+    std::string_view why = {};
+};
+
+/// Warns once of those that a block has given.
+inline void warn_of_idle_fields(OpenBlock& block, std::string_view item, const ItemReader& fields,
+                                const IdleFields& idle, Span span) {
+    std::string list;
+    bool several = false;
+    for (const std::string_view field : idle.names) {
+        if (!fields.given(field)) continue;
+        several = !list.empty();
+        list += message(several ? ", `" : "`", field, '`');
+    }
+    if (list.empty()) return;
+    block.report(warning(
+        Fault::no_effect, span,
+        message(list, " of `", item, several ? "` have" : "` has", " no effect: ", idle.why)));
+}
+
 class ItemBlock : public SimpleReader {
 public:
     /// All outlive the reader. `given` is set when the block is there; null: nobody asks.
@@ -21,8 +43,7 @@ public:
 
     /// Fields that are read, and change nothing: one warning names those that are given.
     void without_effect(std::span<const std::string_view> fields, std::string_view why) {
-        idle_ = fields;
-        why_idle_ = why;
+        idle_ = {fields, why};
     }
 
     bool take(const Element& element) {
@@ -35,34 +56,19 @@ public:
         ItemReader fields(inner, info_, item_);
         inner.read(element.body, fields);
         block_.broken |= inner.broken;
-        report_idle(fields, element.word_span);
+        warn_of_idle_fields(block_, info_.name, fields, idle_, element.word_span);
         return true;
     }
 
     void add_words(WordList& words) const { words.push_back(info_.name); }
 
 private:
-    void report_idle(const ItemReader& fields, Span span) {
-        std::string list;
-        bool several = false;
-        for (const std::string_view field : idle_) {
-            if (!fields.given(field)) continue;
-            several = !list.empty();
-            list += message(several ? ", `" : "`", field, '`');
-        }
-        if (list.empty()) return;
-        block_.report(warning(Fault::no_effect, span,
-                              message(list, " of `", info_.name, several ? "` have" : "` has",
-                                      " no effect: ", why_idle_)));
-    }
-
     OpenBlock& block_;
     const ItemInfo& info_;
     void* item_;
     bool* given_;
     std::string_view effectless_;
-    std::span<const std::string_view> idle_ = {};
-    std::string_view why_idle_ = {};
+    IdleFields idle_ = {};
 };
 
 }  // namespace candelabra

@@ -2,12 +2,20 @@
 #include "bind/media.h"
 
 #include "bind/bind.h"
+#include "bind/item_block.h"
 #include "bind/textures.h"
 #include "bind/transforms.h"
+
+#include <array>
 
 namespace candelabra {
 
 namespace {
+
+/// Words of POV-Ray's ways of sampling; `intervals` and `samples` say how much effort is worth it.
+constexpr auto words_of_sampling = std::to_array<std::string_view>(
+    {"method", "aa_level", "aa_threshold", "confidence", "variance", "ratio", "jitter"});
+constexpr auto words_of_photons = std::to_array<std::string_view>({"collect"});
 
 /// scattering { type, colour ... }: the last one counts.
 class ScatteringReader : public SimpleReader {
@@ -77,6 +85,12 @@ bool read_media(Binder& binder, const Element& element, Media& media) {
     };
     TransformReader moves(block, apply);
     block.read(element.body, declared, fields, scattering, densities, moves);
+    warn_of_idle_fields(
+        block, block.name, fields,
+        {words_of_sampling, "light between surfaces is estimated without bias in any case"},
+        element.word_span);
+    warn_of_idle_fields(block, block.name, fields, {words_of_photons, "photons do not light media"},
+                        element.word_span);
     return !block.broken;
 }
 

@@ -34,7 +34,7 @@ const ItemInfo Media::vocabulary = described<Media>([] {
                     "light that is lost along one unit of length"}),
         as_colour(
             F{"emission", &Media::emission, item, "light that is added along one unit of length"}),
-        F{"method", &Media::method, item, "POV-Ray's way of sampling; the picture is the same",
+        F{"method", &Media::method, item, "POV-Ray's way of sampling; without effect",
           between(1, 3)},
         F{"intervals", &Media::intervals, item, "effort: as POV-Ray divides a ray", at_least(1)},
         F{"samples", &Media::samples, item, "effort: points along a ray for each interval",
@@ -49,7 +49,8 @@ const ItemInfo Media::vocabulary = described<Media>([] {
         F{"variance", &Media::variance, item, "of POV-Ray's sampling; without effect", at_least(0)},
         F{"ratio", &Media::ratio, item, "of POV-Ray's sampling; without effect", at_least(0)},
         F{"jitter", &Media::jitter, item, "of POV-Ray's sampling; without effect"},
-        F{"collect", &Media::collect, flag, "whether photons light it"});
+        F{"collect", &Media::collect, flag,
+          "whether photons light it, which they do not yet; without effect"});
 });
 
 namespace {

@@ -50,6 +50,12 @@ struct PhotonWays {
     friend bool operator==(const PhotonWays&, const PhotonWays&) = default;
 };
 
+/// Whether photons go any of both ways.
+constexpr bool any_open(const PhotonWays& light, const PhotonWays& object) {
+    return is_open(light.reflection, object.reflection) ||
+           is_open(light.refraction, object.refraction);
+}
+
 /// Of an object.
 struct ObjectPhotons {
     std::optional<double> target = {};  ///< factor of the spacing, if above 0; unset: no target

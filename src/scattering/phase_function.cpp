@@ -86,9 +86,7 @@ Vec3 PhaseFunction::sample(Vec2 u) const {
     const Part* chosen = &parts_[number];
     u.x = std::fmin(u.x / chosen->share, 1 - 0x1p-53);
     const double cosine = drawn_cosine(*chosen->scattering, u.x);
-    const double sine = std::sqrt(std::fmax(0, 1 - cosine * cosine)), angle = 2 * pi * u.y;
-    const auto [x, y] = perpendiculars(view_);
-    return cosine * view_ + sine * (std::cos(angle) * x + std::sin(angle) * y);
+    return turned_from(view_, cosine, 2 * pi * u.y);
 }
 
 double PhaseFunction::pdf(const Vec3& direction) const {

@@ -63,6 +63,15 @@ std::optional<FacetPath> facet_path(const PathState& path, const Vertex& vertex,
     return FacetPath{next, drawn->weight};
 }
 
+double refraction_ratio(PathState& path, const Interface& surface) {
+    if (surface.bands == 0) return surface.ratio;
+    const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
+                                         static_cast<double>(surface.bands));
+    path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
+    path.dim(hue(*path.band));
+    return surface.ratio * std::pow(surface.dispersion, path.band->power());
+}
+
 PathState gathering_path(const PathState& path, const Vertex& vertex, const Vec3& direction) {
     PathState next = path;
     next.go_on({vertex.position(), direction}, vertex.tolerance(), Branch::diffuse);

@@ -46,6 +46,11 @@ struct FacetPath {
 };
 std::optional<FacetPath> facet_path(const PathState&, const Vertex&, const Shading&);
 
+/// The ratio of indexes of refraction for the path at a surface. Of the bands of white light, where
+/// it is split, chance takes one, whose colour the path has from then on: as all of them together
+/// have its mean.
+double refraction_ratio(PathState&, const Interface&);
+
 /// The path that gathers the light which comes to a diffuse surface from a direction.
 PathState gathering_path(const PathState&, const Vertex&, const Vec3& direction);
 

@@ -231,18 +231,10 @@ bool PathTracedIntegrator::bounce(const Shading& s, const Vertex& vertex, const 
 bool PathTracedIntegrator::go_behind(const Shading& s, const Vertex& vertex,
                                      const LayerStack& stack, PathState& path) {
     const Interface& surface = stack.interface();
-    double ratio = surface.ratio;
-    if (surface.bands > 0) {
-        // Of the bands of white light, chance takes one: as all of them together have its mean.
-        const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
-                                             static_cast<double>(surface.bands));
-        path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
-        path.dim(hue(*path.band));
-        ratio *= std::pow(surface.dispersion, path.band->power());
-        if (reflects_totally(s, ratio)) {
-            path = mirrored_path(path, vertex, s);
-            return path.depth < world_.rules.settings.max_trace_level;
-        }
+    const double ratio = refraction_ratio(path, surface);
+    if (surface.bands > 0 && reflects_totally(s, ratio)) {
+        path = mirrored_path(path, vertex, s);
+        return path.depth < world_.rules.settings.max_trace_level;
     }
     const bool straight = std::abs(ratio - 1) < 1e-10;
     const Vec3 direction = straight ? path.ray.direction : refracted_direction(s, ratio);

@@ -155,17 +155,10 @@ bool PhotonPaths::choose(Journey& journey, const Vertex& vertex,
 bool PhotonPaths::go_behind(PathState& path, const Vertex& vertex, const LayerStack& stack) const {
     const Interface& surface = stack.interface();
     const Shading& s = stack.top();
-    double ratio = surface.ratio;
-    if (surface.bands > 0) {
-        const auto number = static_cast<int>(uniform(path.key, Purpose::band_choice) *
-                                             static_cast<double>(surface.bands));
-        path.band = SpectralBand{std::min(number, surface.bands - 1), surface.bands};
-        path.throughput *= hue(*path.band);
-        ratio *= std::pow(surface.dispersion, path.band->power());
-        if (reflects_totally(s, ratio)) {
-            path = mirrored_path(path, vertex, s);
-            return true;
-        }
+    const double ratio = refraction_ratio(path, surface);
+    if (surface.bands > 0 && reflects_totally(s, ratio)) {
+        path = mirrored_path(path, vertex, s);
+        return true;
     }
     const bool straight = std::abs(ratio - 1) < 1e-10;
     path.media = surface.behind;

@@ -27,11 +27,7 @@ Vec3 axis_of_light(const PointLight& light) { return unit(light.point_at - light
 
 /// A unit direction in a cone, uniform per steradian.
 Vec3 direction_in_cone(const Vec3& axis, double cosine, const Vec2& u) {
-    const double along = 1 - u.x * (1 - cosine),
-                 across = std::sqrt(std::fmax(1 - along * along, 0));
-    const auto [x, y] = perpendiculars(axis);
-    const double angle = 2 * pi * u.y;
-    return unit(along * axis + across * (std::cos(angle) * x + std::sin(angle) * y));
+    return unit(turned_from(axis, 1 - u.x * (1 - cosine), 2 * pi * u.y));
 }
 
 /// A point of a disc around 0.
@@ -88,8 +84,7 @@ double light_at(const PointLight& light, const PhotonTarget& target) {
 }
 
 bool shoots_at(const PhotonWays& lamp, const PhotonTarget& target) {
-    return target.shot_at && (is_open(lamp.reflection, target.ways.reflection) ||
-                              is_open(lamp.refraction, target.ways.refraction));
+    return target.shot_at && any_open(lamp, target.ways);
 }
 
 double shadow_of(const PhotonTarget& target) { return pi * target.radius * target.radius; }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr PhotonWays without_photons = {PhotonWay::off, PhotonWay::off};
 
-bool any_open(const PhotonWays& lamp, const PhotonWays& target) {
-    return is_open(lamp.reflection, target.reflection) ||
-           is_open(lamp.refraction, target.refraction);
-}
-
 Box bounds_of(const Geometry& geometry, PrimitiveIndex primitive) {
     const PlacedComposite* placed = geometry.composite(geometry.item_of(primitive));
     return placed ? placed->composite->leaf_bounds(primitive - placed->first_leaf)
