@@ -58,8 +58,8 @@ private:
         }
     }
 
-    /// What closes is the innermost counterpart that is not outside of a directive, unless very many
-    /// brackets in it are still open.
+    /// What closes is the innermost counterpart that is not outside of a directive, unless very
+    /// many brackets in it are still open.
     void close(const Token& token) {
         const std::size_t end = open_.size() - std::min(open_.size(), most_unclosed);
         for (std::size_t i = open_.size(); i-- > end;) {

@@ -19,8 +19,8 @@ struct Fold {
     friend bool operator==(const Fold&, const Fold&) = default;
 };
 
-/// Of everything that takes several lines: blocks, lists in brackets, parts of directives, comments,
-/// #include lines that follow each other. The line with what closes a part stays to be seen.
+/// Of everything that takes several lines: blocks, lists in brackets, parts of directives,
+/// comments, #include lines that follow each other. The line that closes a part stays to be seen.
 /// Brackets without a counterpart are passed over. At most one fold begins in a line.
 std::vector<Fold> folds(const EditedFile&);
 

@@ -20,8 +20,8 @@ struct Highlight {
     }
 };
 
-/// In the order of the text; a name's declarations are written. Empty where no name and no directive
-/// with an #end is.
+/// In the order of the text; a name's declarations are written. Empty where no name and no
+/// directive with an #end is.
 std::vector<Highlight> highlights(const EditedFile&, std::uint32_t offset);
 
 }  // namespace candelabra

@@ -14,8 +14,8 @@ struct Link {
     std::string path;
 };
 
-/// Of the files that are there, and that a scene may open: an open scene, or the file itself as one.
-/// None of them is read.
+/// Of the files that are there, and that a scene may open: an open scene, or the file itself as
+/// one. None of them is read.
 std::vector<Link> links(Workspace&, const std::string& path);
 
 }  // namespace candelabra

@@ -120,6 +120,26 @@ TEST_CASE("lines of a part are laid out below what stands around them") {
     CHECK(lines_laid_out("{\n/* one\n|  two|\n*/  A\n}\n") == "{\n/* one\n  two\n*/  A\n}\n");
 }
 
+TEST_CASE("lines of a text that is laid out stay as they are") {
+    int count = 0;
+    for (const char* folder : {"stdlib", "examples/gallery", "examples/lights"})
+        for (const auto& entry : fs::directory_iterator(fs::path(CANDELABRA_SOURCE_DIR) / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".pov" && ending != ".inc") continue;
+            const std::string text = laid_out(disk_reader()(entry.path().string()).value());
+            for (std::size_t i = 0; i < 9; ++i) {
+                const Part part{static_cast<std::uint32_t>(i * text.size() / 9),
+                                static_cast<std::uint32_t>((i + 1) * text.size() / 9)};
+                const LaidOutPart same = laid_out_lines(text, part);
+                CAPTURE(entry.path(), i);
+                CHECK(same.text ==
+                      text.substr(same.place.first, same.place.last - same.place.first));
+                ++count;
+            }
+        }
+    CHECK(count > 400);
+}
+
 TEST_CASE("the part that is all lines gets the layout of all lines") {
     for (const std::string text :
          {"", " ", "\n\n", "union{\nA\n}", "#if(A)\nB\n#else\nC\n#end", "A \r\n B\r\n\r\n"}) {

@@ -3,6 +3,8 @@
 
 #include "support/edited.h"
 
+#include <filesystem>
+
 namespace candelabra {
 
 namespace {
@@ -47,6 +49,31 @@ TEST_CASE("tokens lie within lines") {
     CHECK(meant("").empty());
     Edited edited;
     CHECK(semantic_tokens(edited.workspace, "/none/such.pov").empty());
+}
+
+TEST_CASE("in the library and the examples nearly all words are known, each at its place") {
+    namespace fs = std::filesystem;
+    int names = 0, known = 0;
+    for (const char* folder : {"stdlib", "examples/gallery", "examples/lights"})
+        for (const auto& entry : fs::directory_iterator(fs::path(CANDELABRA_SOURCE_DIR) / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".pov" && ending != ".inc") continue;
+            Workspace workspace(CANDELABRA_SOURCE_DIR "/stdlib");
+            const std::string path = entry.path().string();
+            std::uint32_t end = 0;
+            CAPTURE(path);
+            for (const SemanticToken& each : semantic_tokens(workspace, path)) {
+                CHECK(each.place.first >= end);
+                CHECK(each.place.last > each.place.first);
+                end = each.place.last;
+                known += each.kind >= SemanticToken::macro;
+            }
+            CHECK(end <= workspace.file(path)->text.size());
+            for (const Token& token : workspace.file(path)->tokens)
+                names += token.kind == TokenKind::name;
+        }
+    CHECK(names > 10'000);
+    CHECK(known > names * 9 / 10);
 }
 
 }  // namespace candelabra

@@ -28,7 +28,7 @@ with() {
 }
 
 metainfo() {  # ADDRESS-OF-PICTURES
-    cmake -DINPUT="$own/candelabra.metainfo.xml.in" -DOUTPUT="$folder/candelabra.metainfo.xml" -DPICTURES="$1" \
+    cmake -DINPUT="$own/candelabra.metainfo.xml" -DOUTPUT="$folder/candelabra.metainfo.xml" -DPICTURES="$1" \
         -P "$own/metainfo.cmake" && appstreamcli validate --no-net "$folder/candelabra.metainfo.xml"
 }
 pictures() {
@@ -41,7 +41,7 @@ with appstreamcli "AppStream data with screenshots" pictures
 # One version everywhere.
 version=$("$program" --version | cut -d ' ' -f 2)
 versions() {
-    [ "$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$own/candelabra.metainfo.xml.in" | head -n 1)" = "$version" ] &&
+    [ "$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$own/candelabra.metainfo.xml" | head -n 1)" = "$version" ] &&
         [ "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$root/CHANGELOG.md" | head -n 1)" = "$version" ]
 }
 with sed "version $version in AppStream data and CHANGELOG.md" versions

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the AppStream data. Its pictures are shown from the web only, so they are named where the address of a copy of
 # examples/pictures/ is given; without one there are none.
-#   cmake -DINPUT=candelabra.metainfo.xml.in -DOUTPUT=candelabra.metainfo.xml [-DPICTURES=https://...] -P metainfo.cmake
+#   cmake -DINPUT=candelabra.metainfo.xml -DOUTPUT=candelabra.metainfo.xml [-DPICTURES=https://...] -P metainfo.cmake
 set(SCREENSHOTS "")
 if(PICTURES)
   set(default " type=\"default\"")

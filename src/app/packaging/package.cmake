@@ -8,9 +8,9 @@ set(CANDELABRA_PICTURES_URL "" CACHE STRING "Where the web has examples/pictures
 set(metainfo ${CMAKE_BINARY_DIR}/candelabra.metainfo.xml)
 add_custom_command(
   OUTPUT ${metainfo}
-  COMMAND ${CMAKE_COMMAND} -DINPUT=${own}/candelabra.metainfo.xml.in -DOUTPUT=${metainfo}
+  COMMAND ${CMAKE_COMMAND} -DINPUT=${own}/candelabra.metainfo.xml -DOUTPUT=${metainfo}
           -DPICTURES=${CANDELABRA_PICTURES_URL} -P ${own}/metainfo.cmake
-  DEPENDS ${own}/candelabra.metainfo.xml.in ${own}/metainfo.cmake
+  DEPENDS ${own}/candelabra.metainfo.xml ${own}/metainfo.cmake
   VERBATIM)
 add_custom_target(metainfo ALL DEPENDS ${metainfo})
 install(FILES ${own}/candelabra.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)

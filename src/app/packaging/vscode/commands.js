@@ -24,7 +24,7 @@ const picture_of = file => file.replace(/\.[^./\\]*$/, "") + ".png";
 async function render(program) {
   const file = await scene();
   if (!file) return;
-  const words = [path.basename(file), "+O" + path.basename(picture_of(file))];
+  const words = ["+I./" + path.basename(file), "+O./" + path.basename(picture_of(file))];
   const run = new vscode.ProcessExecution(program, words, { cwd: path.dirname(file) });
   const task = new vscode.Task({ type: "candelabra" }, vscode.TaskScope.Workspace,
                                "Render " + path.basename(file), "candelabra", run, "$candelabra");

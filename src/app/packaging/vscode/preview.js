@@ -18,7 +18,7 @@ class Preview {
     this.last = "";
     this.said = "";
     this.stopped = false;
-    this.process = spawn(program, [path.basename(scene), "--preview", "0"],
+    this.process = spawn(program, ["+I./" + path.basename(scene), "--preview", "0"],
                          { cwd: path.dirname(scene), stdio: ["ignore", "ignore", "pipe"] });
     this.process.stderr.on("data", data => this.hear(data));
     const end = () => {
