@@ -180,12 +180,17 @@ std::vector<std::string> Loader::listed(const std::string& folder) const {
     return door_.may_read(folder) ? lister_(folder) : std::vector<std::string>();
 }
 
+std::optional<std::string> Loader::located(const std::string& name,
+                                           const std::string& including_directory,
+                                           FileKind kind) const {
+    for (std::string& path : searched(name, including_directory, kind))
+        if (keeps(path) || (door_.may_read(path) && reader_.holds(path))) return std::move(path);
+    return {};
+}
+
 bool Loader::finds(const std::string& name, const std::string& including_directory,
                    FileKind kind) const {
-    return std::ranges::any_of(
-        searched(name, including_directory, kind), [&](const std::string& path) {
-            return keeps(path) || (door_.may_read(path) && reader_.holds(path));
-        });
+    return located(name, including_directory, kind).has_value();
 }
 
 bool Loader::refused(const std::string& name, const std::string& including_directory,

@@ -79,6 +79,11 @@ public:
     std::optional<Found> load(const std::string& name, const std::string& including_directory = {},
                               FileKind kind = FileKind::include) const;
 
+    /// The path of the file that load() would give. Reads nothing.
+    std::optional<std::string> located(const std::string& name,
+                                       const std::string& including_directory = {},
+                                       FileKind kind = FileKind::include) const;
+
     /// Whether load() would find one. Reads nothing.
     bool finds(const std::string& name, const std::string& including_directory = {},
                FileKind kind = FileKind::include) const;
