@@ -15,6 +15,7 @@ Darkroom::~Darkroom() {
     }
     changed_.notify_all();
     thread_.join();
+    if (enlarger_.joinable()) enlarger_.join();
 }
 
 void Darkroom::take(std::shared_ptr<const Plate> plate, std::shared_ptr<const PlateFrame> frame) {
@@ -46,35 +47,56 @@ Darkroom::Order Darkroom::order() const {
 }
 
 void Darkroom::work() {
+    constexpr std::chrono::milliseconds rest(400);
     for (;;) {
         Order now;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [this] { return ending_ || (fresh_ && order_.plate); });
+            const auto called = [this] { return ending_ || (fresh_ && order_.plate); };
+            if (!small_)
+                changed_.wait(lock, called);
+            else if (!changed_.wait_for(lock, rest, called) && !enlarging_)
+                enlarge(order_);
             if (ending_) return;
+            if (!called()) continue;
             fresh_ = false;
+            ++order_.number;
             now = order_;
+            small_ = is_slow(now);
         }
-        print(now);
+        print(now, small_ ? reduced(*now.plate, quick_step) : *now.plate);
     }
 }
 
-void Darkroom::print(const Order& now) {
-    const auto show = [&](const Plate& plate) {
-        const Print print = print_of(plate, *now.frame, now.look);
-        shows_({plate.width, plate.height, print.image.width, print.image.height,
-                now.frame->generation, plate.view_name,
-                std::make_shared<const std::string>(screen_bytes(print, now.frame->threads))});
-    };
-    constexpr int quick = 4, least_edge = 64;
-    constexpr std::chrono::milliseconds rest(400);
-    const bool glares = film_with(now.frame->film, now.look).glares && !now.plate->view;
-    if (glares && now.plate->light.width >= quick * least_edge) {
-        show(reduced(*now.plate, quick));
-        std::unique_lock lock(mutex_);
-        if (changed_.wait_for(lock, rest, [this] { return ending_ || fresh_; })) return;
-    }
-    show(*now.plate);
+bool Darkroom::is_slow(const Order& now) {
+    constexpr int least_edge = 64;
+    return now.plate->light.width >= quick_step * least_edge && !now.plate->view &&
+           film_with(now.frame->film, now.look).glares;
+}
+
+void Darkroom::enlarge(const Order& now) {
+    if (enlarger_.joinable()) enlarger_.join();
+    small_ = false;
+    enlarging_ = true;
+    enlarger_ = std::thread([this, now] {
+        print(now, *now.plate);
+        enlarging_ = false;
+    });
+}
+
+void Darkroom::print(const Order& now, const Plate& plate) {
+    const Print made = print_of(plate, *now.frame, now.look);
+    ScreenPicture picture{
+        plate.width,
+        plate.height,
+        made.image.width,
+        made.image.height,
+        now.frame->generation,
+        plate.view_name,
+        std::make_shared<const std::string>(screen_bytes(made, now.frame->threads))};
+    // What is newer is not covered by what took longer.
+    const std::lock_guard lock(showing_);
+    if (order().number == now.number) shows_(std::move(picture));
 }
 
 std::string Darkroom::png() const {

@@ -5,6 +5,7 @@
 
 #include "app/preview_plate.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -43,19 +44,28 @@ private:
         std::shared_ptr<const Plate> plate;
         std::shared_ptr<const PlateFrame> frame;
         Look look;
+        int number = 0;  ///< of those that have been taken
     };
 
     void work();
-    /// Glare takes its time, so that a picture of fewer pixels comes first, and the whole one when
-    /// no hand is on a slider any more.
-    void print(const Order&);
+    /// Glare takes its time, so that a picture of fewer pixels comes first.
+    static bool is_slow(const Order&);
+    /// Makes the whole picture beside the others, once no hand is on a slider any more.
+    void enlarge(const Order&);
+    void print(const Order&, const Plate&);
     Order order() const;
+
+    static constexpr int quick_step = 4;  ///< pixels to one of those that come first
 
     std::function<void(ScreenPicture)> shows_;
     mutable std::mutex mutex_;
+    std::mutex showing_;
     std::condition_variable changed_;
     Order order_;
     bool fresh_ = false, ending_ = false;
+    bool small_ = false;  ///< the last picture was smaller than its plate
+    std::atomic<bool> enlarging_ = false;
+    std::thread enlarger_;
     std::thread thread_;
 };
 

@@ -47,4 +47,27 @@ TEST_CASE("a darkroom prints the newest plate as it is wanted", "[app]") {
     CHECK(darkroom.exr().starts_with("\x76\x2f\x31\x01"));
 }
 
+TEST_CASE("with glare a smaller picture comes first, and the whole one when hands rest", "[app]") {
+    std::mutex mutex;
+    std::condition_variable came;
+    std::vector<int> columns;
+    Darkroom darkroom([&](const ScreenPicture& picture) {
+        const std::lock_guard lock(mutex);
+        columns.push_back(picture.columns);
+        came.notify_all();
+    });
+    Look look;
+    look.film = {{"glare", "on"}};
+    darkroom.set(look);
+    Plate plate;
+    plate.width = 256;
+    plate.height = 8;
+    plate.light = Image(256, 8);
+    darkroom.take(std::make_shared<const Plate>(plate),
+                  std::make_shared<const PlateFrame>(PlateFrame{{}, {}, {}, 1, 1}));
+    std::unique_lock lock(mutex);
+    REQUIRE(came.wait_for(lock, std::chrono::seconds(20), [&] { return columns.size() >= 2; }));
+    CHECK(columns == std::vector<int>{64, 256});
+}
+
 }  // namespace candelabra

@@ -3,7 +3,7 @@
 // address opens the report of light, `#view=normal` a layer, `#pick=10,20` a pixel.
 const asked = new URLSearchParams(location.hash.slice(1));
 let wanted = asked.has("pick") ? asked.get("pick").split(",").map(Number) : null;
-let version = -1, shown = -1, first = true, paused = false;
+let version = -1, shown = 0, first = true, paused = false;
 
 function inWords(seconds) {
   if (seconds < 0) return "";
