@@ -331,9 +331,8 @@ private:
             samples += pixel.samples;
             covered &= pixel.samples > 1 || pixel.target == 0;
         }
-        if (!covered || samples < 2 * quiet_samples_) {
-            if (!covered || samples == quiet_samples_ || !finished_) return;
-        }
+        const bool last = finished_ && samples > quiet_samples_;
+        if (!covered || (samples < 2 * quiet_samples_ && !last)) return;
         quiet_samples_ = samples;
         quiet_generation_ = frame_->generation;
         desk_.quiet_work() = std::async(std::launch::async, [copy = film, files = files_] {
