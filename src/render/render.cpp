@@ -24,6 +24,14 @@ std::vector<Region> tiles_of(int width, int height, int size) {
     return tiles;
 }
 
+void nearest_first(std::vector<Region>& tiles, const Vec2& pixel) {
+    const auto away = [&](const Region& tile) {
+        return std::hypot(0.5 * (tile.left + tile.right) - pixel.x,
+                          0.5 * (tile.top + tile.bottom) - pixel.y);
+    };
+    std::ranges::stable_sort(tiles, {}, away);
+}
+
 /// Where pixels do not look at each other: more threads find work. A part of a tile.
 constexpr int small_tile = tile_size / 2;
 
@@ -153,10 +161,14 @@ private:
 
     void over_tiles(std::uint32_t level, bool ends_round) {
         const int size = is_settled_by_tiles(plan_.rule) ? tile_size : small_tile;
-        const std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
+        std::vector<Region> tiles = tiles_of(state_.film.width(), state_.film.height(), size);
+        if (hooks_.first) nearest_first(tiles, *hooks_.first);
         std::atomic<std::size_t> begun = 0;
         run_parallel(tiles.size(), settings_.threads, [&](std::size_t i) {
-            if (++begun == tiles.size() && ends_round) wind_down();
+            const std::size_t turn = begun++;
+            if (turn + 1 == tiles.size() && ends_round) wind_down();
+            // Threads begin anywhere; where it matters, they take tiles in order.
+            if (hooks_.first) i = turn;
             if (stopped_ || !wants(tiles[i], level)) return;
             Work work{fresh_integrators_};
             const std::uint64_t made = make_tile(work, tiles[i], level);

@@ -12,6 +12,7 @@
 #include "world/world.h"
 
 #include <functional>
+#include <optional>
 
 namespace candelabra {
 
@@ -41,6 +42,8 @@ struct RenderHooks {
     std::function<void()> winds_down;
     bool counts_lights = false;  ///< fills LightLedger::lights
     Aovs aovs = {};              ///< the film has sums for them
+    /// The pixel around which all passes over the picture begin; nothing: no matter where.
+    std::optional<Vec2> first = {};
 };
 
 struct Rendering {
