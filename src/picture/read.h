@@ -13,8 +13,9 @@
 
 namespace candelabra {
 
-/// The picture of a file that the user names, or nothing with a diagnostic at the span. Whole numbers are decoded as sRGB unless
-/// the file says otherwise; grey becomes equal red, green and blue; alpha is left out.
+/// The picture of a file that the user names, or nothing with a diagnostic at the span. Whole
+/// numbers are decoded as sRGB unless the file says otherwise; grey becomes equal red, green and
+/// blue; alpha is left out.
 std::optional<Image> read_picture(const std::string& path, Diagnostics&, Span asked_at = {});
 
 /// How the stored values become the scene's, by POV-Ray 3.7's rules.
