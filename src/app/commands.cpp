@@ -7,6 +7,7 @@
 #include "app/fmt.h"
 #include "app/frame_commands.h"
 #include "app/help.h"
+#include "app/ini.h"
 #include "app/lsp.h"
 #include "app/memory_limit.h"
 #include "app/merge.h"
@@ -53,7 +54,7 @@ int run_task(const Options& options, const std::optional<Animation>& animation,
 /// The options in force as an INI file.
 std::string ini_text(const Options& options) {
     std::string text;
-    for (const std::string& line : options.given) text += line + "\n";
+    for (const std::string& option : options.given) text += ini_line(option) + "\n";
     return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Any lines as the words of a command line: no crash; and what was said without a mistake is said
 // again by the lines that --create-ini would write.
+#include "app/ini.h"
 #include "app/options.h"
 #include "fuzz/target.h"
 
@@ -22,7 +23,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Options made = read_options(words, diagnostics);
     if (diagnostics.failed()) return 0;
     std::string lines;
-    for (const std::string& each : made.given) lines += each + "\n";
+    for (const std::string& each : made.given) {
+        // No line can say these.
+        if (each.find('"') != each.npos && each.find('\'') != each.npos) return 0;
+        lines += ini_line(each) + "\n";
+    }
     const Reader reader([&](const std::string&) { return std::optional(lines); });
     Diagnostics others;
     const Options again = read_options({}, others, reader, "/home/own.ini");
