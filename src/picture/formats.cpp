@@ -4,6 +4,7 @@
 #include "base/loaded_library.h"
 #include "picture/tga.h"
 #include "png/png.h"
+#include "raster/raster.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -15,11 +16,12 @@ namespace candelabra {
 
 namespace {
 
-/// All bytes of a PNG or Targa file; nothing of others.
+/// All bytes of a file that has a reader of its own; nothing of others.
 std::string bytes_of(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string bytes(8, ' ');
-    if (!file.read(bytes.data(), 8) || (!is_png(bytes) && !is_tga(path))) return {};
+    if (!file.read(bytes.data(), 8)) return {};
+    if (!is_png(bytes) && !is_raster(bytes) && !is_tga(path)) return {};
     bytes.append(std::istreambuf_iterator<char>(file), {});
     return bytes;
 }
@@ -60,7 +62,7 @@ std::optional<StoredPicture> read_stored(const std::string& path, Diagnostics& d
         problem = read_png(bytes, max_pixels, stored);
     } else if (reads_tga(bytes)) {
         if (!read_tga(bytes, max_pixels, stored)) problem = "it is damaged";
-    } else {
+    } else if (!read_raster(bytes, max_pixels, stored)) {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
         problem = formats->read(path, max_pixels, stored);
