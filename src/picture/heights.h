@@ -22,4 +22,8 @@ struct Heights {
 std::optional<Heights> read_heights(const std::string& path, double gamma, Diagnostics&,
                                     Span asked_at = {});
 
+/// The heights of a potential as Fractint writes it: the left half of a picture has their higher
+/// bytes as numbers of colours, the right half their lower ones.
+Heights of_two_halves(const Heights&);
+
 }  // namespace candelabra
