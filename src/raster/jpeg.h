@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JPEG files of one or three components, by libjpeg; none where the program is built without it. Called by
-// read_raster().
+// JPEG files of one or three components, by libjpeg; none where the program is built without it.
+// Called by read_raster().
 #pragma once
 
 #include "oiio/formats.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // GIF, JPEG, PNM and TIFF files as most programs write them, read without the library of all
-// formats, which takes longer to open than most scenes take. Called by picture/ before that library,
-// with the same results. A file of a rarer kind, and one that seems damaged, is left to the library,
-// which knows more kinds and says what is wrong.
+// formats, which takes longer to open than most scenes take. Called by picture/ before that
+// library, with the same results. A file of a rarer kind, and one that seems damaged, is left to
+// the library, which knows more kinds and says what is wrong.
 #pragma once
 
 #include "oiio/formats.h"
