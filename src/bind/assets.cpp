@@ -112,6 +112,7 @@ void complete_heights(OpenBlock& block, Shared<HeightField>& field) {
     if (file)
         heights = read_heights(*file, field->gamma, block.binder.evaluator.diagnostics(),
                                block.file_place());
+    if (heights && block.file_kind == "pot") heights = of_two_halves(*heights);
     block.broken |= !heights;
     if (heights)
         field.edit().grid = make_handle<HeightGrid>(

@@ -71,6 +71,14 @@ public:
         return Absence::broken;
     }
 
+    Value layered(const Value& below, const Value& above, Span span) {
+        const Handle<Texture> lower = below.handle<Texture>(), upper = above.handle<Texture>();
+        if (!lower || !upper) return Absence::nothing;
+        OpenBlock block(binder_, "texture", span);
+        Handle<Texture> both = candelabra::layered(block, span, lower, upper);
+        return block.broken ? Value(Absence::broken) : Value(std::move(both));
+    }
+
     Handle<Formula> function(const Element& element) {
         return element.word == "pigment"_word ? pigment_function(element)
                                               : pattern_function(element);
@@ -180,6 +188,9 @@ Scene evaluate(SourceStore& sources, const Loader& loader, SourceId main,
     handlers.value = [&](std::span<const Element> elements) { return reader.value(elements); };
     handlers.function = [&](const Element& element) { return reader.function(element); };
     handlers.set_default = [&](const Element& element) { reader.set_default(element); };
+    handlers.layered = [&](const Value& below, const Value& above, Span span) {
+        return reader.layered(below, above, span);
+    };
     handlers.takes_braces = takes_braces;
     handlers.print = [&](std::string_view text) {
         if (options.print) options.print(text);

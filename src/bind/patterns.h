@@ -26,7 +26,7 @@ struct PatternDraft {
     void move(const Transform& next) { transform = transform.then(next); }
     void add(Warp);
     /// Precondition: it has a pattern.
-    PatternUse use() const { return {*pattern, modifiers, wave, steps}; }
+    PatternUse use() const { return {*pattern, modifiers, wave, steps, hole_rows(steps)}; }
 };
 
 class PatternReader {

@@ -76,6 +76,9 @@ struct ElementHandlers {
     /// A block, or several in a row (layers of a texture), where a value is wanted: what #declare
     /// stores.
     std::function<Value(std::span<const Element>)> value;
+    /// One value of two that a macro gives in a row as blocks: a texture over another. Nothing
+    /// where they stay two; null: they always do.
+    std::function<Value(const Value& below, const Value& above, Span)> layered;
     /// The pattern or pigment in `function { ... }`, as a function of a point. Null: reported.
     std::function<Handle<Formula>(const Element&)> function;
     /// `#default { ... }`: each element of its body.

@@ -18,16 +18,33 @@ struct OneValue {
     Value value = Absence::nothing;     ///< the first, if it is one
     std::optional<Element> first = {};  ///< the first element, if it is no value
     std::size_t count = 0;
-    bool broken = false;  ///< one of them has been reported
+    bool broken = false;    ///< one of them has been reported
+    bool of_block = false;  ///< all are blocks, and the value is what they have made so far
 
     void add(Value&& next) {
         broken = broken || next.broken();
         if (count++ == 0) value = std::move(next);
+        of_block = false;
+    }
+    /// Now, while the names of its macro are there.
+    void add_block(const Element& element) {
+        Value made = handlers.value({&element, 1});
+        const bool first_one = count == 0;
+        if (of_block && handlers.layered && !broken && !made.broken()) {
+            Value both = handlers.layered(value, made, element.word_span);
+            if (!both.is(Absence::nothing)) {
+                broken = both.broken();
+                value = std::move(both);
+                return;
+            }
+        }
+        add(std::move(made));
+        of_block = first_one;
     }
     void operator()(const Element& element) {
         if (element.kind == Element::Kind::value) return add(Value(element.value));
-        // Now, while the names of its macro are there.
-        if (element.kind == Element::Kind::block) return add(handlers.value({&element, 1}));
+        if (element.kind == Element::Kind::block) return add_block(element);
+        of_block = false;
         if (count++ == 0) first = element;
     }
 };

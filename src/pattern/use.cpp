@@ -4,7 +4,7 @@
 namespace candelabra {
 
 Vec3 PatternUse::place(const Vec3& point) const {
-    const Vec3 p = warped(steps, point);
+    const Vec3 p = holes ? holes->warped(steps, point) : warped(steps, point);
     if (modifiers.turbulence == Vec3(0) || !displaced(pattern)) return p;
     return within_reach(p + modifiers.turbulence * turbulence(p, modifiers.noise_octaves()));
 }

@@ -3,6 +3,7 @@
 // in the order of the text. What pigments, normals and functions are made of.
 #pragma once
 
+#include "pattern/hole_rows.h"
 #include "pattern/pattern.h"
 #include "pattern/warp.h"
 
@@ -12,7 +13,8 @@ struct PatternUse {
     Pattern pattern;
     PatternModifiers modifiers;
     Waveform wave;
-    std::vector<WarpStep> steps;  ///< from the pattern's space outwards
+    std::vector<WarpStep> steps;       ///< from the pattern's space outwards
+    Handle<HoleRows> holes = nullptr;  ///< of these steps; null where they are few
 
     /// The point in the pattern's space: back through the steps, then displaced by the turbulence.
     Vec3 place(const Vec3& point) const;

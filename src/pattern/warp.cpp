@@ -140,6 +140,9 @@ Vec3 moved(const BlackHole& hole, const Vec3& p) {
         centre += hole.repeat * block;
     }
     const Vec3 away = p - centre;
+    // Spares most points the root.
+    constexpr double surely_outside = 1.0001;
+    if (dot(away, away) > surely_outside * hole.radius * hole.radius) return p;
     const double distance = length(away);
     if (distance >= hole.radius || hole.type != 0) return p;
     const double share = std::pow((hole.radius - distance) / hole.radius, hole.falloff);
@@ -204,13 +207,14 @@ Vec3 warped(const Warp& warp, const Vec3& point) {
 
 Vec3 within_reach(const Vec3& p) { return {limited(p.x), limited(p.y), limited(p.z)}; }
 
+Vec3 undone(const WarpStep& step, const Vec3& point) {
+    if (const auto* transform = std::get_if<Transform>(&step))
+        return transform->inverse_point(point);
+    return within_reach(warped(std::get<Warp>(step), point));
+}
+
 Vec3 warped(std::span<const WarpStep> steps, Vec3 point) {
-    for (std::size_t i = steps.size(); i-- > 0;) {
-        if (const auto* transform = std::get_if<Transform>(&steps[i]))
-            point = transform->inverse_point(point);
-        else
-            point = within_reach(warped(std::get<Warp>(steps[i]), point));
-    }
+    for (std::size_t i = steps.size(); i-- > 0;) point = undone(steps[i], point);
     return within_reach(point);
 }
 

@@ -83,6 +83,9 @@ using WarpStep = std::variant<Transform, Warp>;
 /// them.
 Vec3 within_reach(const Vec3& point);
 
+/// Back through one step.
+Vec3 undone(const WarpStep&, const Vec3& point);
+
 /// Back through all steps, from the last to the first.
 Vec3 warped(std::span<const WarpStep>, Vec3 point);
 

@@ -4,6 +4,7 @@
 #include "base/loaded_library.h"
 #include "picture/tga.h"
 #include "png/png.h"
+#include "raster/raster.h"
 #include "text/message.h"
 #include "text/printable.h"
 
@@ -48,7 +49,7 @@ std::optional<StoredPicture> read_stored(const Found& file, Diagnostics& diagnos
         problem = read_png(file.text, max_pixels, stored);
     } else if (is_tga(file.path) && reads_tga(file.text)) {
         if (!read_tga(file.text, max_pixels, stored)) problem = "it is damaged";
-    } else {
+    } else if (!read_raster(file.text, max_pixels, stored)) {
         const Formats* formats = picture_formats(diagnostics, asked_at);
         if (!formats) return std::nullopt;
         problem = formats->read(file.text, max_pixels, stored);

@@ -58,4 +58,17 @@ std::optional<Heights> read_heights(const Found& file, double gamma, Diagnostics
     return result;
 }
 
+Heights of_two_halves(const Heights& whole) {
+    constexpr unsigned step = 256;
+    Heights result{whole.width / 2, whole.height, {}};
+    const auto width = static_cast<std::size_t>(whole.width), half = width / 2;
+    for (std::size_t row = 0; row < whole.values.size(); row += width)
+        for (std::size_t x = 0; x < half; ++x) {
+            const unsigned high = whole.values[row + x] / step;
+            const unsigned low = whole.values[row + half + x] / step;
+            result.values.push_back(static_cast<std::uint16_t>(step * high + low));
+        }
+    return result;
+}
+
 }  // namespace candelabra

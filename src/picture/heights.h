@@ -22,4 +22,8 @@ struct Heights {
 /// unless there is a gamma (above 0).
 std::optional<Heights> read_heights(const Found&, double gamma, Diagnostics&, Span asked_at = {});
 
+/// The heights of a potential as Fractint writes it: the left half of a picture has their higher
+/// bytes as numbers of colours, the right half their lower ones.
+Heights of_two_halves(const Heights&);
+
 }  // namespace candelabra

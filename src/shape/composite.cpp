@@ -334,17 +334,18 @@ std::optional<Composite::Meeting> Composite::first(const Ray& ray, const Interva
     std::optional<Meeting> nearest;
     Interval left = range;
     Cut last;
-    // Of surfaces in one place that of the first leaf counts, whatever the order of asking.
+    // Of surfaces in one place that of the last leaf counts, as in POV-Ray, whatever the order of
+    // asking.
     const auto ask = [&](std::uint32_t leaf) {
-        const bool may_share = nearest && leaf < nearest->leaf;
+        const bool may_share = nearest && leaf > nearest->leaf;
         const Interval there{left.min, may_share ? std::nextafter(left.max, infinity) : left.max};
         const Interval here = common(there, cut(leaf, ray, last));
         if (here.min > here.max) return;
         const Interval seen = slabs.within(seen_[leaf], here);
         if (seen.min > seen.max || !wanted(leaf)) return;
         meet_leaf(leaf, ray, here, seen, [&](const Meeting& met) {
-            const bool earlier = nearest && met.t == nearest->t && met.leaf < nearest->leaf;
-            if (nearest && met.t >= nearest->t && !earlier) return;
+            const bool over = nearest && met.t == nearest->t && met.leaf > nearest->leaf;
+            if (nearest && met.t >= nearest->t && !over) return;
             nearest = met;
         });
         if (nearest) left.max = nearest->t;

@@ -17,6 +17,9 @@ const ItemInfo HeightField::vocabulary = described<HeightField>([] {
         maybe(F{"file", file, positional, "name of a picture"}),
         F{"png", file, item, "name of a picture of this kind"},
         F{"gif", file, item, "name of a picture of this kind"},
+        F{"pot", file, item,
+          "name of a GIF picture of twice the width: the higher bytes of all heights, and beside "
+          "them the lower ones"},
         F{"tga", file, item, "name of a picture of this kind"},
         F{"pgm", file, item, "name of a picture of this kind"},
         F{"ppm", file, item, "name of a picture of this kind"},

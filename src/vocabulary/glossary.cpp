@@ -167,7 +167,7 @@ constexpr auto entries = std::to_array<GlossaryEntry>({
     {"pavement number_of_sides number_of_tiles", "pigment { pavement ... }",
      "not available in this version"},
     {"bokeh", "camera { ... bokeh { ... } }", "not available in this version"},
-    {"iff pot", "image_map { iff \"x.iff\" }", "kinds of pictures that are not available"},
+    {"iff", "image_map { iff \"x.iff\" }", "a kind of pictures that is not available"},
     {"composite", "composite { objects }", "the name of a union in the oldest scenes"},
     {"dtag", "object { ... dtag }", "without effect"},
     {"steps", "photons { ... }", "a word of old versions, which photons do not have any more"},

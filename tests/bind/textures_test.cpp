@@ -64,6 +64,36 @@ TEST_CASE("an opaque texture covers another; others show what is below", "[bind]
     CHECK(sphere_with("texture { finish { reflection 1 } }" + red).texture().below);
 }
 
+TEST_CASE("textures in a row that a macro gives are layers of one that is declared", "[bind]") {
+    const std::string macro =
+        "#macro M() texture { pigment { rgb x } } texture { pigment { rgbt <0, 1, 0, 0.5> } } "
+        "texture { pigment { rgbt <0, 0, 1, 0.5> } } #end ";
+    for (const char* declared : {"#declare T = M();", "#declare T = M()",
+                                 "#declare T = texture { pigment { rgb 1 } } "
+                                 "#declare T = M(); #declare T = T;"}) {
+        INFO(declared);
+        const Script done = sphere_with("texture { T }", macro + declared);
+        CHECK(done.text.empty());
+        REQUIRE(done.texture().below);
+        REQUIRE(done.texture().below->below);
+        CHECK(done.texture().pigment.colour.rgb == Vec3(0, 0, 1));
+        CHECK(done.texture().below->below->pigment.colour.rgb == Vec3(1, 0, 0));
+    }
+    const Script element =
+        sphere_with("texture { A[0] }", macro + "#declare A = array[1]; #declare A[0] = M();");
+    CHECK(element.texture().below);
+}
+
+TEST_CASE("blocks in a row that are no textures are not one value", "[bind]") {
+    for (const char* body : {"pigment { rgb 1 } pigment { rgb 0 }", "texture { } pigment { rgb 0 }",
+                             "texture { } 1 texture { }", "sphere { 0, 1 } texture { }"}) {
+        INFO(body);
+        const Script done =
+            run(std::string("#version 3.7; #macro M() ") + body + " #end #declare T = M();");
+        CHECK(done.text.find("one value is wanted here, and this gives") != std::string::npos);
+    }
+}
+
 TEST_CASE("a texture chooses from others by a pattern", "[bind]") {
     const Script map = sphere_with(
         "texture { gradient y texture_map { [0.2 pigment { rgb 1 }] [0.8 T] } scale 2 }",

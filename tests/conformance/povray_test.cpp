@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pixels that POV-Ray 3.7 computes (scene text and values), for the part of its vocabulary that this
-// version has: povray.json as it prints them, radiosity.json, media.json and photons.json as its
+// version has: povray.json and public_scenes.json as it prints them, radiosity.json, media.json and photons.json as its
 // radiosity, its media and its photons have them when they converge. (POV-Ray overlooks surfaces
 // within fixed distances of a ray's start; we do not, so scenes that show that are not among them.)
 #include "render/render.h"
@@ -60,6 +60,12 @@ TEST_CASE("pixels agree with POV-Ray 3.7's", "[render]") {
     for (const auto& c : cases)
         check_pixels(
             c, c["scene"].get<std::string>().find("radiosity") == std::string::npos ? 0 : 20000);
+}
+
+TEST_CASE("scenes as people write them have POV-Ray 3.7's pixels", "[render]") {
+    const nlohmann::json cases = cases_of("public_scenes.json");
+    REQUIRE(cases.size() > 180);
+    for (const auto& c : cases) check_pixels(c, 0);
 }
 
 TEST_CASE("radiosity agrees with POV-Ray 3.7's where that converges", "[render]") {

@@ -31,6 +31,15 @@ TEST_CASE("pictures are heights from their last row on", "[picture]") {
     CHECK(squared->values.at(0) == Approx(65535 * 0.252).epsilon(1e-3));
 }
 
+TEST_CASE("a potential has its higher bytes on the left and its lower ones on the right",
+          "[picture]") {
+    const Heights whole{4, 2, {0x0100, 0x0200, 0x0300, 0x0400, 0xff00, 0, 0xff00, 0x0700}};
+    const Heights result = of_two_halves(whole);
+    CHECK(result.width == 2);
+    CHECK(result.height == 2);
+    CHECK(result.values == std::vector<std::uint16_t>{0x0103, 0x0204, 0xffff, 0x0007});
+}
+
 TEST_CASE("what is no picture has no heights", "[picture]") {
     CHECK_FALSE(heights(".png", "nothing"));
 }

@@ -294,6 +294,20 @@ TEST_CASE("faces of two parts in one place leave no holes in the skin between th
     }
 }
 
+TEST_CASE("of faces of two parts in one place that of the later part is met", "[shape]") {
+    const Cuboid whole{Vec3(-1), Vec3(1)}, lower{Vec3(-1), Vec3(1, 0.5, 1)};
+    for (const bool lower_last : {false, true}) {
+        CompositeBuilder builder;
+        std::vector<PartRef> parts = {builder.add({lower_last ? whole : lower}),
+                                      builder.add({lower_last ? lower : whole})};
+        const Composite made = builder.finish(builder.add(Combination::common, parts));
+        const auto met = made.first({Vec3(0.25, 0.125, -5), z}, ahead, everything);
+        REQUIRE(met);
+        CHECK(met->t == 4);
+        CHECK(met->leaf == 1);
+    }
+}
+
 TEST_CASE("a composite without parts is empty", "[shape]") {
     CompositeBuilder builder;
     const Composite nothing = builder.finish(builder.add(Combination::together, {}));

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first picture of a GIF file, on the canvas that the file has (W3C, "GRAPHICS INTERCHANGE
+// FORMAT Version 89a"). Called by
+// read_raster().
+#pragma once
+
+#include "oiio/formats.h"
+
+#include <optional>
+
+namespace candelabra {
+
+/// Nothing where the file is of another kind, has too many pixels or seems damaged.
+std::optional<StoredPicture> read_gif(std::string_view bytes, std::int64_t max_pixels);
+
+}  // namespace candelabra

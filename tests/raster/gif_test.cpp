@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "raster/gif.h"
+
+#include "raster/same.h"
+
+namespace candelabra {
+
+namespace {
+
+using namespace std::string_literals;
+
+/// Two by three pixels of a canvas of four by five, of four colours: every code clears the table
+/// first, so that all codes have three bits. `order` are the rows as they are stored.
+std::string small_gif(int flags, const std::string& control) {
+    // Bits of clear, 0, clear, 1, clear, 2, clear, 3, clear, 1, clear, 2, end: three each.
+    std::string bits;
+    for (const int code : {4, 0, 4, 1, 4, 2, 4, 3, 4, 1, 4, 2, 5})
+        for (int i = 0; i < 3; ++i) bits += static_cast<char>('0' + (code >> i & 1));
+    std::string packed;
+    for (std::size_t i = 0; i < bits.size(); i += 8) {
+        int byte = 0;
+        for (std::size_t k = 0; k < 8 && i + k < bits.size(); ++k) byte |= (bits[i + k] - '0') << k;
+        packed += static_cast<char>(byte);
+    }
+    const std::string head = "GIF89a\4\0\5\0\x81\0\0"s;
+    const std::string table = "\0\0\0\xff\0\0\0\xff\0\x10\x20\x30"s;
+    const std::string place = ",\1\0\1\0\2\0\3\0"s + static_cast<char>(flags);
+    return head + table + control + place + "\2" + static_cast<char>(packed.size()) + packed +
+           "\0;"s;
+}
+
+}  // namespace
+
+TEST_CASE("GIF files are read as by the library", "[raster]") {
+    check_same(file_of({37, 21, 3, uneven<std::uint8_t>(37, 21, 3), "gif", {}}));
+    check_same(file_of({300, 200, 3, std::vector<std::uint8_t>(300 * 200 * 3, 9), "gif", {}}));
+    check_same(file_of({160, 120, 3, uneven<std::uint8_t>(160, 120, 3), "gif", {}}));
+}
+
+TEST_CASE("part of a GIF file's canvas, with a clear colour, and in another order of rows",
+          "[raster]") {
+    const StoredPicture read = check_same(small_gif(0, {}));
+    CHECK(read.alpha ==
+          std::vector<float>{0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0});
+    CHECK(read.values[3 * 6] == 1);
+    check_same(small_gif(0x40, {}));
+    check_same(small_gif(0, "!\xf9\4\1\0\0\2\0"s));
+    check_same(small_gif(0, "!\xfe\3abc\0"s));
+}
+
+TEST_CASE("a GIF file of one table tells the numbers of its colours, also of those that are alike",
+          "[raster]") {
+    std::string bytes = small_gif(0, {});
+    CHECK(check_same(bytes).numbers.empty());
+    // The canvas as large as the picture, and colour 2 the same as colour 1.
+    bytes[6] = 2;
+    bytes[8] = 3;
+    bytes.replace(19, 3, bytes.substr(16, 3));
+    bytes[26] = bytes[28] = 0;
+    CHECK(check_same(bytes).numbers == std::vector<std::uint16_t>{0, 1, 2, 3, 1, 2});
+}
+
+TEST_CASE("GIF files that are damaged are left to the library", "[raster]") {
+    const std::string bytes = small_gif(0, {});
+    for (std::size_t length = 0; length + 3 < bytes.size(); ++length)
+        CHECK(!(length >= 6 && read_gif(bytes.substr(0, length), raster_limit)));
+    CHECK(!read_gif(bytes, 19));
+    std::string outside = bytes;
+    outside[26] = 9;
+    CHECK(!read_gif(outside, raster_limit));
+    for (std::size_t at = 6; at < bytes.size(); ++at)
+        for (int bit = 0; bit < 8; ++bit) {
+            std::string other = bytes;
+            other[at] = static_cast<char>(other[at] ^ 1 << bit);
+            if (const auto read = read_gif(other, raster_limit))
+                CHECK(read->values.size() == 3 * read->alpha.size());
+        }
+}
+
+}  // namespace candelabra
