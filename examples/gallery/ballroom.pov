@@ -23,23 +23,39 @@ camera {
 
 #declare Matt = finish { ambient 0 diffuse 0.9 }
 #declare Plaster = texture { pigment { rgb <0.8, 0.73, 0.62> } finish { Matt } }
-#declare Gold = texture { pigment { rgb <0.85, 0.55, 0.2> } finish { ambient 0 microfacet { roughness 0.35 metallic 1 } } }
-#declare Glass = texture { pigment { rgb <0.9, 0.92, 0.95> } finish { ambient 0 diffuse 0.35 reflection 0.4 specular 0.8 roughness 0.005 } }
+#declare Gold = texture {
+    pigment { rgb <0.85, 0.55, 0.2> }
+    finish { ambient 0 microfacet { roughness 0.35 metallic 1 } }
+}
+#declare Glass = texture {
+    pigment { rgb <0.9, 0.92, 0.95> }
+    finish { ambient 0 diffuse 0.35 reflection 0.4 specular 0.8 roughness 0.005 }
+}
 
 // A chandelier: two hoops of candles, garlands of glass between and below them
 #declare Candle = union {
     cylinder { 0, 0.16*y, 0.022 pigment { rgb <0.8, 0.76, 0.66> } finish { Matt } }
     cone { 0, 0.06, -0.04*y, 0.02 texture { Gold } }
-    sphere { 0, 0.035 scale <1, 1.7, 1> translate 0.22*y pigment { rgb <1, 0.6, 0.26> } finish { ambient 0 diffuse 0 emission 80 } }
+    sphere {
+        0, 0.035
+        scale <1, 1.7, 1>
+        translate 0.22*y
+        pigment { rgb <1, 0.6, 0.26> }
+        finish { ambient 0 diffuse 0 emission 80 }
+    }
 }
 #declare Bead = sphere { 0, 0.03 texture { Glass } }
 #macro Hoop(Candles, Radius, Top)
     torus { Radius, 0.025 texture { Gold } }
     object { Light_Ring(object { Candle translate 0.06*y }, Candles, Radius) }
     #for (I, 0, Candles/2 - 1)
-        #local Hooks = array[2] { vrotate(<Radius, 0, 0>, 720*I/Candles*y), vrotate(<0.08, 0, 0>, 720*I/Candles*y) + Top*y };
+        #local Hooks = array[2] {
+            vrotate(<Radius, 0, 0>, 720*I/Candles*y), vrotate(<0.08, 0, 0>, 720*I/Candles*y) + Top*y
+        };
         object { Light_String(Bead, 18, Hooks, 0.12) }
-        #local Hooks = array[2] { vrotate(<Radius, 0, 0>, 720*I/Candles*y), vrotate(<Radius, 0, 0>, 720*(I + 1)/Candles*y) };
+        #local Hooks = array[2] {
+            vrotate(<Radius, 0, 0>, 720*I/Candles*y), vrotate(<Radius, 0, 0>, 720*(I + 1)/Candles*y)
+        };
         object { Light_String(Bead, 10, Hooks, 0.3) }
     #end
 #end
@@ -105,7 +121,7 @@ difference {
 #end
 box { <-6, 0, Far>, <6, 12, Far + 0.5> texture { Plaster } }
 box { <-6, 0, -14.5>, <6, 12, -14> texture { Plaster } }
-background { rgb <0.006, 0.011, 0.028> }
+background { rgb <0.003, 0.0055, 0.013> }
 
 // A couple dances alone
 union {

@@ -20,7 +20,7 @@ camera {
     }
 }
 
-// Dusk: a last light behind the hills, and stars
+// Dusk: a last light behind the hills, and a little from the sky above
 sky_sphere {
     pigment {
         gradient y
@@ -29,8 +29,9 @@ sky_sphere {
             [0.25 rgb <0.02, 0.035, 0.09>] [0.8 rgb <0.004, 0.008, 0.03>]
         }
     }
-    pigment { bozo scale 0.004 color_map { [0.92 rgbt 1] [0.97 rgb <0.3, 0.33, 0.4>] [1 rgb 0.8] } }
 }
+
+light_source { <20, 90, -60>, rgb <0.02, 0.026, 0.05> parallel point_at 0 }
 
 #declare Matt = finish { ambient 0 diffuse 1 }
 
@@ -43,7 +44,9 @@ sky_sphere {
     cone { <0, 0.43, 0>, 0.15, <0, 0.47, 0>, 0.04 }
     pigment {
         gradient y
-        color_map { [0 rgb <1, 0.4, 0.09>*4] [0.4 rgb <1, 0.27, 0.04>*1.7] [1 rgb <1, 0.15, 0.02>*0.7] }
+        color_map {
+            [0 rgb <1, 0.4, 0.09>*4] [0.4 rgb <1, 0.27, 0.04>*1.7] [1 rgb <1, 0.15, 0.02>*0.7]
+        }
         scale 0.48
     }
     finish { ambient 0 diffuse 0 emission 1 }
@@ -67,17 +70,29 @@ plane {
         0, 1
         scale <26 + 8*rand(Random), 5 + 5*rand(Random), 12>
         translate <-110 + 18*I, 0, 110 + 10*rand(Random)>
-        pigment { rgb <0.03, 0.035, 0.05> }
+        pigment { rgb <0.16, 0.19, 0.24> }
         finish { Matt }
     }
 #end
+
+// Houses on the far shore
+#declare Window = sphere {
+    0, 0.14
+    pigment { rgb <1, 0.45, 0.12> }
+    finish { ambient 0 diffuse 0 emission 8 }
+}
+object { Light_Scatter(Window, 150, <-75, 0.3, 86>, <75, 2.4, 94>, 1, 31) }
 
 // Two boats with people who hold a lantern
 #declare Person = union {
     sphere { 0.72*y, 0.11 }
     cone { 0, 0.2, 0.6*y, 0.1 }
-    sphere_sweep { linear_spline 3 <0.1, 0.52, 0>, 0.05 <0.26, 0.5, -0.1>, 0.045 <0.2, 0.85, -0.25>, 0.04 }
-    sphere_sweep { linear_spline 3 <-0.1, 0.52, 0>, 0.05 <-0.26, 0.5, -0.1>, 0.045 <-0.2, 0.85, -0.25>, 0.04 }
+    sphere_sweep {
+        linear_spline 3 <0.1, 0.52, 0>, 0.05 <0.24, 0.62, -0.12>, 0.045 <0.12, 0.86, -0.2>, 0.04
+    }
+    sphere_sweep {
+        linear_spline 3 <-0.1, 0.52, 0>, 0.05 <-0.24, 0.62, -0.12>, 0.045 <-0.12, 0.86, -0.2>, 0.04
+    }
 }
 #declare Boat = union {
     // Planks between a rising keel and rising ends

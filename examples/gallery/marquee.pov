@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: CC0-1.0
 // A theatre marquee after the rain: a sign of bulbs in letters, a running border, two boards that
-// shine through, and a ceiling full of bulbs over the doors, where people wait. Some 670 luminaires.
+// shine through, and a ceiling full of bulbs over the doors, where people wait. Some 670
+// luminaires.
 #version 3.7;
 #include "light_arrays.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
@@ -10,8 +11,8 @@ camera {
     location <-5.4, 2.1, -11.6>
     right 16/9*x
     up y
-    angle 61
-    look_at <-0.3, 2.62, 0>
+    angle 54.5
+    look_at <-0.1, 2.9, 0>
     film {
         exposure 0.7
         response filmic
@@ -25,7 +26,11 @@ camera {
 #declare Brick = texture {
     pigment {
         brick pigment { rgb 0.2 }
-        pigment { bozo scale <0.5, 0.16, 1> color_map { [0 rgb <0.2, 0.08, 0.06>] [1 rgb <0.4, 0.18, 0.13>] } }
+        pigment {
+            bozo
+            scale <0.5, 0.16, 1>
+            color_map { [0 rgb <0.2, 0.08, 0.06>] [1 rgb <0.4, 0.18, 0.13>] }
+        }
         brick_size <0.5, 0.16, 0.5> mortar 0.018
     }
     normal { brick 0.4 brick_size <0.5, 0.16, 0.5> mortar 0.018 }
@@ -41,7 +46,11 @@ camera {
 }
 // The doors' glass: the foyer behind it is bright below its ceiling
 #declare Glass = texture {
-    pigment { gradient y color_map { [0 rgb <0.12, 0.03, 0.02>] [0.6 rgb <0.5, 0.2, 0.06>] [1 rgb <1, 0.5, 0.2>] } scale 2.6 }
+    pigment {
+        gradient y
+        color_map { [0 rgb <0.12, 0.03, 0.02>] [0.6 rgb <0.5, 0.2, 0.06>] [1 rgb <1, 0.5, 0.2>] }
+        scale 2.6
+    }
     finish { ambient 0 diffuse 0 emission 0.45 reflection 0.12 }
 }
 
@@ -88,18 +97,26 @@ box { <-3.6, 2.9, -2.4>, <3.6, 3.9, 0> texture { Brass } }
     }
 #end
 #macro Board(Width, Line, Next)
-    box { <-Width/2, 3.04, -0.02>, <Width/2, 3.76, 0> pigment { rgb <1, 0.9, 0.72> } finish { ambient 0 diffuse 0 emission 0.9 } }
+    box {
+        <-Width/2, 3.04, -0.02>, <Width/2, 3.76, 0>
+        pigment { rgb <1, 0.9, 0.72> }
+        finish { ambient 0 diffuse 0 emission 0.9 }
+    }
     Words(Line, 3.46)
     Words(Next, 3.12)
 #end
 #declare Chase = Bulb(rgb <1, 0.42, 0.1>, 0.04, 10);
 #macro Frame(Width, Count)
     #local Corners = array[5] {
-        <-Width/2, 2.97, 0>, <Width/2, 2.97, 0>, <Width/2, 3.83, 0>, <-Width/2, 3.83, 0>, <-Width/2, 2.97, 0>
+        <-Width/2, 2.97, 0>, <Width/2, 2.97, 0>, <Width/2, 3.83, 0>, <-Width/2, 3.83, 0>,
+        <-Width/2, 2.97, 0>
     };
     object { Light_Along(Chase, Count, Corners) }
 #end
-union { Board(6.7, "TONIGHT: 7381 LAMPS", "EVERY ONE OF THEM A STAR") Frame(7, 130) translate -2.43*z }
+union {
+    Board(6.7, "TONIGHT: 7381 LAMPS", "EVERY ONE OF THEM A STAR") Frame(7, 130)
+    translate -2.43*z
+}
 union { Board(1.9, "MATINEE", "AT DUSK") Frame(2.2, 52) rotate 90*y translate <-3.63, 0, -1.2> }
 object {
     Light_Grid(Bulb(rgb <1, 0.46, 0.14>, 0.045, 11), <26, 1, 9>, <0.27, 1, 0.26>)

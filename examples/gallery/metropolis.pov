@@ -23,12 +23,12 @@ sky_sphere {
     pigment {
         gradient y
         color_map {
-            [0 rgb <0.5, 0.19, 0.07>] [0.05 rgb <0.26, 0.13, 0.09>] [0.15 rgb <0.06, 0.075, 0.15>]
-            [0.35 rgb <0.02, 0.035, 0.09>] [1 rgb <0.004, 0.01, 0.03>]
+            [0 rgb <0.62, 0.2, 0.055>] [0.05 rgb <0.3, 0.12, 0.08>] [0.14 rgb <0.05, 0.06, 0.14>]
+            [0.3 rgb <0.012, 0.025, 0.075>] [1 rgb <0.004, 0.01, 0.03>]
         }
     }
 }
-fog { fog_type 2 rgb <0.16, 0.085, 0.06> distance 600 fog_offset 0 fog_alt 14 }
+fog { fog_type 2 rgb <0.2, 0.09, 0.05> distance 900 fog_offset 0 fog_alt 12 }
 // What is left of the day
 light_source { <-100, 120, -60>, rgb <0.03, 0.045, 0.1> parallel point_at 0 }
 
@@ -67,7 +67,10 @@ light_source { <-100, 120, -60>, rgb <0.03, 0.045, 0.1> parallel point_at 0 }
 #end
 #macro House(Wide, Deep, Floors, Share, Kind)
     union {
-        box { <-0.2*Wide - 0.1, 0, -0.2*Deep - 0.1>, <0.2*Wide + 0.1, 0.55*Floors + 0.4, 0.2*Deep + 0.1> }
+        box {
+            <-0.2*Wide - 0.1, 0, -0.2*Deep - 0.1>,
+            <0.2*Wide + 0.1, 0.55*Floors + 0.4, 0.2*Deep + 0.1>
+        }
         Side(Wide, Floors, Share, Kind, 0.2*Deep + 0.1, 0)
         Side(Wide, Floors, Share, Kind, 0.2*Deep + 0.1, 180)
         Side(Deep, Floors, Share, Kind, 0.2*Wide + 0.1, 90)
@@ -93,9 +96,22 @@ light_source { <-100, 120, -60>, rgb <0.03, 0.045, 0.1> parallel point_at 0 }
         union {
             House(Wide, Deep, Floors, Share, Kind)
             #if (Floors > 24)
-                object { House(Wide - 2, Deep - 2, int(Floors*0.3), Share, Kind) translate (0.55*Floors + 0.4)*y }
-                cylinder { 0, 4*y, 0.06 translate (0.715*Floors + 0.8)*y pigment { rgb 0.1 } finish { Matt } }
-                sphere { 0, 0.13 translate (0.715*Floors + 4.8)*y pigment { rgb <1, 0.03, 0.02> } finish { ambient 0 diffuse 0 emission 30 } }
+                object {
+                    House(Wide - 2, Deep - 2, int(Floors*0.3), Share, Kind)
+                    translate (0.55*Floors + 0.4)*y
+                }
+                cylinder {
+                    0, 4*y, 0.06
+                    translate (0.715*Floors + 0.8)*y
+                    pigment { rgb 0.1 }
+                    finish { Matt }
+                }
+                sphere {
+                    0, 0.13
+                    translate (0.715*Floors + 4.8)*y
+                    pigment { rgb <1, 0.03, 0.02> }
+                    finish { ambient 0 diffuse 0 emission 30 }
+                }
             #end
             translate Pitch*Place
         }
@@ -103,16 +119,27 @@ light_source { <-100, 120, -60>, rgb <0.03, 0.045, 0.1> parallel point_at 0 }
 #end
 
 // Lamps along all streets
-#declare Lamp = sphere { 0.6*y, 0.05 pigment { rgb <1, 0.5, 0.13> } finish { ambient 0 diffuse 0 emission 70 } }
+#declare Lamp = sphere {
+    0.6*y, 0.05
+    pigment { rgb <1, 0.5, 0.13> }
+    finish { ambient 0 diffuse 0 emission 70 }
+}
 #for (I, 0, Beyond)
     object { Light_Grid(Lamp, <Across*3, 1, 1>, <Pitch/3, 0, 0>) translate (I - 0.5)*Pitch*z }
 #end
 #for (I, 0, Across)
-    object { Light_Grid(Lamp, <1, 1, Beyond*3>, <0, 0, Pitch/3>) translate <I - Across/2, 0, Beyond/2 - 0.5>*Pitch }
+    object {
+        Light_Grid(Lamp, <1, 1, Beyond*3>, <0, 0, Pitch/3>)
+        translate <I - Across/2, 0, Beyond/2 - 0.5>*Pitch
+    }
 #end
 
 // The ground, and the river in front
-box { <-Across/2, -0.1, -0.6>*Pitch, <Across/2, 0, Beyond>*Pitch pigment { rgb 0.12 } finish { Matt } }
+box {
+    <-Across/2, -0.1, -0.6>*Pitch, <Across/2, 0, Beyond>*Pitch
+    pigment { rgb 0.12 }
+    finish { Matt }
+}
 plane {
     y, -0.4
     pigment { rgb <0.006, 0.01, 0.014> }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: CC0-1.0
 // A street in the rain: lit windows, signs, street lamps, strings of bulbs from house to house and
-// the lights of cars, 1000 luminaires in a thin haze, all of them again in the wet road.
+// the lights of cars, a thousand luminaires in thin haze, all of them again in the wet road.
 #version 3.7;
 #include "light_arrays.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
@@ -17,15 +17,32 @@ camera {
         response agx
         pixel_filter blackman_harris
         vignette 0.3
-        glare { veil 0.12 halo 0.004 star 0.02 blades 6 angle 12 length 0.4 }
+        glare { veil 0.17 halo 0.004 star 0.02 blades 6 angle 12 length 0.4 }
     }
 }
-media { scattering { 5, rgb <0.0018, 0.002, 0.0024> eccentricity 0.6 extinction 1 } samples 2 }
+fog { rgb <0.05, 0.036, 0.03> distance 55 }
 
 #declare Matt = finish { ambient 0 diffuse 0.9 }
 #declare Iron = texture { pigment { rgb 0.03 } finish { Matt specular 0.3 roughness 0.03 } }
 #macro Glow(Colour, Radiance)
     texture { pigment { rgb Colour } finish { ambient 0 diffuse 0 emission Radiance } }
+#end
+
+// A window with somebody's light behind its bars: uneven, as curtains and shelves make it
+#macro Lit(Colour, Radiance)
+    texture {
+        pigment {
+            brick
+            pigment { rgb 0.01 }
+            pigment {
+                bozo
+                scale <0.3, 0.5, 0.3>
+                color_map { [0.25 rgb Colour*0.25] [0.7 rgb Colour] }
+            }
+            brick_size <0.43, 0.6, 40> mortar 0.045 translate <0.02, 0.02, -10>
+        }
+        finish { ambient 0 diffuse 0 emission Radiance }
+    }
 #end
 
 // A house with its front to -z: windows, a shop with an awning below, a sign that stands out
@@ -37,8 +54,16 @@ media { scattering { 5, rgb <0.0018, 0.002, 0.0024> eccentricity 0.6 extinction 
     union {
         box { <-3, 0, 0>, <3, 3.1 + 1.9*Floors, 6> }
         box { <-3.05, 3 + 1.9*Floors, -0.25>, <3.05, 3.2 + 1.9*Floors, 0.2> }
-        object { Light_Facade(object { Pane Glow(Lamp, 0.8) }, Dark, <4, Floors>, <1.4, 1.9>, 0.42, Seed) translate 3.3*y }
-        object { Light_Facade(object { Shop Glow(<1, 0.42, 0.13>, 1) }, Shut, <3, 1>, <1.95, 1>, 0.7, Seed + 50) translate 0.5*y }
+        object {
+            Light_Facade(object { Pane Lit(Lamp, 1.2) }, Dark, <4, Floors>, <1.4, 1.9>, 0.42, Seed)
+            translate 3.3*y
+        }
+        object {
+            Light_Facade(object {
+                Shop Lit(<1, 0.42, 0.13>, 2.2)
+            }, Shut, <3, 1>, <1.95, 1>, 0.7, Seed + 50)
+            translate 0.5*y
+        }
         box { <-2.9, 2.35, -0.9>, <2.9, 2.42, 0> pigment { rgb <0.4, 0.08, 0.06> } }
         box { <2, 3.6, -0.85>, <2.08, 5.4, -0.3> Glow(Sign, 3) }
         difference {
@@ -49,13 +74,18 @@ media { scattering { 5, rgb <0.0018, 0.002, 0.0024> eccentricity 0.6 extinction 
         finish { Matt }
     }
 #end
-#declare Signs = array[5] { <1, 0.05, 0.12>, <0.05, 0.6, 1>, <1, 0.35, 0.03>, <0.1, 1, 0.4>, <0.8, 0.08, 1> }
+#declare Signs = array[5] {
+    <1, 0.05, 0.12>, <0.05, 0.6, 1>, <1, 0.35, 0.03>, <0.1, 1, 0.4>, <0.8, 0.08, 1>
+}
 #declare Random = seed(12);
 #for (I, 0, 9)
     #for (Side, -1, 1, 2)
         #declare Wall = <0.3 + 0.15*rand(Random), 0.22 + 0.1*rand(Random), 0.18 + 0.1*rand(Random)>;
         object {
-            House(Wall, <1, 0.42 + 0.3*rand(Random), 0.12 + 0.3*rand(Random)>, Signs[mod(2*I + (Side + 1)/2, 5)], 3 + int(3*rand(Random)), I + 10*Side)
+            House(
+                Wall, <1, 0.42 + 0.3*rand(Random), 0.12 + 0.3*rand(Random)>,
+                Signs[mod(2*I + (Side + 1)/2, 5)], 3 + int(3*rand(Random)), I + 10*Side
+            )
             rotate 90*Side*y
             translate <6*Side, 0, -6 + 6.2*I>
         }
@@ -72,22 +102,36 @@ media { scattering { 5, rgb <0.0018, 0.002, 0.0024> eccentricity 0.6 extinction 
 object { Light_Street(Lamp, 9, 6.2, 8) translate -2.9*z }
 #for (I, 0, 13)
     #declare Hooks = array[2] { <-6, 5.6, 4*I - 1>, <6, 5.6 + 0.5*sin(3*I), 4*I + 0.5> }
-    object { Light_String(sphere { <0, -0.05, 0>, 0.04 Glow(<1, 0.55, 0.2>, 16) }, 36, Hooks, 0.09) }
+    object {
+        Light_String(sphere { <0, -0.05, 0>, 0.034 Glow(<1, 0.55, 0.2>, 16) }, 56, Hooks, 0.09)
+    }
 #end
 
 // The wet road, its kerbs, and cars
 #declare Wet = finish { ambient 0 microfacet { roughness 0.16 specular 0.9 } }
 plane { y, 0 pigment { rgb 0.025 } normal { bumps 0.12 scale <0.35, 1, 0.9> } finish { Wet } }
-box { <-6, 0, -20>, <-3.7, 0.12, 80> pigment { rgb 0.1 } normal { bumps 0.1 scale 0.3 } finish { Wet } }
-box { <3.7, 0, -20>, <6, 0.12, 80> pigment { rgb 0.1 } normal { bumps 0.1 scale 0.3 } finish { Wet } }
+box {
+    <-6, 0, -20>, <-3.7, 0.12, 80>
+    pigment { rgb 0.1 }
+    normal { bumps 0.1 scale 0.3 }
+    finish { Wet }
+}
+box {
+    <3.7, 0, -20>, <6, 0.12, 80>
+    pigment { rgb 0.1 }
+    normal { bumps 0.1 scale 0.3 }
+    finish { Wet }
+}
 #for (I, 0, 5)
     #declare Way = mod(I, 2)*2 - 1;
-    #declare Back = <1, 0.03, 0.02>*14;
     union {
         box { <-0.75, 0.3, -1.7>, <0.75, 0.8, 1.7> }
         box { <-0.62, 0.8, -1>, <0.62, 1.3, 0.9> }
         #for (Side, -1, 1, 2)
-            sphere { <0.55*Side, 0.6, -1.7>, 0.1 Glow((Way > 0 ? <1, 0.03, 0.02> : <1, 0.85, 0.6>), (Way > 0 ? 14 : 60)) }
+            sphere {
+                <0.55*Side, 0.6, -1.7>,
+                0.1 Glow((Way > 0 ? <1, 0.03, 0.02> : <1, 0.85, 0.6>), (Way > 0 ? 14 : 60))
+            }
         #end
         pigment { rgb 0.1 + 0.2*<rand(Random), rand(Random), rand(Random)> }
         finish { Matt specular 0.5 roughness 0.01 reflection 0.1 }
@@ -112,12 +156,19 @@ union {
     cylinder { <0.1, 0, 0.22>, <0.08, 0.8, 0>, 0.07 }
     pigment { rgb 0.03 }
     finish { Matt }
-    translate <-0.85, 0, -3.8>
+    translate <-0.95, 0, -3.4>
 }
 
 // The rain
 #for (I, 1, 1800)
     #declare Far = 1 + 14*pow(rand(Random), 1.5);
-    #declare Drop = <(rand(Random) - 0.5)*1.2*Far, 1.25 + (rand(Random) - 0.3)*0.75*Far, Far - 11.5>;
-    cylinder { Drop, Drop + <0.03, 0.28, 0>, 0.0013 open no_shadow pigment { rgbt <0.8, 0.85, 1, 0.6> } finish { Matt } }
+    #declare Drop = <
+        (rand(Random) - 0.5)*1.2*Far, 1.25 + (rand(Random) - 0.3)*0.75*Far, Far - 11.5
+    >;
+    cylinder {
+        Drop, Drop + <0.03, 0.28, 0>, 0.0013
+        open no_shadow
+        pigment { rgbt <0.9, 0.95, 1, 0.75> }
+        finish { Matt emission 0.05 no_luminaire }
+    }
 #end

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: CC0-1.0
 // Three sphereflakes on a polished floor at night. Two of them glow, in 14,742 balls, and light
-// the porcelain flake that stands between them: warm from the right, cold from the left. The lens adds its glare.
+// the porcelain flake that stands between them: warm from the right, cold from the left. The lens
+// adds its glare.
 #version 3.7;
 #include "sphereflake.inc"
 global_settings { assumed_gamma 1.0 max_trace_level 5 }
@@ -9,10 +10,10 @@ camera {
     location <-0.3, 1.5, -9.6>
     right 16/9*x
     up y
-    angle 45
+    angle 47
     look_at <0, 1.3, 0>
     film {
-        exposure 0.9
+        exposure 1.4
         response filmic
         pixel_filter blackman_harris
         vignette 0.25
@@ -20,15 +21,32 @@ camera {
     }
 }
 sky_sphere {
-    pigment { gradient y color_map { [0 rgb <0.012, 0.018, 0.04>] [0.4 rgb <0.001, 0.002, 0.005>] } }
+    pigment {
+        gradient y
+        color_map { [0 rgb <0.007, 0.01, 0.024>] [0.3 rgb <0.0006, 0.001, 0.003>] }
+    }
 }
 
-// Sphereflake_Of repeats one ball of each size, the biggest first
+// Sphereflake_Of repeats one ball of each size, the biggest first, with its z outwards: so sparks
+// are brightest at their tips
 #macro Ball(Colour, Shine)
-    sphere { 0, 1 pigment { rgb Colour } finish { ambient 0 diffuse 0.9 specular 0.3 roughness 0.02 reflection Shine } }
+    sphere {
+        0, 1
+        pigment { rgb Colour }
+        finish { ambient 0 diffuse 0.9 specular 0.3 roughness 0.02 reflection Shine }
+    }
 #end
 #macro Spark(Colour)
-    sphere { 0, 1 pigment { rgb Colour } finish { ambient 0 diffuse 0 emission 1 } }
+    sphere {
+        0, 1
+        pigment {
+            gradient z
+            color_map { [0 rgb Colour*0.12] [0.5 rgb Colour*0.6] [1 rgb Colour*1.8] }
+            scale 2
+            translate -z
+        }
+        finish { ambient 0 diffuse 0 emission 1 }
+    }
 #end
 #macro Glowing_Flake(Body, Ember, Flame, Spark_Colour)
     Sphereflake_Of(array[5] {
