@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: CC0-1.0
-// A lantern festival at dusk: 900 paper lanterns rise over a lake, from the shore where people have
+// A lantern festival at dusk: 840 paper lanterns rise over a lake, from the shore where people have
 // let them go, and each is there once more in the water.
 #version 3.7;
 #include "light_arrays.inc"

@@ -22,12 +22,14 @@ if [ "${1:-}" = film ]; then
 fi
 
 folder=${1:-$here/../pictures}
+mkdir -p "$folder"
 [ $# -eq 0 ] || shift
 samples() { # SCENE: rays for each pixel, as many as the denoiser needs there
     case $1 in
-        sphereflakes | metropolis | marquee) echo 8 ;;
-        night_street | lantern_festival | christmas_tree) echo 6 ;;
-        *) echo 4 ;;
+        night_street) echo 6 ;;
+        sphereflakes | metropolis | marquee) echo 5 ;;
+        lantern_festival | christmas_tree) echo 4 ;;
+        *) echo 3 ;;
     esac
 }
 [ $# -gt 0 ] || set -- sphereflakes night_street ballroom lantern_festival metropolis \
