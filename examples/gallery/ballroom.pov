@@ -15,7 +15,6 @@ camera {
         exposure 0.6
         response agx
         white_balance 5800
-        pixel_filter blackman_harris
         vignette 0.25
         glare { veil 0.1 halo 0.003 star 0.02 blades 8 angle 10 length 0.35 }
     }

@@ -19,7 +19,6 @@ camera {
     film {
         exposure 1.2
         response agx
-        pixel_filter blackman_harris
         vignette 0.3
         glare { veil 0.1 halo 0.004 star 0.02 blades 6 angle 12 length 0.35 }
     }

@@ -14,7 +14,6 @@ camera {
     film {
         exposure 0.5
         response agx
-        pixel_filter blackman_harris
         vignette 0.25
         glare { veil 0.1 halo 0.004 star 0 }
     }

@@ -11,12 +11,11 @@ camera {
     location <-5.4, 2.1, -11.6>
     right 16/9*x
     up y
-    angle 54.5
-    look_at <-0.1, 2.9, 0>
+    angle 57
+    look_at <-0.15, 3.05, 0>
     film {
         exposure 0.7
         response filmic
-        pixel_filter blackman_harris
         vignette 0.3
         glare { veil 0.1 halo 0.004 star 0.02 blades 6 angle 12 length 0.3 }
     }
@@ -51,7 +50,7 @@ camera {
         color_map { [0 rgb <0.12, 0.03, 0.02>] [0.6 rgb <0.5, 0.2, 0.06>] [1 rgb <1, 0.5, 0.2>] }
         scale 2.6
     }
-    finish { ambient 0 diffuse 0 emission 0.45 reflection 0.12 }
+    finish { ambient 0 diffuse 0 emission 0.3 reflection 0.12 }
 }
 
 #macro Bulb(Colour, Size, Radiance)
@@ -164,7 +163,7 @@ box { <-2.75, 2.5, -0.1>, <2.75, 2.65, 0.1> texture { Brass } }
         cone { 1.3*y, 0.2, 1.46*y, 0.07 }
         cylinder { -0.09*x, <-0.08, 0.7, 0>, 0.075 }
         cylinder { 0.1*x, <0.08, 0.7, 0>, 0.075 }
-        pigment { rgb 0.06 + 0.35*<rand(Random), 0.5*rand(Random), 0.6*rand(Random)> }
+        pigment { rgb 0.03 + 0.12*<rand(Random), 0.5*rand(Random), 0.6*rand(Random)> }
         finish { Matt }
         scale 0.95 + 0.12*rand(Random)
         rotate 360*rand(Random)*y

@@ -14,7 +14,6 @@ camera {
     film {
         exposure 0.7
         response agx
-        pixel_filter blackman_harris
         vignette 0.25
         glare { veil 0.1 halo 0.003 star 0.012 blades 6 angle 10 length 0.25 }
     }

@@ -14,7 +14,6 @@ camera {
     film {
         exposure 1.5
         response agx
-        pixel_filter blackman_harris
         vignette 0.35
         glare { veil 0.16 halo 0.004 star 0 }
     }

@@ -12,7 +12,6 @@ camera {
     film {
         exposure 1.9
         response agx
-        pixel_filter blackman_harris
         vignette 0.3
         glare { veil 0.12 halo 0.004 star 0.015 blades 6 angle 10 length 0.3 }
     }

@@ -15,7 +15,6 @@ camera {
     film {
         exposure 1.4
         response filmic
-        pixel_filter blackman_harris
         vignette 0.25
         glare { veil 0.08 halo 0.004 star 0.02 blades 6 angle 8 length 0.3 }
     }
