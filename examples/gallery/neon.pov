@@ -9,8 +9,8 @@ camera {
     location <1.6, 1.5, -8.6>
     right 16/9*x
     up y
-    angle 55
-    look_at <0, 1.85, 0>
+    angle 62
+    look_at <0, 1.8, 0>
     film {
         exposure 1.5
         response agx
