@@ -14,8 +14,8 @@ camera {
     location <-0.6, 1.5, -8.4>
     right 16/9*x
     up y
-    angle 56
-    look_at <-0.5, 2.1, 0>
+    angle 59
+    look_at <-0.5, 2.2, 0>
     film {
         exposure 1.2
         response agx
